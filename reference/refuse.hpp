@@ -1,0 +1,28 @@
+#pragma once
+/// How the oracles refuse what they are not defined for: one std::domain_error of one line.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace touchstone::reference {
+
+[[noreturn]] inline void refuse(std::string_view where, std::string_view what, double value, std::string_view wanted) {
+  throw std::domain_error(fmt::format("{}: {} = {}, wanted {}", where, what, value, wanted));
+}
+
+inline void require_finite(std::string_view where, std::string_view what, double value) {
+  if (!std::isfinite(value)) refuse(where, what, value, "a finite number");
+}
+
+inline void require_positive(std::string_view where, std::string_view what, double value) {
+  if (!(std::isfinite(value) && value > 0)) refuse(where, what, value, "a finite number above 0");
+}
+
+inline void require_time(std::string_view where, double t) {
+  if (!(std::isfinite(t) && t >= 0)) refuse(where, "t [s]", t, "a finite time, not negative");
+}
+
+}  // namespace touchstone::reference

@@ -1,0 +1,169 @@
+#include "reports/case_tables.hpp"
+
+#include "reports/html.hpp"
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace touchstone::reports {
+namespace {
+
+using Row = std::vector<HtmlCell>;
+
+// Equal rows appear once: methods of a case may each bring the same reference values.
+void add_once(std::vector<Row>& rows, Row row, std::set<std::string>& known) {
+  std::string text;
+  for (const auto& cell : row) text += cell.html + "\n";
+  if (known.insert(text).second) rows.push_back(std::move(row));
+}
+
+HtmlCell cell_html(const vnv::Cell& cell, const std::string& kind) {
+  if (const double* value = std::get_if<double>(&cell)) return number_cell(*value);
+  return {typeset(std::get<std::string>(cell)), kind};
+}
+
+bool is_number(const vnv::Cell& cell) { return std::holds_alternative<double>(cell); }
+
+Row table_head(const vnv::Table& table) {
+  Row columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool numbers =
+        std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
+    columns.push_back({typeset(table.columns[i]), numbers ? "number" : ""});
+  }
+  return columns;
+}
+
+std::string table_html(const vnv::Table& table) {
+  HtmlTable html{escape(table.title) + ".", typeset(table.caption), table_head(table), {}};
+  std::set<std::string> known;
+  for (const auto& cells : table.rows) {
+    Row row;
+    for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(cell_html(cells[i], html.columns[i].kind));
+    add_once(html.rows, std::move(row), known);
+  }
+  return to_html(html);
+}
+
+// One column per quantity and time, one row per run.
+using Column = std::pair<std::string, std::string>;
+
+Column column_of(const vnv::Error& error) { return {error.quantity, printed(error.time)}; }
+
+std::vector<Column> error_columns(const CaseRecords& records) {
+  std::vector<Column> columns;
+  for (const auto& record : records.records)
+    for (const auto& error : record.errors)
+      if (const Column column = column_of(error); std::find(columns.begin(), columns.end(), column) == columns.end())
+        columns.push_back(column);
+  std::stable_sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return a.first < b.first; });
+  return columns;
+}
+
+Row error_head(const std::vector<Column>& columns) {
+  Row head{{"method"}, {"rung"}, {"spacing [mm]", "number"}};
+  for (const auto& [quantity, time] : columns)
+    head.push_back({fmt::format("{}<br><small>{}\u202fs</small>", typeset(quantity), time), "number"});
+  return head;
+}
+
+std::vector<Row> error_rows(const vnv::Record& record, const std::vector<Column>& columns) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> row_of;
+  for (const auto& error : record.errors) {
+    const auto [found, is_new] = row_of.try_emplace(error.rung, rows.size());
+    if (is_new) {
+      rows.push_back({{escape(record.method)}, {escape(error.rung)}, number_cell(error.spacing * 1e3)});
+      rows.back().resize(3 + columns.size());
+    }
+    const auto column = std::find(columns.begin(), columns.end(), column_of(error)) - columns.begin();
+    rows[found->second][3 + column] = number_cell(error.value);
+  }
+  return rows;
+}
+
+std::string pairwise(const vnv::ObservedOrder& order) {
+  std::string html;
+  for (std::size_t i = 0; i < order.pairwise.size(); ++i) {
+    const bool named = i + 1 < order.rungs.size();
+    html += fmt::format(
+        "{}{}{}", i == 0 ? "" : ", ", printed(order.pairwise[i]),
+        named ? fmt::format(" <small>{}–{}</small>", escape(order.rungs[i]), escape(order.rungs[i + 1])) : "");
+  }
+  return html;
+}
+
+Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
+  return {{escape(record.method)},
+          {escape(order.ladder), "words"},
+          {typeset(order.quantity)},
+          number_cell(order.time),
+          {fmt::format("{} ± {}", printed(order.order), printed(order.half_width)),
+           order.order < 0 ? "number fails" : "number"},
+          {pairwise(order), "words"}};
+}
+
+Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
+  const vnv::Cost& c = run.cost;
+  return {{escape(record.method)},
+          {escape(run.rung)},
+          number_cell(run.spacing * 1e3),
+          number_cell(run.time_step * 1e6),
+          number_cell(run.end_time),
+          number_cell(c.particles),
+          number_cell(c.boundary_particles),
+          number_cell(c.steps),
+          number_cell(c.cpu),
+          number_cell(c.wall),
+          number_cell(c.peak_memory / 1e6),
+          number_cell(c.per_particle_step() * 1e9),
+          {escape(run.outcome), run.finished ? "words" : "words fails"}};
+}
+
+}  // namespace
+
+std::string tables_html(const CaseRecords& records) {
+  std::string html;
+  for (const auto& table : tables_of(records)) html += table_html(table);
+  return html;
+}
+
+std::string errors_html(const CaseRecords& records) {
+  const auto columns = error_columns(records);
+  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", error_head(columns), {}};
+  for (const auto& record : records.records) {
+    auto rows = error_rows(record, columns);
+    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
+  }
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+std::string orders_html(const CaseRecords& records) {
+  HtmlTable table{
+      "Observed orders.",
+      "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
+      "is that between two neighbouring rungs; where it falls towards the fine end, a floor is near.",
+      {{"method"}, {"ladder"}, {"quantity"}, {"time [s]", "number"}, {"order", "number"}, {"pairwise"}},
+      {}};
+  for (const auto& record : records.records)
+    for (const auto& order : record.orders) table.rows.push_back(order_row(record, order));
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+std::string cost_html(const CaseRecords& records) {
+  HtmlTable table{"Cost.", "Reported, never judged.", {}, {}};
+  table.columns = {{"method"}, {"rung"}};
+  for (const char* heading : {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps",
+                              "CPU [s]", "wall [s]", "memory [MB]", "ns per particle-step"})
+    table.columns.push_back({heading, "number"});
+  table.columns.push_back({"outcome"});
+  for (const auto& record : records.records)
+    for (const auto& run : record.runs) table.rows.push_back(cost_row(record, run));
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+}  // namespace touchstone::reports

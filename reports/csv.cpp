@@ -1,0 +1,57 @@
+#include "reports/csv.hpp"
+
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace touchstone::reports {
+namespace {
+
+std::string number(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.6g}", value); }
+std::string number_or_empty(double value) { return std::isnan(value) ? "" : number(value); }
+
+std::string verdict_line(const vnv::Verdict& v) {
+  return csv_line({v.case_name, v.method, v.rung, number_or_empty(v.spacing), number_or_empty(v.time),
+                   with_unit(v.quantity, v.unit), number(v.value), limit(v), v.author, word(v.outcome)});
+}
+
+std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
+  const vnv::Cost& c = run.cost;
+  return csv_line({record.case_name, record.method, run.rung, std::to_string(c.particles), std::to_string(c.steps),
+                   number(c.cpu), number(c.wall), number(c.peak_memory / 1e6), number(c.per_particle_step() * 1e9)});
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted;
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return fmt::format("\"{}\"", quoted);
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const auto& field : fields) line += csv_field(field) + ',';
+  if (!line.empty()) line.pop_back();
+  return line + '\n';
+}
+
+std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv = "case,method,rung,spacing [m],time [s],quantity,value,limit,author,verdict\n";
+  for (const auto& records : cases)
+    for (const auto& verdict : verdicts_of(records)) csv += verdict_line(verdict);
+  return csv;
+}
+
+std::string cost_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv = "case,method,rung,particles,steps,cpu [s],wall [s],peak memory [MB],ns per particle-step\n";
+  for (const auto& records : cases)
+    for (const auto& record : records.records)
+      for (const auto& run : record.runs) csv += cost_line(record, run);
+  return csv;
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,44 @@
+#include "reports/csv.hpp"
+
+#include "reports/testing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::reports {
+namespace {
+
+TEST(Csv, QuotesOnlyWhatNeedsIt) {
+  EXPECT_EQ(csv_field("L2 v_x [%]"), "L2 v_x [%]");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("6\" pipe"), "\"6\"\" pipe\"");
+  EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
+}
+
+TEST(Csv, KeepsEmptyFieldsInTheirPlace) { EXPECT_EQ(csv_line({"", "a", ""}), ",a,\n"); }
+
+TEST(Csv, AClaimIsOneLineWithLimitAndAuthor) {
+  const std::string csv = verdicts_csv({{"poiseuille", {sample_record()}}});
+  EXPECT_TRUE(contains(csv, "\npoiseuille,mpm,M2,,,L2 v_x [%],1.5,<= 1.59,\"literature: Sun et al., table 3\",holds\n"))
+      << csv;
+}
+
+TEST(Csv, AValueThatIsNotANumberIsSaidToBeNone) {
+  vnv::Record record = sample_record();
+  record.verdicts[0].value = vnv::not_a_number;
+  EXPECT_TRUE(contains(verdicts_csv({{"poiseuille", {record}}}), ",nan,<= 1.59,"));
+}
+
+TEST(Csv, ARunIsOneLineInTheUnitsOfTheHeading) {
+  vnv::Record record = sample_record();
+  vnv::RunSummary run;
+  run.rung = "M2";
+  run.cost.particles = 1000;
+  run.cost.steps = 2000;
+  run.cost.cpu = 2;
+  run.cost.peak_memory = 5e6;
+  record.runs = {run};
+  EXPECT_TRUE(contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,0,5,1000\n"));
+}
+
+}  // namespace
+}  // namespace touchstone::reports

@@ -1,0 +1,73 @@
+#include "reports/files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+void want(const std::error_code& cause, const fs::path& place) {
+  if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", place.string(), cause.message()));
+}
+
+fs::path neighbour(const fs::path& site, const char* kind) {
+  return site.parent_path() / fmt::format(".{}.{}.{}", site.filename().string(), getpid(), kind);
+}
+
+// "site/" and "./site" name the same folder as "site".
+fs::path plain_path(const fs::path& site) {
+  const fs::path whole = fs::absolute(site).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+}  // namespace
+
+void save(const fs::path& file, const std::string& text) {
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+}
+
+Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(site_, "part")) {
+  const bool is_free = !fs::exists(site_) || (fs::is_directory(site_) && fs::is_empty(site_));
+  if (!is_free && !fs::exists(site_ / "verdicts.csv"))
+    throw std::runtime_error(
+        fmt::format("{}: is there and is no site, wanted a new, an empty or a former one", site.string()));
+  std::error_code cause;
+  fs::create_directories(folder_, cause);
+  want(cause, site);
+}
+
+Staging::~Staging() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Staging::publish() {
+  std::error_code cause, ignored;
+  const fs::path former = neighbour(site_, "former");
+  fs::rename(site_, former, ignored);
+  fs::rename(folder_, site_, cause);
+  if (cause) fs::rename(former, site_, ignored);
+  want(cause, site_);
+  fs::remove_all(former, ignored);
+}
+
+void Staging::publish_file(const std::string& name) {
+  std::error_code cause;
+  fs::create_directories(site_, cause);
+  want(cause, site_);
+  fs::rename(folder_ / name, site_ / name, cause);
+  want(cause, site_ / name);
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,21 @@
+#pragma once
+/// gnuplot through gnuplot-iostream, which by itself fails silently: without gnuplot it ends the program by a signal or
+/// leaves no file; after a bad command it leaves an empty one. Here an image is whole or there is an exception.
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace touchstone::reports {
+
+struct GnuplotMissing : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Its path, by the PATH of the environment. Throws GnuplotMissing, saying what to install.
+std::filesystem::path find_gnuplot();
+
+/// Runs `image` with the extension .gp, a script that draws into the file named by its variable `image`.
+/// Throws GnuplotMissing, or std::runtime_error with gnuplot's own message.
+void run_gnuplot(const std::filesystem::path& image);
+
+}  // namespace touchstone::reports

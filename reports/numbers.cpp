@@ -1,0 +1,69 @@
+#include "reports/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace touchstone::reports {
+namespace {
+
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
+std::string grouped(std::string digits) {
+  const int first = digits.starts_with('-') ? 1 : 0;
+  for (int i = static_cast<int>(digits.size()) - 3; i > first; i -= 3) digits.insert(i, "\u202f");
+  return with_minus(digits);
+}
+
+std::string with_power(const std::string& number) {
+  const auto e = number.find('e');
+  const int power = std::stoi(number.substr(e + 1));
+  return fmt::format("{}\u202f×\u202f10<sup>{}</sup>", with_minus(number.substr(0, e)),
+                     with_minus(std::to_string(power)));
+}
+
+}  // namespace
+
+std::string plain(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
+
+std::string printed(double value) {
+  if (!std::isfinite(value)) return fmt::format("<span class=\"nan\">{}</span>", with_minus(plain(value)));
+  if (std::abs(value) >= 1e4 && std::abs(value) < 1e7) return grouped(fmt::format("{:.0f}", value));
+  const std::string number = plain(value);
+  return number.find('e') == std::string::npos ? with_minus(number) : with_power(number);
+}
+
+std::string printed(long count) {
+  return std::abs(count) < 10000 ? with_minus(std::to_string(count)) : grouped(std::to_string(count));
+}
+
+HtmlCell number_cell(double value) { return {printed(value), "number"}; }
+HtmlCell number_cell(long count) { return {printed(count), "number"}; }
+
+std::string limit(const vnv::Verdict& verdict) {
+  if (verdict.lower && verdict.upper) return fmt::format("in [{}, {}]", plain(*verdict.lower), plain(*verdict.upper));
+  if (verdict.upper) return "<= " + plain(*verdict.upper);
+  if (verdict.lower) return ">= " + plain(*verdict.lower);
+  return "";
+}
+
+std::string with_unit(const std::string& quantity, const std::string& unit) {
+  return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
+}
+
+std::string word(vnv::Outcome outcome) {
+  switch (outcome) {
+    case vnv::Outcome::holds:
+      return "holds";
+    case vnv::Outcome::fails:
+      return "fails";
+    case vnv::Outcome::inconclusive:
+      break;
+  }
+  return "inconclusive";
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,14 @@
+#pragma once
+/// The page of one case: what was solved, how it compares, and what is claimed.
+
+#include "reports/figures.hpp"
+
+#include <string>
+#include <vector>
+
+namespace touchstone::reports {
+
+/// Stands in the case's folder, beside its figures.
+std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures);
+
+}  // namespace touchstone::reports

@@ -1,0 +1,143 @@
+#include "reports/site.hpp"
+
+#include "reports/gnuplot.hpp"
+#include "reports/testing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Site : public testing::Test {
+ protected:
+  Site() {
+    fs::create_directory(records);
+    put(sample_record());
+  }
+  void put(const vnv::Record& record) const { vnv::write(record, records / (record.method + ".json")); }
+  std::string page(const std::string& name) const { return text_of_file(site / name); }
+  long entries() const { return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()); }
+
+  ScratchFolder folder;
+  const fs::path records = folder / "records", site = folder / "site";
+};
+
+TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
+  make_site(records, site);
+  for (const char* name : {"index.html", "style.css", "verdicts.csv", "cost.csv", "poiseuille/index.html",
+                           "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
+    EXPECT_FALSE(page(name).empty()) << name;
+  EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
+  EXPECT_EQ(entries(), 2) << "something is left beside the site";
+}
+
+TEST_F(Site, SaysFirstWhatFails) {
+  vnv::Record record = sample_record();
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
+  put(record);
+  make_site(records, site);
+  for (const char* name : {"index.html", "poiseuille/index.html"}) {
+    EXPECT_TRUE(contains(page(name), "1 of 2 claims holds, 1 fails.")) << name;
+    EXPECT_LT(page(name).find("the sentence of this verdict"), page(name).find("<table>")) << name;
+  }
+}
+
+TEST_F(Site, DoesNotCallACaseWithoutClaimsGood) {
+  vnv::Record record = sample_record();
+  record.verdicts.clear();
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("index.html"), "Nothing is claimed."));
+  EXPECT_FALSE(contains(page("index.html"), "class=\"sum holds\""));
+}
+
+TEST_F(Site, SaysThatARunDidNotFinish) {
+  vnv::Record record = sample_record();
+  vnv::RunSummary run;
+  run.rung = "S4";
+  run.outcome = "diverged at step 7";
+  record.runs = {run};
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
+}
+
+TEST_F(Site, ShowsEqualRowsOfATableOnce) {
+  const vnv::Table table{"norms", "Norms", "", {"rung", "L2 [%]"}, {{std::string("paper M1"), 3.34}}};
+  for (const char* method : {"mpm", "sph"}) {
+    vnv::Record record = sample_record(method);
+    record.tables = {table};
+    put(record);
+  }
+  make_site(records, site);
+  const std::string html = page("poiseuille/index.html");
+  EXPECT_NE(html.find("paper M1"), std::string::npos);
+  EXPECT_EQ(html.find("paper M1"), html.rfind("paper M1"));
+}
+
+TEST_F(Site, EscapesWhatARecordSays) {
+  vnv::Record record = sample_record();
+  record.title = record.description = record.method_description = "<script>alert(1)</script>";
+  record.curves[0].label = "<script>";
+  put(record);
+  make_site(records, site);
+  for (const char* name : {"index.html", "poiseuille/index.html", "poiseuille/profile.svg"})
+    EXPECT_FALSE(contains(page(name), "<script>")) << name;
+}
+
+TEST_F(Site, IsReplacedWhole) {
+  make_site(records, site);
+  std::ofstream(site / "of_an_earlier_case.html") << "old";
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "of_an_earlier_case.html"));
+  EXPECT_TRUE(fs::exists(site / "index.html"));
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(Site, StaysAsItWasIfAFigureCannotBeDrawn) {
+  make_site(records, site);
+  const std::string former = page("index.html");
+  vnv::Record record = sample_record();
+  record.title = "Another";
+  put(record);
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho 'no terminal' >&2\nexit 1\n";
+  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
+  const Environment path("PATH", folder.path().c_str());
+  EXPECT_THROW(make_site(records, site), std::runtime_error);
+  EXPECT_EQ(page("index.html"), former);
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(Site, WithoutGnuplotIsTheTwoTables) {
+  const Environment path("PATH", "");
+  EXPECT_THROW(make_site(records, site), GnuplotMissing);
+  EXPECT_FALSE(page("verdicts.csv").empty());
+  EXPECT_FALSE(page("cost.csv").empty());
+  EXPECT_FALSE(fs::exists(site / "index.html"));
+}
+
+TEST_F(Site, DoesNotReplaceAFolderThatIsNone) {
+  fs::create_directory(site);
+  std::ofstream(site / "thesis.tex") << "years of work";
+  EXPECT_THROW(make_site(records, site), std::runtime_error);
+  EXPECT_EQ(page("thesis.tex"), "years of work");
+}
+
+TEST_F(Site, DoesNotReplaceTheFolderOfItsRecords) {
+  make_site(records, site);
+  fs::rename(records, site / "records");
+  EXPECT_THROW(make_site(site / "records", site), std::runtime_error);
+  EXPECT_TRUE(fs::exists(site / "records" / "mpm.json"));
+}
+
+TEST_F(Site, WhereNothingCanBeWrittenIsRefused) {
+  std::ofstream(folder / "file") << "";
+  EXPECT_THROW(make_site(records, folder / "file" / "site"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::reports

@@ -1,0 +1,80 @@
+#pragma once
+/// The one style sheet of all pages: a printed supplement, readable on a phone.
+
+#include <string_view>
+
+namespace touchstone::reports {
+
+inline constexpr std::string_view style = R"css(:root {
+  --ink: #1b1b1b; --quiet: #5b5b5b; --rule: #1b1b1b; --hair: #d9d9d9; --link: #0b5394;
+  --holds: #1a6b3c; --holds-pale: #eaf4ee; --fails: #b3261e; --fails-pale: #fbebea; --open: #7a5c00; --open-pale: #fbf4dc;
+}
+* { box-sizing: border-box; }
+html { -webkit-text-size-adjust: 100%; }
+body { margin: 0; color: var(--ink); background: #fff;
+  font: 17px/1.55 Charter, "Bitstream Charter", "Iowan Old Style", Palatino, Georgia, "DejaVu Serif", serif; }
+main { max-width: 68rem; margin: 0 auto; padding: 2.5rem 1.25rem 5rem; overflow-wrap: break-word; }
+h1, h2, p, ul, dl { max-width: 42rem; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: .2rem 0 .8rem; font-weight: 600; }
+h2 { font-size: 1.25rem; margin: 3rem 0 1rem; font-weight: 600; }
+a { color: var(--link); text-decoration-thickness: 1px; text-underline-offset: 2px; }
+.path, .files { color: var(--quiet); font-size: .85rem; }
+.files a { margin-left: .5em; white-space: nowrap; }
+.sum { font-size: 1.1rem; border-left: 4px solid; padding: .35rem .9rem; }
+.sum.holds { border-color: var(--holds); background: var(--holds-pale); }
+.sum.fails { border-color: var(--fails); background: var(--fails-pale); }
+.sum.inconclusive { border-color: var(--open); background: var(--open-pale); }
+ul.fails, ul.inconclusive { padding-left: 1.2rem; font-size: .95rem; }
+ul.fails li { color: var(--fails); }
+ul.inconclusive li { color: var(--open); }
+figure { margin: 0 0 2.5rem; max-width: 48rem; break-inside: avoid; }
+figure img { display: block; max-width: 100%; height: auto; }
+figcaption, .caption { font-size: .92rem; line-height: 1.45; }
+figcaption { margin-top: .6rem; max-width: 42rem; }
+body { counter-reset: figure table; }
+figcaption::before { counter-increment: figure; content: "Figure " counter(figure) ". "; font-weight: 600; }
+.table { margin: 0 0 2.5rem; }
+.caption { margin: 0 0 .5rem; }
+.caption::before { counter-increment: table; content: "Table " counter(table) ". "; font-weight: 600; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; border-top: 1.5px solid var(--rule); border-bottom: 1.5px solid var(--rule);
+  font-size: .82rem; line-height: 1.35; font-variant-numeric: tabular-nums lining-nums; }
+th, td { padding: .34rem .6rem; text-align: left; vertical-align: top; }
+td { white-space: nowrap; }
+th { border-bottom: 1px solid var(--rule); font-weight: 600; vertical-align: bottom; }
+tbody tr + tr td { border-top: 1px solid var(--hair); }
+th:first-child, td:first-child { padding-left: .3rem; }
+.number { text-align: right; }
+td.words { white-space: normal; min-width: 9rem; }
+td.holds { color: var(--holds); }
+td.fails { color: var(--fails); font-weight: 600; }
+td.inconclusive { color: var(--open); font-style: italic; }
+td.holds a, td.fails a, td.inconclusive a { color: inherit; }
+.nan { color: var(--fails); font-weight: 600; }
+.bar { display: inline-block; width: 3.5rem; height: .55rem; margin-right: .5rem; background: #ececec; }
+.bar i { display: block; height: 100%; background: var(--holds); }
+.bar.over i { background: var(--fails); }
+sub, sup { line-height: 0; }
+small { color: var(--quiet); font-weight: 400; }
+code { font: .92em ui-monospace, Menlo, Consolas, "DejaVu Sans Mono", monospace; }
+dt { font-weight: 600; }
+dd { margin: 0 0 1rem 1.2rem; }
+dd p { margin: .3rem 0; }
+@media (max-width: 40rem) {
+  body { font-size: 16px; }
+  main { padding: 1.25rem 1rem 3rem; }
+  h1 { font-size: 1.5rem; }
+  figure img { min-width: 36rem; }
+}
+@media print {
+  body { font-size: 10pt; }
+  main { max-width: none; padding: 0; }
+  .scroll { overflow: visible; }
+  table { font-size: 7.5pt; }
+  th, td { white-space: normal; padding: .2rem .35rem; }
+  td.words { min-width: 0; }
+  * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
+)css";
+
+}  // namespace touchstone::reports

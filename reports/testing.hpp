@@ -1,0 +1,98 @@
+#pragma once
+/// What the tests of this room share: a folder of their own and a small record.
+
+#include "reports/cases.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace touchstone::reports {
+
+/// A new empty folder, removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "touchstone.XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string text_of_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A variable in the environment of the process for as long as this lives.
+class Environment {
+ public:
+  Environment(const char* name, const char* value) : name_(name), former_(std::getenv(name)) { setenv(name, value, 1); }
+  ~Environment() { setenv(name_, former_.c_str(), 1); }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  const char* name_;
+  std::string former_;
+};
+
+inline vnv::Curve sample_curve(const std::string& label, vnv::Role role = vnv::Role::ours) {
+  vnv::Curve curve;
+  curve.figure = "profile";
+  curve.label = label;
+  curve.role = role;
+  curve.x = {0, 0.0005, 0.001};
+  curve.y = {0, 0.001, 0};
+  return curve;
+}
+
+inline vnv::Verdict sample_verdict(vnv::Outcome outcome, double margin) {
+  vnv::Verdict verdict;
+  verdict.case_name = "poiseuille";
+  verdict.method = "mpm";
+  verdict.rung = "M2";
+  verdict.quantity = "L2 v_x";
+  verdict.unit = "%";
+  verdict.value = 1.5;
+  verdict.upper = 1.59;
+  verdict.author = "literature: Sun et al., table 3";
+  verdict.outcome = outcome;
+  verdict.margin = margin;
+  verdict.sentence = "the sentence of this verdict";
+  return verdict;
+}
+
+inline vnv::Record sample_record(const std::string& method = "mpm") {
+  vnv::Record record;
+  record.case_name = "poiseuille";
+  record.title = "Plane Poiseuille flow";
+  record.method = method;
+  vnv::Figure figure;
+  figure.id = "profile";
+  figure.title = "Profiles";
+  figure.x.label = "y [mm]";
+  figure.x.scale = 1e3;
+  figure.y.label = "v_x [mm/s]";
+  figure.y.scale = 1e3;
+  record.figures = {figure};
+  record.curves = {sample_curve(method), sample_curve("exact", vnv::Role::exact)};
+  record.verdicts = {sample_verdict(vnv::Outcome::holds, 0.06)};
+  return record;
+}
+
+}  // namespace touchstone::reports

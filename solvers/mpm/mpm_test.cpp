@@ -1,0 +1,195 @@
+#include "solvers/mpm/mpm.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace touchstone::mpm {
+namespace {
+
+constexpr Tait soft_water{.density = 1000, .bulk_modulus = 143};  // sound travels at 1 m/s
+
+/// A force that acts in the first step only.
+template <class Field>
+struct Blow {
+  Field acceleration;
+
+  Vec2 operator()(const Vec2& x, double time) const { return time == 0 ? acceleration(x) : Vec2(0, 0); }
+};
+template <class Field>
+Blow(Field) -> Blow<Field>;
+
+/// A square of fluid in the middle of nowhere.
+template <class Force>
+Scene<Tait, Force> drop(const Force& force) {
+  return {.domain = {.box = {.low = {-1, -1}, .high = {2, 2}}},
+          .fluid = soft_water,
+          .filled = {.high = {1, 1}},
+          .body_force = force};
+}
+
+Scene<Tait, Uniform> dam() {
+  return {.domain = {.box = {.high = {1, 2}}},
+          .fluid = {.density = 1000, .bulk_modulus = 2000},
+          .filled = {.high = {0.4, 0.6}},
+          .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
+          .body_force = {{0, -1}}};
+}
+constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.04, .time_step = 4e-3};
+
+Vec2 momentum(const Samples& s) { return s.v * s.mass.matrix(); }
+
+template <class Solver>
+void run(Solver& simulation, int steps) {
+  for (int step = 0; step < steps; ++step) simulation.step();
+}
+
+TEST(Mpm, KeepsItsMomentumWithoutWalls) {
+  auto spinning = solver<LinearHat, PrescribedMotion>(drop(Blow{[](const Vec2& x) -> Vec2 {
+                                                        return {40 * x.y() * x.y(), 30 * x.x()};
+                                                      }}),
+                                                      {.cell = 0.1, .spacing = 0.04, .time_step = 0.01});
+  spinning.step();
+  const Vec2 start = momentum(spinning.samples());
+  run(spinning, 100);
+  const Samples end = spinning.samples();
+  EXPECT_LT((momentum(end) - start).norm(), 1e-12 * start.norm());
+  EXPECT_GT(end.pressure.abs().maxCoeff(), 1);  // Pa: forces have been at work
+}
+
+TEST(Mpm, GainsTheMomentumThatItsForceGives) {
+  auto falling =
+      solver<LinearHat, VelocityReset>(drop(Uniform{{2, -3}}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
+  run(falling, 200);
+  const Samples end = falling.samples();
+  EXPECT_TRUE(momentum(end).isApprox(1000 * 0.2 * Vec2(2, -3), 1e-12));
+  EXPECT_LT((end.v.colwise() - 0.2 * Vec2(2, -3)).norm(), 1e-12);
+}
+
+TEST(Mpm, FeelsAForceAtItsParticlesAsItFeelsTheSameForceEverywhere) {
+  const auto gravity = [](const Vec2&, double) -> Vec2 { return {0, -1}; };
+  const Scene<Tait, Uniform> scene = dam();
+  auto uniform = solver<LinearHat, PrescribedMotion>(scene, dam_settings);
+  auto local = solver<LinearHat, PrescribedMotion>(
+      Scene<Tait, decltype(gravity)>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, dam_settings);
+  run(uniform, 100);
+  run(local, 100);
+  EXPECT_TRUE(local.samples().v.isApprox(uniform.samples().v, 1e-9));
+}
+
+TEST(Mpm, CarriesUniformFlowUnchangedAcrossTheSeam) {
+  constexpr double dt = 0.01;
+  const Vec2 v(9, 0.2);  // m/s: 0.9 cells per step along x
+  const Blow start{[=](const Vec2&) -> Vec2 { return v / dt; }};
+  auto stream = solver<LinearHat, PrescribedMotion>(
+      Scene<Newtonian, decltype(start)>{.domain = {.box = {.high = {0.7, 1}}, .periodic_x = true},
+                                        .fluid = {soft_water, 1e-3},
+                                        .filled = {.low = {0, 0.2}, .high = {0.7, 0.6}},
+                                        .body_force = start},
+      {.cell = 0.1, .spacing = 0.03, .time_step = dt});
+  const Samples at_rest = stream.samples();
+  run(stream, 150);
+  const Samples end = stream.samples();
+  EXPECT_LT((end.v.colwise() - v).norm(), 1e-10);
+  EXPECT_LT((end.density - 1000).abs().maxCoeff(), 1e-8);
+  const Vectors way = end.x - at_rest.x;
+  EXPECT_LT((way.row(1).array() - 1.5 * 0.2).abs().maxCoeff(), 1e-11);
+  const Scalars periods = (1.5 * 9 - way.row(0).array()) / 0.7;
+  EXPECT_LT((periods - periods.round()).abs().maxCoeff(), 1e-10);
+}
+
+TEST(Mpm, LeavesStillWaterStill) {
+  Scene<Tait> pool{.domain = {.box = {.high = {1, 1}}}, .fluid = soft_water, .filled = {.high = {0.55, 0.45}}};
+  pool.walls = {floor_at(0, no_slip()), left_at(0, free_slip())};
+  auto still = solver<LinearHat, VelocityReset>(pool, {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
+  run(still, 50);
+  EXPECT_EQ(still.samples().v.norm(), 0);
+  EXPECT_EQ(still.samples().density.maxCoeff(), still.samples().density.minCoeff());
+}
+
+TEST(Mpm, RestsOnItsFloor) {
+  Scene<Newtonian, Uniform> pool{.domain = {.box = {.high = {0.5, 0.6}}, .periodic_x = true},
+                                 .fluid = {soft_water, 40},
+                                 .filled = {.high = {0.5, 0.5}},
+                                 .walls = {floor_at(0, no_slip())},
+                                 .body_force = {{0, -0.02}}};
+  auto resting = solver<LinearHat, PrescribedMotion>(pool, {.cell = 0.05, .spacing = 0.025, .time_step = 5e-3});
+  run(resting, 4000);
+  const Samples end = resting.samples();
+  const Scalars weight_above = 1000 * 0.02 * (0.5 - end.x.row(1).array()).transpose();  // Pa
+  EXPECT_LT(end.v.colwise().norm().maxCoeff(), 1e-4);
+  EXPECT_LT((end.pressure - weight_above).abs().maxCoeff(), 0.1 * weight_above.maxCoeff());
+}
+
+TEST(Mpm, KeepsAllParticlesOfADamBreakInTheTank) {
+  auto breaking = solver<LinearHat, PrescribedMotion>(dam(), dam_settings);
+  run(breaking, 600);
+  const Samples end = breaking.samples();
+  EXPECT_GT(end.x.row(0).maxCoeff(), 0.9);  // the front has reached the far wall
+  EXPECT_GE(end.x.minCoeff(), 0);
+  EXPECT_LE(end.x.row(0).maxCoeff(), 1);
+}
+
+TEST(Mpm, RunsTwiceToTheSameBits) {
+  auto one = solver<LinearHat, VelocityReset>(dam(), dam_settings);
+  auto other = solver<LinearHat, VelocityReset>(dam(), dam_settings);
+  run(one, 400);
+  run(other, 400);
+  EXPECT_EQ(one.samples().x, other.samples().x);
+  EXPECT_EQ(one.samples().v, other.samples().v);
+  EXPECT_TRUE((one.samples().pressure == other.samples().pressure).all());
+}
+
+TEST(Mpm, CountsStepsAndTime) {
+  auto breaking = solver<LinearHat, PrescribedMotion>(dam(), dam_settings);
+  run(breaking, 3);
+  EXPECT_EQ(breaking.steps(), 3);
+  EXPECT_DOUBLE_EQ(breaking.time(), 3 * 4e-3);
+  EXPECT_EQ(breaking.time_step(), 4e-3);
+  EXPECT_TRUE(breaking.cell_size().isApprox(Vec2(0.1, 0.1)));
+  EXPECT_EQ(breaking.samples().time, breaking.time());
+}
+
+TEST(Mpm, StopsWhenFluidLeavesTheDomain) {
+  auto falling =
+      solver<LinearHat, PrescribedMotion>(drop(Uniform{{0, -10}}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01});
+  try {
+    run(falling, 200);
+    FAIL() << "nothing was noticed";
+  } catch (const Diverged& diverged) {
+    EXPECT_EQ(diverged.fault.quantity, "y [m]");
+    EXPECT_LT(diverged.fault.value, -1);
+    EXPECT_EQ(diverged.fault.particle, 0);
+    EXPECT_EQ(diverged.fault.step, falling.steps());
+    EXPECT_NEAR(diverged.fault.time, std::sqrt(2 * 1.05 / 10), 0.02);  // the fall from 0.05 m to -1 m
+  }
+}
+
+TEST(Mpm, DiagnosesANumberThatIsNotOneInTheStepItAppears) {
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  const auto planted = [](const Vec2& x, double time) -> Vec2 {
+    return {time > 0.065 && (x - Vec2(0.95, 0.95)).norm() < 0.01 ? not_a_number : 0.0, 0};
+  };
+  auto poisoned = solver<LinearHat, PrescribedMotion>(drop(planted), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01});
+  run(poisoned, 7);
+  try {
+    poisoned.step();
+    FAIL() << "nothing was noticed";
+  } catch (const Diverged& diverged) {
+    EXPECT_EQ(diverged.fault.step, 8);
+    EXPECT_TRUE(std::isnan(diverged.fault.value));
+    EXPECT_EQ(diverged.fault.particle, 77);  // in one step number 99 spoils two cells on every side: (16), then (18)
+  }
+}
+
+TEST(Mpm, DiagnosesACollapse) {
+  auto squeezed =
+      solver<LinearHat, PrescribedMotion>(drop(Blow{[](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); }}),
+                                          {.cell = 0.1, .spacing = 0.1, .time_step = 0.05});
+  EXPECT_THROW(run(squeezed, 20), Diverged);
+}
+
+}  // namespace
+}  // namespace touchstone::mpm

@@ -1,0 +1,48 @@
+#pragma once
+#include "solvers/diverged.hpp"
+#include "solvers/mpm/nodes.hpp"
+#include "solvers/mpm/particles.hpp"
+
+namespace touchstone::mpm {
+
+/// Where along a row or column of cells is what lies `within` cell `at`, counted in cells from its low edge? Returns
+/// the cell, with `within` between 0 and 1 there, or -1 for a place past the ends and for what is not a number. Edges
+/// belong to the cell on either side, as the shape does.
+inline int cell_along(double& within, int at, int cells, bool periodic) {
+  if (within >= 0 && within <= 1) return at;
+  if (!(std::abs(within) < cells)) return -1;  // asked before it becomes an integer
+  const int shift = static_cast<int>(std::floor(within));
+  const int to = periodic ? (at + shift + cells) % cells : at + shift;
+  if (to < 0 || to >= cells) return -1;
+  within -= shift;
+  return to;
+}
+
+/// Settles a particle that may have left its cell: returns the cell it is in now, with its place within that one.
+/// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
+template <class FluidLaw>
+int settle(Particles<FluidLaw>& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step,
+           double time) {
+  const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
+  const auto fail = [&](std::string quantity, double value, std::string wanted) {
+    throw Diverged({.step = step,
+                    .time = time,
+                    .particle = particles.number[slot],
+                    .place = place,
+                    .quantity = std::move(quantity),
+                    .value = value,
+                    .wanted = std::move(wanted)});
+  };
+  const auto range = [](double low, double high) { return fmt::format("{:g} to {:g}", low, high); };
+
+  const int column = cell_along(particles.X[slot], cell % grid.columns, grid.columns, grid.periodic_x);
+  if (column < 0) fail("x [m]", place.x(), range(grid.box.low.x(), grid.box.high.x()));
+  const int row = cell_along(particles.Y[slot], cell / grid.columns, grid.rows, false);
+  if (row < 0) fail("y [m]", place.y(), range(grid.box.low.y(), grid.box.high.y()));
+  const double density = 1 / particles.specific_volume[slot];
+  const double least = least_density * fluid.density, most = most_density * fluid.density;
+  if (!between(least, density, most)) fail("density [kg/m³]", density, range(least, most));
+  return grid.cell_at(column, row);
+}
+
+}  // namespace touchstone::mpm

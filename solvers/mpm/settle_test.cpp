@@ -1,0 +1,96 @@
+#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/seed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace touchstone::mpm {
+namespace {
+
+constexpr Tait water{.density = 1000, .bulk_modulus = 143};
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A box of 4 x 3 cells of 0.1 m with one particle in the middle of each.
+struct Pool {
+  Grid grid;
+  Particles<Tait> particles;
+
+  explicit Pool(bool periodic_x)
+      : grid({.box = {.high = {0.4, 0.3}}, .periodic_x = periodic_x}, 0.1),
+        particles(at_rest(lattice(grid.box, 0.1, grid.box), grid, water)) {}
+
+  int settled(int cell) { return settle(particles, cell, cell, grid, water, 17, 0.5); }
+  Diverged::Fault fault(int cell) {
+    try {
+      settled(cell);
+    } catch (const Diverged& diverged) {
+      return diverged.fault;
+    }
+    return {};
+  }
+};
+
+TEST(Settle, LeavesAParticleInItsCell) {
+  Pool pool(false);
+  EXPECT_EQ(pool.settled(6), 6);
+  EXPECT_DOUBLE_EQ(pool.particles.X[6], 0.5);
+}
+
+TEST(Settle, MovesAParticleToTheCellItIsIn) {
+  Pool pool(false);
+  const Vec2 place = pool.grid.place(5, 1.25, -0.5);
+  pool.particles.X[5] = 1.25;
+  pool.particles.Y[5] = -0.5;
+  const int to = pool.settled(5);
+  EXPECT_EQ(to, pool.grid.cell_at(2, 0));
+  EXPECT_TRUE(pool.grid.place(to, pool.particles.X[5], pool.particles.Y[5]).isApprox(place));
+}
+
+TEST(Settle, WrapsAcrossTheSeamWithoutLosingADigit) {
+  Pool pool(true);
+  pool.particles.X[7] = 1.25;
+  EXPECT_EQ(pool.settled(7), 4);
+  EXPECT_EQ(pool.particles.X[7], 0.25);
+  pool.particles.X[8] = -0.25;
+  EXPECT_EQ(pool.settled(8), 11);
+  EXPECT_EQ(pool.particles.X[8], 0.75);
+}
+
+TEST(Settle, ReportsAParticleThatLeftTheDomain) {
+  Pool pool(false);
+  pool.particles.number[7] = 42;
+  pool.particles.X[7] = 1.5;
+  const Diverged::Fault fault = pool.fault(7);
+  EXPECT_EQ(fault.step, 17);
+  EXPECT_EQ(fault.time, 0.5);
+  EXPECT_EQ(fault.particle, 42);
+  EXPECT_EQ(fault.quantity, "x [m]");
+  EXPECT_DOUBLE_EQ(fault.value, 0.45);
+  EXPECT_EQ(fault.wanted, "0 to 0.4");
+  EXPECT_DOUBLE_EQ(fault.place.y(), 0.15);
+}
+
+TEST(Settle, ReportsAPlaceThatIsNotANumberOrFarAway) {
+  for (double lost : {nan, 1e300, -1e300, std::numeric_limits<double>::infinity()})
+    for (bool periodic : {true, false}) {
+      Pool pool(periodic);
+      pool.particles.Y[3] = lost;
+      EXPECT_EQ(pool.fault(3).quantity, "y [m]");
+      EXPECT_EQ(pool.fault(3).particle, 3);
+      pool.particles.X[3] = lost;
+      EXPECT_EQ(pool.fault(3).quantity, "x [m]");
+    }
+}
+
+TEST(Settle, ReportsAnImplausibleDensity) {
+  for (double density : {nan, 199.0, 5001.0, -1000.0}) {
+    Pool pool(true);
+    pool.particles.specific_volume[2] = 1 / density;
+    EXPECT_EQ(pool.fault(2).quantity, "density [kg/m³]") << density;
+    EXPECT_EQ(pool.fault(2).wanted, "200 to 5000");
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::mpm

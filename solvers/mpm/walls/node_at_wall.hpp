@@ -1,0 +1,14 @@
+#pragma once
+#include "solvers/walls/wall.hpp"
+
+namespace touchstone::mpm {
+
+/// A wall node over one step. A wall treatment sets its velocities at both ends of the step; the node moves with
+/// `after` and the particles feel the acceleration (after - before) / dt.
+struct NodeAtWall {
+  Vec2 before, after;  // m/s
+  double start, end;   // s
+  bool first_step;
+};
+
+}  // namespace touchstone::mpm

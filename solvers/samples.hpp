@@ -1,0 +1,21 @@
+#pragma once
+/// What leaves a solver, and what another code's output becomes: plain particle data at one time.
+
+#include "solvers/fields.hpp"
+
+namespace touchstone {
+
+/// One column or number per particle, in the order of the particles' numbers, which is the same at all times.
+struct Samples {
+  double time = 0;     // s
+  Vectors x{};         // m
+  Vectors v{};         // m/s
+  Scalars mass{};      // kg per metre of depth
+  Scalars density{};   // kg/m³
+  Scalars pressure{};  // Pa
+
+  Eigen::Index size() const { return x.cols(); }
+  Scalars volumes() const { return mass / density; }  // m² per particle
+};
+
+}  // namespace touchstone

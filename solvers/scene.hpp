@@ -1,0 +1,40 @@
+#pragma once
+/// A scene is a value: all of the physics of one problem, in SI units, and nothing else.
+/// Spacing, kernel, cell, time step and artificial viscosity belong to a method.
+
+#include "solvers/fields.hpp"
+#include "solvers/forces/none.hpp"
+#include "solvers/walls/wall.hpp"
+
+#include <vector>
+
+namespace touchstone {
+
+/// An upright rectangle.
+struct Box {
+  Vec2 low = Vec2::Zero();  // m
+  Vec2 high;                // m
+
+  Vec2 size() const { return high - low; }
+  /// False for a place with a coordinate that is not a number.
+  bool contains(const Vec2& x) const { return (x.array() >= low.array()).all() && (x.array() <= high.array()).all(); }
+};
+
+/// Where particles may be. A particle outside is lost, and a lost particle ends the run.
+struct Domain {
+  Box box;
+  bool periodic_x = false;
+};
+
+/// What is named by its type is in the scene; what is not named is not there and is not compiled: a scene
+/// `Scene<Tait>` has neither viscosity nor body force, `Scene<Newtonian, Uniform>` has both.
+template <class FluidLaw, class Force = NoForce>
+struct Scene {
+  Domain domain;
+  FluidLaw fluid;
+  Box filled;  // at rest and at the reference density when the run starts
+  std::vector<Wall> walls{};
+  Force body_force{};
+};
+
+}  // namespace touchstone

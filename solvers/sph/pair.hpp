@@ -1,0 +1,33 @@
+#pragma once
+/// A pair of particles as a term of the momentum equation sees it.
+/// `Real` is a double, or eight of them side by side (lanes.hpp): terms have no branch.
+
+namespace touchstone::sph {
+
+/// Particle i and its neighbour j.
+template <class Real>
+struct Pair {
+  Real x, y;          // m     r_i - r_j
+  Real r2;            // m²    |r_i - r_j|²
+  Real slope;         // m⁻⁴   W'(r) / r, so that the gradient of W_ij at i is slope * (x, y)
+  Real vx, vy;        // m/s   v_i - v_j
+  Real rho_i, rho_j;  // kg/m³
+  Real p_i, p_j;      // Pa
+  double mass;        // kg/m  of each
+
+  Real approach() const { return x * vx + y * vy; }  // m²/s  v_ij · r_ij, negative when closing in
+};
+
+/// An acceleration [m/s²].
+template <class Real>
+struct Pull {
+  Real x{}, y{};
+
+  Pull& operator+=(const Pull& other) {
+    x += other.x;
+    y += other.y;
+    return *this;
+  }
+};
+
+}  // namespace touchstone::sph

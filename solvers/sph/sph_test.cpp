@@ -1,0 +1,297 @@
+#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/kernels/quintic_spline.hpp"
+#include "solvers/sph/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/morris_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/terms/shared_pressure.hpp"
+#include "solvers/sph/transport_velocity.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace touchstone::sph {
+namespace {
+
+constexpr double width = 0.4 * mm, height = 0.5 * mm, spacing = 0.025 * mm, h = 1.2 * spacing;
+constexpr Newtonian water{{.density = 1000, .bulk_modulus = 143}, 1e-3};
+const Box box{.high = {width, height}};
+const Domain channel{.box = box, .periodic_x = true};
+const std::vector<Wall> plates = {floor_at(0, no_slip()), ceiling_at(height, no_slip({1, 0}))};
+const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 5 * us};
+
+auto terms() {
+  return momentum(Pressure{}, LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h},
+                  ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h});
+}
+
+/// Fluid in disorder between plates, with its lists.
+Neighbourhood disordered(const Domain& domain, const std::vector<Wall>& walls) {
+  Neighbourhood near(domain, box, 1000, spacing, 2 * h, 0.6 * spacing, lay_out_boundary(domain, walls, spacing, 2));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-1, 1);
+  Particles& all = near.all;
+  for (Index i = 0; i < all.fluid; ++i) {
+    all.x[i] += 0.13 * spacing * jitter(random);  // within what the skin allows
+    all.y[i] += 0.13 * spacing * jitter(random);
+    all.vx[i] = jitter(random);
+    all.vy[i] = jitter(random);
+    all.rho[i] = 1000 + jitter(random);
+    all.p[i] = jitter(random);
+  }
+  near.images.refresh_fluid(all);
+  near.images.refresh_boundary(all);
+  return near;
+}
+
+std::multiset<int> listed(const NeighbourLists& lists, const Particles& all, Index i, double reach) {
+  std::multiset<int> found;
+  const Index block = (i - lists.begin) / lanes, lane = (i - lists.begin) % lanes;
+  for (Index row = lists.first_row[block]; row < lists.first_row[block + 1]; ++row) {
+    const int j = lists.neighbour[row * lanes + lane];
+    if (std::hypot(all.x[i] - all.x[j], all.y[i] - all.y[j]) < reach) found.insert(j);
+  }
+  return found;
+}
+
+/// One pair by the plain formula, for the loop that runs eight of them.
+struct One {
+  using Real = double;
+  Index which;
+  double operator()(const Scalars& field) const { return field[which]; }
+};
+
+TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
+  const Neighbourhood near = disordered(channel, plates);
+  const Particles& all = near.all;
+  ASSERT_GT(all.images, 0);
+  for (Index i = 0; i < all.fluid; ++i) {
+    std::multiset<int> wanted;
+    for (Index j = 0; j < all.nowhere(); ++j) {
+      const Index source = j < all.fluid + all.boundary ? j : near.images.source(j - near.images.first(all));
+      const bool on_wall = source >= all.fluid + near.ghosts();
+      if (j != i && !on_wall && std::hypot(all.x[i] - all.x[j], all.y[i] - all.y[j]) < 2 * h)
+        wanted.insert(static_cast<int>(j));
+    }
+    ASSERT_EQ(listed(near.fluid_near_fluid, all, i, 2 * h), wanted) << "particle " << i;
+  }
+}
+
+TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
+  const Neighbourhood near = disordered(channel, plates);
+  const Particles& all = near.all;
+  const auto pull_of = terms();
+  Scalars ax(all.fluid), ay(all.fluid);
+  sum_over_neighbours<2>(near.fluid_near_fluid, {ax.data(), ay.data()}, [&](Block i, Row j) -> std::array<Lanes, 2> {
+    const Pull<Lanes> pull = pull_of(pair_of<CubicSpline>(all, i, j, h));
+    return {pull.x, pull.y};
+  });
+  for (Index i = 0; i < all.fluid; ++i) {
+    Pull<double> plain;
+    for (const int j : listed(near.fluid_near_fluid, all, i, 2 * h))
+      plain += pull_of(pair_of<CubicSpline>(all, One{i}, One{j}, h));
+    EXPECT_NEAR(ax[i], plain.x, 1e-9 * std::abs(plain.x) + 1e-9);
+    EXPECT_NEAR(ay[i], plain.y, 1e-9 * std::abs(plain.y) + 1e-9);
+  }
+}
+
+template <class Term>
+void expect_action_equals_reaction(const Term& term) {
+  const Neighbourhood near = disordered({.box = box}, {});
+  const Particles& all = near.all;
+  double largest = 0;
+  for (Index i = 0; i < all.fluid; ++i)
+    for (const int j : listed(near.fluid_near_fluid, all, i, 2 * h)) {
+      const Pull<double> there = term(pair_of<CubicSpline>(all, One{i}, One{j}, h));
+      const Pull<double> back = term(pair_of<CubicSpline>(all, One{j}, One{i}, h));
+      const double size = std::hypot(there.x, there.y);
+      largest = std::max(largest, size);
+      EXPECT_NEAR(there.x, -back.x, 1e-12 * size);
+      EXPECT_NEAR(there.y, -back.y, 1e-12 * size);
+    }
+  EXPECT_GT(largest, 0);
+}
+
+TEST(Terms, ActionEqualsReaction) {
+  expect_action_equals_reaction(Pressure{});
+  expect_action_equals_reaction(SharedPressure{});
+  expect_action_equals_reaction(LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h});
+  expect_action_equals_reaction(MorrisViscosity{.mu = 1e-3});
+  expect_action_equals_reaction(ArtificialViscosity{.alpha = 0.01, .sound_speed = 1, .h = h});
+}
+
+TEST(Terms, ViscosityTakesEnergyFromEveryPair) {
+  const Neighbourhood near = disordered({.box = box}, {});
+  const LaminarViscosity laminar{.nu = 1e-6, .eta = 0.1 * h};
+  const ArtificialViscosity artificial{.alpha = 0.01, .sound_speed = 1, .h = h};
+  for (const int j : listed(near.fluid_near_fluid, near.all, 40, 2 * h)) {
+    const auto ij = pair_of<CubicSpline>(near.all, One{40}, One{j}, h);
+    const auto power = [&](const Pull<double>& pull) { return pull.x * ij.vx + pull.y * ij.vy; };
+    EXPECT_LT(power(laminar(ij)), 0);
+    EXPECT_LE(power(artificial(ij)), 0);
+  }
+}
+
+TEST(Terms, ArtificialViscosityLeavesPartingPairsAlone) {
+  Pair<double> ij{};
+  ij.x = spacing;
+  ij.r2 = spacing * spacing;
+  ij.slope = -1;
+  ij.vx = 1;  // parting
+  ij.rho_i = ij.rho_j = 1000;
+  ij.mass = 1;
+  const ArtificialViscosity term{.alpha = 0.01, .sound_speed = 1, .h = h};
+  EXPECT_EQ(term(ij).x, 0);
+  ij.vx = -1;  // closing in: pushed apart
+  EXPECT_GT(term(ij).x, 0);
+}
+
+TEST(Ghosts, MirrorTheVelocityAtEachWall) {
+  const std::vector<Wall> walls = {floor_at(0, no_slip({3, 0})), ceiling_at(height, free_slip())};
+  Neighbourhood near = disordered(channel, walls);
+  Particles& all = near.all;
+  all.vx.head(all.fluid) = 1;
+  all.vy.head(all.fluid) = 0.5;
+  near.images.refresh_fluid(all);
+  std::array<Scalars, 5> sums;
+  for (Scalars& sum : sums) sum.setZero(near.ghosts());
+  fill_ghosts<CubicSpline>(all, near.fluid_near_ghost, near.boundary.ghosts, walls, h, 1000, 0, sums);
+  for (Index k = 0; k < near.ghosts(); ++k) {
+    const bool below = near.boundary.ghosts[k].x.y() < 0;
+    EXPECT_NEAR(all.vx[all.fluid + k], below ? 5 : 1, 1e-9);
+    EXPECT_NEAR(all.vy[all.fluid + k], -0.5, 1e-9);
+  }
+}
+
+TEST(Ghosts, FillTwoLayersBehindEachWallAndTheCorners) {
+  const std::vector<Wall> tank = {floor_at(0, free_slip()), left_at(0, free_slip())};
+  const BoundaryLayout layout = lay_out_boundary({.box = box}, tank, spacing, 2);
+  EXPECT_EQ(layout.ghosts.size(), 16u * 2 + 20u * 2 + 4);
+  EXPECT_EQ(layout.on_walls.size(), 16u + 20u);
+  EXPECT_EQ(layout.on_upright, 20u);
+  EXPECT_EQ(std::ranges::count_if(layout.ghosts, [](const auto& ghost) { return ghost.behind.size() == 2; }), 4);
+}
+
+TEST(Ghosts, CountIsThatOfThePaperInTheChannel) {
+  const Box gap{.high = {0.5 * mm, 1 * mm}};
+  const std::vector<Wall> walls = {floor_at(0, no_slip()), ceiling_at(1 * mm, no_slip())};
+  const BoundaryLayout layout = lay_out_boundary({.box = gap, .periodic_x = true}, walls, spacing, 2);
+  EXPECT_EQ(layout.ghosts.size() + layout.on_walls.size(), 120u);  // Sun et al., table 2, S1
+}
+
+const Scene<Newtonian, Uniform> falling{.domain = channel,
+                                        .fluid = water,
+                                        .filled = box,
+                                        .walls = {floor_at(0, free_slip()), ceiling_at(height, free_slip())},
+                                        .body_force = {{8e-3, 0}}};
+
+TEST(Printed, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
+  auto solver = printed<CubicSpline>(falling, settings, terms());
+  for (int k = 0; k < 400; ++k) solver.step();
+  const Samples samples = solver.samples();
+  EXPECT_NEAR(samples.v.row(0).minCoeff(), 8e-3 * solver.time(), 1e-12);
+  EXPECT_NEAR(samples.v.row(0).maxCoeff(), 8e-3 * solver.time(), 1e-12);
+}
+
+TEST(TransportVelocity, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
+  auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us},
+                                                  momentum(SharedPressure{}, MorrisViscosity{1e-3}));
+  for (int k = 0; k < 100; ++k) solver.step();  // before the square lattice turns into a denser one
+  const Samples samples = solver.samples();
+  EXPECT_NEAR(samples.v.row(0).minCoeff(), 8e-3 * solver.time(), 1e-9);
+  EXPECT_NEAR(samples.v.row(0).maxCoeff(), 8e-3 * solver.time(), 1e-9);
+}
+
+TEST(Printed, StillWaterStaysStill) {
+  const Scene<Newtonian> still{.domain = channel,
+                               .fluid = water,
+                               .filled = box,
+                               .walls = {floor_at(0, no_slip()), ceiling_at(height, no_slip())}};
+  auto solver = printed<CubicSpline>(still, settings, terms());
+  for (int k = 0; k < 200; ++k) solver.step();
+  EXPECT_LT(solver.samples().v.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Printed, TwoRunsAreBitEqual) {
+  const Scene<Newtonian, Uniform> scene{
+      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {{8e-3, 0}}};
+  const auto run = [&] {
+    auto solver = printed<CubicSpline>(scene, settings, terms());
+    for (int k = 0; k < 300; ++k) solver.step();
+    return solver.samples();
+  };
+  const Samples first = run(), second = run();
+  EXPECT_EQ(first.x, second.x);
+  EXPECT_EQ(first.v, second.v);
+  EXPECT_TRUE((first.density == second.density).all());
+}
+
+/// A force that is no number for one particle from a time on.
+struct Poison {
+  Vec2 at;
+  double from;  // s
+  Vec2 operator()(const Vec2& x, double time) const {
+    return time >= from && (x - at).norm() < 0.2 * spacing ? Vec2(0, std::nan("")) : Vec2(0, 0);
+  }
+};
+
+TEST(Printed, AParticleThatIsNoNumberIsNamedWithItsStep) {
+  const Vec2 at(3.5 * spacing, 4.5 * spacing);  // column 3 of row 4: number 4 * 16 + 3
+  const Scene<Newtonian, Poison> scene{
+      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {at, 20 * us}};
+  auto solver = printed<CubicSpline>(scene, settings, terms());
+  try {
+    for (int k = 0; k < 100; ++k) solver.step();
+    FAIL() << "wanted Diverged";
+  } catch (const Diverged& diverged) {
+    EXPECT_EQ(diverged.fault.particle, 67);
+    EXPECT_EQ(diverged.fault.step, 5);  // poisoned in the step from 20 us on, which is the fifth
+    EXPECT_TRUE(std::isnan(diverged.fault.value));
+  }
+}
+
+TEST(Printed, RefusesSettingsThatAreNoNumbersOfTheirKind) {
+  const auto make = [](Settings bad) { return printed<CubicSpline>(falling, bad, terms()); };
+  EXPECT_THROW(make({-spacing, h, 5 * us}), std::invalid_argument);
+  EXPECT_THROW(make({spacing, 0, 5 * us}), std::invalid_argument);
+  EXPECT_THROW(make({spacing, h, std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(make({10 * mm, h, 5 * us}), std::invalid_argument);  // larger than the box
+}
+
+TEST(Repulsion, PushesOnlyFluidThatCameCloserAndEvenlyAlongTheWall) {
+  const SoftRepulsion<1> term{.sound_speed = 1, .spacing = spacing};
+  const auto push_at = [&](double x, double y) {
+    double sum = 0;
+    for (int k = -3; k <= 3; ++k) {
+      Pair<double> ij{};
+      ij.x = x - k * spacing;
+      ij.y = y;
+      EXPECT_EQ(term(ij).x, 0);
+      sum += term(ij).y;
+    }
+    return sum;
+  };
+  EXPECT_EQ(push_at(0, 0.5 * spacing), 0);
+  EXPECT_GT(push_at(0, 0.4 * spacing), 0);
+  EXPECT_NEAR(push_at(0.3 * spacing, 0.2 * spacing), push_at(0, 0.2 * spacing), 1e-9 * push_at(0, 0.2 * spacing));
+}
+
+TEST(RestoreDensity, KeepsAConstantDensityAlsoAtASurface) {
+  Neighbourhood near = disordered({.box = box}, {});
+  near.all.rho.head(near.all.fluid) = 1000;
+  near.all.mass = 1000 * spacing * spacing;
+  std::array<Scalars, 2> sums;
+  for (Scalars& sum : sums) sum.setZero(near.all.fluid);
+  restore_density<CubicSpline>(near.all, near.fluid_near_fluid, h, sums);
+  EXPECT_NEAR(near.all.rho.head(near.all.fluid).minCoeff(), 1000, 1e-9);
+  EXPECT_NEAR(near.all.rho.head(near.all.fluid).maxCoeff(), 1000, 1e-9);
+}
+
+}  // namespace
+}  // namespace touchstone::sph

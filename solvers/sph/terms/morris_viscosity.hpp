@@ -1,0 +1,17 @@
+#pragma once
+#include "solvers/sph/pair.hpp"
+
+namespace touchstone::sph {
+
+/// Laminar viscosity of Morris, Fox & Zhu (1997), (22), without softening: for particles that are kept apart.
+struct MorrisViscosity {
+  double mu;  // Pa s
+
+  template <class Real>
+  Pull<Real> operator()(const Pair<Real>& ij) const {
+    const Real c = ij.mass * 2 * mu * ij.slope / (ij.rho_i * ij.rho_j);
+    return {c * ij.vx, c * ij.vy};
+  }
+};
+
+}  // namespace touchstone::sph

@@ -1,0 +1,83 @@
+#pragma once
+/// Ghost particles: layers of fixed particles behind the walls that carry the fluid on, with the velocity that the wall
+/// mirrors. Shao et al. 2012; Adami, Hu & Adams 2012; Sun et al. 2.3.
+
+#include "solvers/sph/neighbours.hpp"
+#include "solvers/sph/pair.hpp"
+
+#include <utility>
+
+namespace touchstone::sph {
+
+/// Where the boundary particles stand.
+struct BoundaryLayout {
+  struct Ghost {
+    Vec2 x;
+    std::vector<int> behind;  // the walls that it is behind: two in a corner
+  };
+  std::vector<Ghost> ghosts;
+  std::vector<Vec2> on_walls;  // those of constant x first
+  std::size_t on_upright = 0;  // how many of them are on walls of constant x
+};
+
+/// Ghosts on the continued lattice of the fluid, `layers` deep behind each wall, corners included; and a row of
+/// particles on each wall, at the same spacing.
+inline BoundaryLayout lay_out_boundary(const Domain& domain, const std::vector<Wall>& walls, double spacing,
+                                       int layers) {
+  const Vec2 size = domain.box.size();
+  const std::array<long, 2> count = {std::lround(size.x() / spacing), std::lround(size.y() / spacing)};
+  const Vec2 step(size.x() / static_cast<double>(count[0]), size.y() / static_cast<double>(count[1]));
+  const auto place = [&](long c, long r) -> Vec2 {
+    return domain.box.low + step.cwiseProduct(Vec2(static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5));
+  };
+  std::array<long, 2> before = {0, 0}, beyond = {0, 0};
+  for (const Wall& wall : walls) (wall.inward > 0 ? before : beyond)[wall.axis] = layers;
+
+  BoundaryLayout layout;
+  for (long r = -before[1]; r < count[1] + beyond[1]; ++r)
+    for (long c = -before[0]; c < count[0] + beyond[0]; ++c) {
+      BoundaryLayout::Ghost ghost{place(c, r), {}};
+      for (std::size_t w = 0; w < walls.size(); ++w)
+        if (walls[w].distance(ghost.x) < 0) ghost.behind.push_back(static_cast<int>(w));
+      if (!ghost.behind.empty()) layout.ghosts.push_back(std::move(ghost));
+    }
+  for (const int axis : {0, 1}) {
+    for (const Wall& wall : walls)
+      for (long k = 0; wall.axis == axis && k < count[1 - axis]; ++k) {
+        Vec2 x = place(k, k);
+        x[axis] = wall.position;
+        layout.on_walls.push_back(x);
+      }
+    if (axis == 0) layout.on_upright = layout.on_walls.size();
+  }
+  return layout;
+}
+
+/// Gives each ghost the mean of the fluid around it, weighted by volume and kernel, and mirrors its velocity at the
+/// walls it is behind. A ghost that no fluid is near is at rest and without pressure.
+template <class Kernel>
+void fill_ghosts(Particles& all, const NeighbourLists& fluid_near, const std::vector<BoundaryLayout::Ghost>& ghosts,
+                 const std::vector<Wall>& walls, double h, double density, double time, std::array<Scalars, 5>& sums) {
+  const auto share = [&](Block g, Row j) -> std::array<Lanes, 5> {
+    const Lanes weight = all.mass / j(all.rho) * Kernel::w(distance(all, g, j) / h);
+    return {weight, weight * j(all.vx), weight * j(all.vy), weight * j(all.rho), weight * j(all.p)};
+  };
+  std::array<double*, 5> out;  // each indexed by particle, and the ghosts come after the fluid
+  for (std::size_t k = 0; k < 5; ++k) out[k] = sums[k].data() - all.fluid;
+  sum_over_neighbours<5>(fluid_near, out, share);
+
+  for (std::size_t k = 0; k < ghosts.size(); ++k) {
+    const Index g = all.fluid + static_cast<Index>(k), s = static_cast<Index>(k);
+    const bool alone = !(sums[0][s] > 0);
+    const double whole = alone ? 1 : sums[0][s];
+    Vec2 v(sums[1][s] / whole, sums[2][s] / whole);
+    if (!alone)
+      for (const int w : ghosts[k].behind) v = 2 * walls[w].at_wall(v, time) - v;
+    all.vx[g] = v.x();
+    all.vy[g] = v.y();
+    all.rho[g] = alone ? density : sums[3][s] / whole;
+    all.p[g] = alone ? 0 : sums[4][s] / whole;
+  }
+}
+
+}  // namespace touchstone::sph

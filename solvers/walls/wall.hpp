@@ -1,0 +1,40 @@
+#pragma once
+/// A wall answers one question: fluid near you moves like this; how does it move *at* you?
+/// The grid method assigns the answer to its wall nodes; the particle method mirrors it,
+/// ghost velocity = 2 (at wall) - v. How a method builds its wall lives with the method.
+
+#include "solvers/fields.hpp"
+
+#include <functional>
+
+namespace touchstone {
+
+/// Fluid near a wall.
+struct NearWall {
+  Vec2 v;       // m/s  velocity of the fluid
+  Vec2 n;       // -    unit normal, into the fluid
+  double time;  // s
+};
+
+/// Velocity of the fluid at the wall [m/s].
+using WallVelocity = std::function<Vec2(const NearWall&)>;
+
+/// A straight wall across the whole domain, along x or along y.
+struct Wall {
+  int axis;         // 0: the wall is a line of constant x; 1: of constant y
+  double position;  // m  on that axis
+  double inward;    // +1 or -1: the side on that axis where the fluid is
+  WallVelocity velocity;
+
+  Vec2 normal() const { return inward * Vec2::Unit(axis); }
+  /// Distance into the fluid [m]; negative behind the wall.
+  double distance(const Vec2& x) const { return inward * (x[axis] - position); }
+  Vec2 at_wall(const Vec2& v, double time) const { return velocity({.v = v, .n = normal(), .time = time}); }
+};
+
+inline Wall floor_at(double y, WallVelocity velocity) { return {1, y, +1, std::move(velocity)}; }
+inline Wall ceiling_at(double y, WallVelocity velocity) { return {1, y, -1, std::move(velocity)}; }
+inline Wall left_at(double x, WallVelocity velocity) { return {0, x, +1, std::move(velocity)}; }
+inline Wall right_at(double x, WallVelocity velocity) { return {0, x, -1, std::move(velocity)}; }
+
+}  // namespace touchstone

@@ -1,0 +1,168 @@
+#include "vnv/assess.hpp"
+
+#include "vnv/environment.hpp"
+#include "vnv/order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::vnv {
+namespace {
+
+Schedule schedule_for(const Case& declared, const std::string& name, double until) {
+  Schedule when{{}, declared.watch, name};
+  for (const double time : declared.times)
+    if (time <= until * (1 + 1e-9)) when.times.push_back(time);
+  return when;
+}
+
+/// Runs the rungs of the suite, measures each, and keeps account in the record.
+std::vector<Run> run_rungs(const Case& declared, const Method& method, Suite suite, Record& record) {
+  std::vector<Run> runs;
+  for (const Rung& rung : method.rungs) {
+    if (!(rung.until(suite) > 0)) continue;
+    const std::string name = fmt::format("{}.{} {}", record.case_name, method.name, rung.name);
+    Run run = method.run(rung, schedule_for(declared, name, rung.until(suite)));
+    run.summary.rung = rung.name;
+    run.summary.spacing = rung.spacing;
+    for (Error& found : run.found) found.rung = rung.name, found.spacing = rung.spacing;
+    record.runs.push_back(run.summary);
+    record.errors.insert(record.errors.end(), run.found.begin(), run.found.end());
+    for (const Measurement& measure : declared.measurements) {
+      const std::vector<Error> errors = measure(rung, run);
+      record.errors.insert(record.errors.end(), errors.begin(), errors.end());
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+/// The errors of one quantity and time along a ladder, as far as this suite ran it.
+ObservedOrder order_along(const Ladder& ladder, const Record& record, const std::string& quantity, double time) {
+  std::vector<std::string> rungs;
+  std::vector<double> spacings, errors;
+  for (const std::string& rung : ladder.rungs)
+    for (const Error& e : record.errors)
+      if (e.rung == rung && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time) {
+        rungs.push_back(rung);
+        spacings.push_back(e.spacing);
+        errors.push_back(e.value);
+      }
+  ObservedOrder order = observe_order(spacings, errors);
+  order.ladder = ladder.name;
+  order.quantity = quantity;
+  order.time = time;
+  order.rungs = rungs;
+  return order;
+}
+
+/// Orders of the norms, at each time that at least two rungs of a ladder reached.
+void observe_orders(const Method& method, Record& record) {
+  for (const Ladder& ladder : method.ladders)
+    for (const Error& e : record.errors) {
+      if (e.rung != ladder.rungs.front() || !(e.time > 0) || e.quantity.rfind("L", 0) != 0) continue;
+      ObservedOrder order = order_along(ladder, record, e.quantity, e.time);
+      if (order.rungs.size() >= 2) record.orders.push_back(std::move(order));
+    }
+}
+
+/// Whether the suite runs a rung for as long as a claim speaks of.
+bool is_run(const Claim& claim, const Method& method, Suite suite) {
+  return std::ranges::any_of(method.rungs, [&](const Rung& rung) {
+    return claim.covers(rung.name, claim.time) && rung.until(suite) > 0 &&
+           (std::isnan(claim.time) || rung.until(suite) >= claim.time * (1 - 1e-9));
+  });
+}
+
+void judge_claim(const Claim& claim, const Method& method, Suite suite, Record& record) {
+  const std::size_t before = record.verdicts.size();
+  Place place{record.case_name, method.name, claim.rung, not_a_number, claim.time};
+  if (!claim.ladder.empty()) {
+    for (const ObservedOrder& order : record.orders)
+      if (order.ladder == claim.ladder && order.quantity == claim.quantity && claim.covers("", order.time)) {
+        place.time = order.time;
+        record.verdicts.push_back(judge(claim, place, order));
+      }
+  } else {
+    for (const Error& e : record.errors)
+      if (e.quantity == claim.quantity && claim.covers(e.rung, e.time))
+        record.verdicts.push_back(judge(claim, {record.case_name, method.name, e.rung, e.spacing, e.time}, e.value));
+  }
+  if (record.verdicts.size() == before && claim.ladder.empty() && is_run(claim, method, suite))
+    record.verdicts.push_back(judge(claim, place, not_a_number));  // the run ended before, or nothing measures this
+}
+
+/// Each value keeps within the limits that were accepted with the last one.
+void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
+  for (const Error& e : record.errors) {
+    const Baseline* last = baselines.find(record.method, e.rung, e.time, e.quantity);
+    const Place place{record.case_name, record.method, e.rung, e.spacing, e.time};
+    if (last)
+      record.verdicts.push_back(
+          judge(between(e.quantity, last->lower, last->upper, {"baseline: " + last->basis}), place, e.value));
+    else if (suite == Suite::acceptance)
+      record.verdicts.push_back(inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place,
+                                             "no baseline was accepted for this yet"));
+  }
+}
+
+/// A run that did not finish is a failure whatever else is claimed of it.
+void judge_divergence(Record& record) {
+  for (const RunSummary& run : record.runs)
+    if (!run.finished) {
+      const Claim finishes = at_least("run to the end [-]", 1, theory("a stable method answers"));
+      Verdict v = judge(finishes, {record.case_name, record.method, run.rung, run.spacing, run.end_time}, 0);
+      v.sentence = fmt::format("{}.{} {}: {}: FAILS", record.case_name, record.method, run.rung, run.outcome);
+      record.verdicts.push_back(std::move(v));
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(Suite suite) {
+  return suite == Suite::acceptance ? "acceptance" : suite == Suite::report ? "report" : "nightly";
+}
+
+const Run* Results::run(std::string_view rung) const {
+  for (const Run& r : runs)
+    if (r.summary.rung == rung) return &r;
+  return nullptr;
+}
+
+Case with_plots(Case declared, const std::vector<Plot>& plots) {
+  declared.plots.insert(declared.plots.end(), plots.begin(), plots.end());
+  return declared;
+}
+
+Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
+              const std::optional<Baselines>& baselines) {
+  Record record;
+  record.case_name = case_name;
+  record.title = declared.title;
+  record.description = declared.description;
+  record.method = method.name;
+  record.method_description = method.description;
+  record.suite = name_of(suite);
+  const Results results{method, suite, run_rungs(declared, method, suite, record)};
+  observe_orders(method, record);
+  judge_divergence(record);
+  for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, record);
+  for (const Claim& claim : method.claims) judge_claim(claim, method, suite, record);
+  if (baselines) judge_baselines(*baselines, suite, record);
+  for (const Plot& plot : declared.plots) plot(results, record);
+  describe_environment(record);
+  return record;
+}
+
+std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
+  std::vector<Baseline> rows;
+  for (const Error& e : record.errors) {
+    const double room = tolerance.relative * std::abs(e.value);
+    rows.push_back(
+        {record.method, e.rung, e.time, e.quantity, e.value, e.value - room, e.value + room, tolerance.basis});
+  }
+  return rows;
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,18 @@
+#pragma once
+/// From a declared case to a record: all runs of one method, their numbers, orders and verdicts.
+
+#include "vnv/baselines.hpp"
+#include "vnv/case.hpp"
+
+namespace touchstone::vnv {
+
+/// Runs a method on the rungs of a suite and judges it by the claims of the case, of the method and of the baselines.
+/// Without baselines nothing is claimed of them; with them, a value of the acceptance suite that has none is
+/// inconclusive.
+Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
+              const std::optional<Baselines>& baselines);
+
+/// The rows by which a record's values become baselines.
+std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,89 @@
+#pragma once
+/// What a case file declares: scene, oracle, measures, methods, limits and plots, and no loop.
+
+#include "vnv/claims.hpp"
+#include "vnv/run.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+enum class Suite { acceptance, report, nightly };
+std::string_view name_of(Suite suite);
+
+/// One resolution of a method, and how far each suite runs it; zero: not at all.
+struct Rung {
+  std::string name;            // "M2"
+  double spacing;              // m  of the particles at the start
+  double cell = not_a_number;  // m  of the background grid; none in SPH
+  double acceptance = 0;       // s
+  double report = 0;           // s
+  double nightly = 0;          // s
+
+  double until(Suite suite) const {
+    return suite == Suite::acceptance ? acceptance : suite == Suite::report ? report : nightly;
+  }
+};
+
+/// Rungs that differ in one thing, coarse to fine; what that is, the name says. More points in the same cell is not a
+/// finer grid: these are two ladders.
+struct Ladder {
+  std::string name;                // "grid at 4 points per cell"
+  std::vector<std::string> rungs;  // names
+};
+
+/// How far a value may be from its baseline, and why that far.
+struct Tolerance {
+  double relative = 1e-6;
+  std::string basis = "another compiler or processor rounds otherwise";
+};
+
+struct Method {
+  std::string name{};         // "mpm"
+  std::string description{};  // which equations, which walls, which time step; what print leaves open
+  std::function<Run(const Rung&, const Schedule&)> run;
+  std::vector<Rung> rungs;
+  std::vector<Ladder> ladders{};
+  std::vector<Claim> claims{};
+  Tolerance tolerance{};
+};
+
+/// One method of a case after all its runs, as plots and tables see it.
+struct Results {
+  const Method& method;
+  Suite suite;
+  std::vector<Run> runs;
+
+  /// The run of a rung, or null if this suite has none.
+  const Run* run(std::string_view rung) const;
+};
+
+/// Turns a run into named numbers, "L2 v_x, row means [%]".
+using Measurement = std::function<std::vector<Error>(const Rung&, const Run&)>;
+
+/// Adds figures and tables to the record of a method.
+using Plot = std::function<void(const Results&, Record&)>;
+
+struct Case {
+  std::string title{};
+  std::string description{};
+  std::vector<double> times;  // s  rising
+  Watch watch{};
+  std::vector<Measurement> measurements;
+  std::vector<Claim> claims{};  // of any method
+  std::vector<Method> methods;
+  std::vector<Plot> plots{};
+};
+
+/// The case with more plots.
+Case with_plots(Case declared, const std::vector<Plot>& plots);
+
+/// Defined by the case file.
+Case the_case();
+
+/// The folder of the project's data, or the one that `--data` named.
+const std::filesystem::path& data_folder();
+
+}  // namespace touchstone::vnv

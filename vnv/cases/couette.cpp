@@ -1,0 +1,139 @@
+/// Start-up of plane Couette flow [Sun et al., section 3.2]. Water at rest between two plates, of which the upper one
+/// slides at a constant velocity from t = 0; at 1 s the profile is the straight line to four digits.
+
+#include "reference/couette.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/mpm/walls/prescribed_velocity.hpp"
+#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "vnv/channel.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+constexpr double V = 0.1 * mm;  // m/s
+
+const Scene<Newtonian> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = water,
+    .filled = gap,
+    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip({V, 0}))},
+};
+
+const reference::Couette exact{.H = H, .V = V, .nu = water.viscosity / water.density};
+
+/// Mean velocity of the two rows beside the middle.
+double middle_velocity(const Samples& samples) {
+  double sum = 0, count = 0;
+  for (Eigen::Index p = 0; p < samples.size(); ++p)
+    if (std::abs(samples.x(1, p) - H / 2) < H / 40) {
+      sum += samples.v(0, p);
+      ++count;
+    }
+  return sum / count;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return with_plots(
+      {
+          .title = "Start-up of plane Couette flow",
+          .description =
+              "Water at rest between two plates 1 mm apart, of which the upper one slides at 0.1 mm/s from t = 0. The "
+              "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.",
+          .times = {0.05, 0.1, 0.2, 1, 10},
+          .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{middle_velocity(s)}; }},
+          .measurements = {norms_of("v_x, row means", by_rows, exact),
+                           norms_of("v_x, per particle", by_particles, exact)},
+          .claims = {},
+          .methods =
+              {{
+                   .name = "mpm",
+                   .description = mpm_words +
+                                  "Here it moves with the wall: v = V, a = dV/dt, which is a jump in the first step. "
+                                  "Expected order 2.",
+                   .run = mpm_with<mpm::PrescribedMotion>(scene),
+                   .rungs = mpm_rungs(0),
+                   .ladders = mpm_ladders(),
+                   .claims =
+                       {at_most(l2, 0.04, theory("second order in the cell; a plain trial had 0.03")).on("M2").at(0.1),
+                        at_most(l2_rows, 0.40, literature("Sun et al., table 4, M2")).on("M2").at(1),
+                        order_between(grid, l2, 1.8, 2.3, theory("linear hats, central quadrature: order 2")).at(0.1)},
+               },
+               {
+                   .name = "mpm_reset",
+                   .description =
+                       mpm_words +
+                       "Here its velocity is reset, a = (V - v) / dt, which the particles feel. Expected order 1.",
+                   .run = mpm_with<mpm::VelocityReset>(scene),
+                   .rungs = mpm_rungs(0),
+                   .ladders = mpm_ladders(),
+                   .claims = {between(l2_rows, 0.40 / 1.5, 0.40 * 1.5,
+                                      literature("Sun et al., table 4, M2, within 1.5"))
+                                  .on("M2")
+                                  .at(1)},
+               },
+               {
+                   .name = "mpm_unfelt",
+                   .description =
+                       mpm_words +
+                       "Here the held node passes on no acceleration of the wall: particles beside a wall that "
+                       "starts at once never learn of it. Kept to show that the suite tells it apart.",
+                   .run = mpm_with<mpm::PrescribedVelocity>(scene),
+                   .rungs = {{.name = "M2",
+                              .spacing = H / 80,
+                              .cell = H / 40,
+                              .acceptance = 0.1,
+                              .report = 1,
+                              .nightly = 1}},
+                   .claims = {at_least(l2, 5, theory("the impulse of the wall is missing; a plain trial had 13"))
+                                  .on("M2")
+                                  .at(0.1)},
+               },
+               {
+                   .name = "sph",
+                   .description = sph_printed_words,
+                   .run = sph_as_printed(scene),
+                   .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
+                             {.name = "S2", .spacing = H / 80, .acceptance = 0.1, .report = 1, .nightly = 10},
+                             {.name = "S3", .spacing = H / 120, .report = 1, .nightly = 1},
+                             {.name = "S4", .spacing = H / 160, .report = 1, .nightly = 1}},
+                   .ladders = sph_ladders(),
+                   .claims = {at_most(l2_rows, 1.35, literature("Sun et al., table 4, S1")).on("S1").at(1),
+                              at_most(l2_rows, 0.68, literature("Sun et al., table 4, S2")).on("S2").at(1),
+                              at_most(l2_rows, 0.45, literature("Sun et al., table 4, S3")).on("S3").at(1),
+                              at_most(l2_rows, 0.33, literature("Sun et al., table 4, S4")).on("S4").at(1)},
+               },
+               {
+                   .name = "sph_regularised",
+                   .description = sph_regularised_words,
+                   .run = sph_with_transport_velocity(scene),
+                   .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 10, .nightly = 10},
+                             {.name = "S2", .spacing = H / 80, .acceptance = 0.1, .report = 1, .nightly = 10},
+                             {.name = "S3", .spacing = H / 120, .nightly = 1},
+                             {.name = "S4", .spacing = H / 160, .nightly = 1}},
+                   .ladders = sph_ladders(),
+                   .claims = {at_most(l2, 0.2, literature("a trial with mirrored wall velocities")).on("S1").at(1),
+                              at_most(l2, 0.2, theory("no growth: as at 1 s")).on("S1").at(10)},
+               }},
+          .plots = {profiles({"profile",
+                              "Velocity profiles",
+                              "Row means at 3200 particles. Re-draws figure 8(b) of Sun et al.",
+                              {"y [mm]", 1e3},
+                              {"v_x [mm/s]", 1e3}},
+                             by_rows, exact, H, {"M2", "S2"}),
+                    over_time({"history",
+                               "Velocity in the middle over time",
+                               "Re-draws figure 8(a) of Sun et al.",
+                               {"t [s]"},
+                               {"v_x [mm/s]", 1e3}},
+                              0, {"M2", "S1"}),
+                    exact_over_time(
+                        "history", [](double t) { return exact(H / 2, t); }, 2)},
+      },
+      figures("couette", "9", "4"));
+}

@@ -1,0 +1,97 @@
+/// The largest stable time step of each method in Poiseuille flow, beside the Courant limit (31) of Sun et al.
+
+#include "vnv/stability/critical_step.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "vnv/channel.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+/// The drive of the channel with a thousandth of it in waves of some cells' length: without them nothing would excite
+/// the acoustics of a lattice that is perfectly even.
+struct StirredDrive {
+  Vec2 operator()(const Vec2& x, double /*time*/) const {
+    constexpr double F = 8 * mm, turn = 2 * std::numbers::pi;
+    const double wave = std::sin(turn * (5 * x.x() / L + 11 * x.y() / H));
+    return Vec2(F, 0) + 1e-3 * F * wave * Vec2(1, 1);
+  }
+};
+
+const Scene<Newtonian, StirredDrive> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = water,
+    .filled = gap,
+    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+};
+
+/// The steady flow reaches 1 mm/s; ten times that is no flow any more.
+const StepSearch search{.low = 0.5 * us, .high = 200 * us, .speed_limit = 10 * mm};
+
+const std::string over_courant = "critical time step over (31) [-]";
+const Claim courant =
+    at_most(over_courant, 1.01, theory("Courant, Friedrichs & Lewy 1928: necessary; 1 % is the bracket"));
+const Claim centred = at_least(over_courant, 0.6, theory("eigenvalues of linear hats on jittered lattices: 0.6 to 1"));
+const Claim morris = at_least(over_courant, 0.25, literature("Morris, Fox & Zhu 1997: 0.25 h / c is stable"));
+const Claim papers_step =
+    at_least("critical time step, stable end [us]", 5, literature("Sun et al. run every model with 5 us"));
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Largest stable time step",
+      .description =
+          "Each method runs Poiseuille flow from rest, stirred by waves of a thousandth of the drive, with steps found "
+          "by bisection, 2000 steps a trial; a trial is "
+          "unstable "
+          "when a particle comes to move at ten times the steady velocity, leaves, or is no number. (31) of Sun et al. "
+          "is the "
+          "cell size (MPM) or smoothing length (SPH) over the sound speed at rest.",
+      .times = {1},
+      .measurements = {},
+      .methods =
+          {{
+               .name = "mpm",
+               .description = mpm_words,
+               .run =
+                   [](const Rung& rung, const Schedule&) {
+                     return search_critical_step(
+                         [&](double time_step) { return mpm_solver<mpm::PrescribedMotion>(scene, rung, time_step); },
+                         search, rung.cell, water.sound_speed());
+                   },
+               .rungs = {{.name = "M1", .spacing = H / 40, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
+                         {.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1}},
+               .claims = {courant, centred, papers_step},
+           },
+           {
+               .name = "sph",
+               .description = sph_printed_words,
+               .run =
+                   [](const Rung& rung, const Schedule&) {
+                     return search_critical_step(
+                         [&](double time_step) { return printed_solver(scene, rung, time_step); }, search,
+                         1.2 * rung.spacing, water.sound_speed());
+                   },
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
+                         {.name = "S2", .spacing = H / 80, .report = 1, .nightly = 1}},
+               .claims = {morris, papers_step},
+           },
+           {
+               .name = "sph_regularised",
+               .description = sph_regularised_words,
+               .run =
+                   [](const Rung& rung, const Schedule&) {
+                     return search_critical_step(
+                         [&](double time_step) { return transport_solver(scene, rung, time_step); }, search,
+                         rung.spacing, water.sound_speed());
+                   },
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
+                         {.name = "S2", .spacing = H / 80, .report = 1, .nightly = 1}},
+               .claims = {morris, papers_step},
+           }},
+  };
+}

@@ -1,0 +1,116 @@
+/// Start-up of plane Poiseuille flow [Sun et al., section 3.1]. Water at rest between two plates feels a force along x
+/// from t = 0; at 1 s the profile is the steady parabola to four digits.
+
+#include "reference/poiseuille.hpp"
+#include "solvers/forces/uniform.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "vnv/channel.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+constexpr double F = 8 * mm;  // m/s²  table 1
+
+const Scene<Newtonian, Uniform> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = water,
+    .filled = gap,
+    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+    .body_force = {{F, 0}},
+};
+
+const reference::Poiseuille exact{.H = H, .F = F, .nu = water.viscosity / water.density};
+
+double largest_velocity(const Samples& samples) { return samples.v.row(0).maxCoeff(); }
+
+}  // namespace
+
+Case vnv::the_case() {
+  Case declared{
+      .title = "Start-up of plane Poiseuille flow",
+      .description =
+          "Water at rest between two plates 1 mm apart feels a body force of 8 mm/s² along them from t = 0. The "
+          "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.",
+      .times = {0.05, 0.1, 0.2, 1, 10},
+      .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{largest_velocity(s)}; }},
+      .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact)},
+      .claims = {at_most(l2_rows, 10, literature("loose: any method worth comparing, ours or not")).at(1)},
+      .methods =
+          {{
+               .name = "mpm",
+               .description = mpm_words + "Here it moves with the wall: v = V, a = dV/dt. Expected order 2.",
+               .run = mpm_with<mpm::PrescribedMotion>(scene),
+               .rungs = mpm_rungs(1),
+               .ladders = mpm_ladders(),
+               .claims =
+                   {at_most(l2, 0.07, theory("second order in the cell; a plain trial had 0.064")).on("M2").at(1),
+                    at_most(linf, 0.08, theory("second order in the cell; a plain trial had 0.068")).on("M2").at(1),
+                    order_between(grid, l2, 1.9, 2.1, theory("linear hats, central quadrature: order 2")).at(1),
+                    order_between(grid, linf, 1.9, 2.1, theory("linear hats, central quadrature: order 2")).at(1)},
+           },
+           {
+               .name = "mpm_reset",
+               .description =
+                   mpm_words +
+                   "Here its velocity is reset, a = (V - v) / dt, which the particles feel. Expected order 1.",
+               .run = mpm_with<mpm::VelocityReset>(scene),
+               .rungs = mpm_rungs(0),
+               .ladders = mpm_ladders(),
+               .claims = {order_between(grid, linf, 0.8, 1.2,
+                                        theory("a reset wall acts up to half a cell inside: order 1 at the wall"))
+                              .at(1),
+                          between(l2_rows, 3.34 / 1.5, 3.34 * 1.5, literature("Sun et al., table 3, M1, within 1.5"))
+                              .on("M1")
+                              .at(1),
+                          between(l2_rows, 1.59 / 1.5, 1.59 * 1.5, literature("Sun et al., table 3, M2, within 1.5"))
+                              .on("M2")
+                              .at(1)},
+           },
+           {
+               .name = "sph",
+               .description = sph_printed_words,
+               .run = sph_as_printed(scene),
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
+                         {.name = "S2", .spacing = H / 80, .acceptance = 0.1, .report = 1, .nightly = 10},
+                         {.name = "S3", .spacing = H / 120, .report = 1, .nightly = 1},
+                         {.name = "S4", .spacing = H / 160, .report = 1, .nightly = 1}},
+               .ladders = sph_ladders(),
+               .claims = {at_most(l2_rows, 4.39, literature("Sun et al., table 3, S1")).on("S1").at(1),
+                          at_most(l2_rows, 2.33, literature("Sun et al., table 3, S2")).on("S2").at(1),
+                          at_most(l2_rows, 1.63, literature("Sun et al., table 3, S3")).on("S3").at(1),
+                          at_most(l2_rows, 1.29, literature("Sun et al., table 3, S4")).on("S4").at(1)},
+           },
+           {
+               .name = "sph_regularised",
+               .description = sph_regularised_words,
+               .run = sph_with_transport_velocity(scene),
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 10, .nightly = 10},
+                         {.name = "S2", .spacing = H / 80, .acceptance = 0.1, .report = 1, .nightly = 10},
+                         {.name = "S3", .spacing = H / 120, .nightly = 1},
+                         {.name = "S4", .spacing = H / 160, .nightly = 1}},
+               .ladders = sph_ladders(),
+               .claims = {at_most(l2, 0.5, literature("a trial with mirrored wall velocities: 0.39")).on("S1").at(1),
+                          at_most(l2, 0.5, theory("no growth: as at 1 s")).on("S1").at(10)},
+           }},
+      .plots = {profiles({"profile",
+                          "Velocity profiles",
+                          "Row means at 3200 particles. Re-draws figure 5(b) of Sun et al.",
+                          {"y [mm]", 1e3},
+                          {"v_x [mm/s]", 1e3}},
+                         by_rows, exact, H, {"M2", "S2"}),
+                over_time({"history",
+                           "Largest velocity over time",
+                           "Re-draws figure 5(a) of Sun et al.",
+                           {"t [s]"},
+                           {"v_x [mm/s]", 1e3}},
+                          0, {"M2", "S1"}),
+                exact_over_time(
+                    "history", [](double t) { return exact(H / 2, t); }, 2)},
+  };
+  return with_plots(std::move(declared), figures("poiseuille", "6", "3"));
+}

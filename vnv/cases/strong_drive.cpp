@@ -1,0 +1,77 @@
+/// Poiseuille flow driven a hundred times harder: body force x 100, Reynolds number 100, Mach number 0.1.
+
+#include "reference/poiseuille.hpp"
+#include "solvers/forces/uniform.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "vnv/channel.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+constexpr double F = 800 * mm;  // m/s²
+constexpr double step = 5 * us;
+constexpr double end = 0.5;  // s
+
+const Scene<Newtonian, Uniform> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = {{.density = 1000, .bulk_modulus = 143}, 1e-3},
+    .filled = gap,
+    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+    .body_force = {{F, 0}},
+};
+
+const reference::Poiseuille exact{.H = H, .F = F, .nu = water.viscosity / water.density};
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Extreme: body force times 100",
+      .description =
+          "Poiseuille flow with a body force of 0.8 m/s², a hundred times the paper's: steady velocity 0.1 m/s, "
+          "Reynolds number 100, Mach number 0.1. Expected: as accurate as before; rows slide past each other at a "
+          "hundred times the speed. The oracle is the exact series.",
+      .times = {0.05, end},
+      .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact)},
+      .methods =
+          {{
+               .name = "mpm",
+               .description = mpm_words,
+               .run = mpm_with<mpm::PrescribedMotion>(scene, step),
+               .rungs = {{.name = "M1",
+                          .spacing = H / 40,
+                          .cell = H / 40,
+                          .acceptance = end,
+                          .report = end,
+                          .nightly = end}},
+               .claims = {at_most(l2_rows, 3.34, literature("Sun et al., table 3, M1, for the paper's fluid and force"))
+                              .on("M1")
+                              .at(end)},
+           },
+           {
+               .name = "sph",
+               .description = sph_printed_words,
+               .run = sph_as_printed(scene, step),
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
+               .claims = {at_most(l2_rows, 4.39, literature("Sun et al., table 3, S1, for the paper's fluid and force"))
+                              .on("S1")
+                              .at(end)},
+           },
+           {
+               .name = "sph_regularised",
+               .description = sph_regularised_words,
+               .run = sph_with_transport_velocity(scene, step),
+               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
+               .claims = {at_most(l2_rows, 4.39, literature("Sun et al., table 3, S1, for the paper's fluid and force"))
+                              .on("S1")
+                              .at(end)},
+           }},
+      .plots = {profiles(
+          {"profile", "Velocity profiles", "Row means at 800 particles.", {"y [mm]", 1e3}, {"v_x [mm/s]", 1e3}},
+          by_rows, exact, H, {"M1", "S1"})},
+  };
+}

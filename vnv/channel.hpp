@@ -1,0 +1,132 @@
+#pragma once
+/// What the two channel flows of Sun et al. share: geometry and water of table 1, models of table 2, figures and
+/// tables.
+
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/kernels/quintic_spline.hpp"
+#include "solvers/sph/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/morris_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/terms/shared_pressure.hpp"
+#include "solvers/sph/transport_velocity.hpp"
+#include "vnv/case.hpp"
+#include "vnv/measures/norms_of.hpp"
+#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/row_means.hpp"
+#include "vnv/plots/along_ladders.hpp"
+#include "vnv/plots/over_time.hpp"
+#include "vnv/plots/profiles.hpp"
+#include "vnv/tables.hpp"
+
+namespace touchstone::vnv::channel {
+
+inline constexpr double L = 0.5 * mm, H = 1 * mm;  // table 1
+inline constexpr Newtonian water{{.density = 1000, .bulk_modulus = 143}, 1e-3};
+inline constexpr double dt = 5 * us;
+
+/// The box between the plates, periodic along x and full of water.
+inline const Box gap{.high = {L, H}};
+
+// Ladders, by what they refine.
+inline const std::string points_per_cell = "points per cell, cells of 0.025 mm";
+inline const std::string grid = "grid at 4 points per cell";
+inline const std::string spacing_ladder = "spacing at fixed h / spacing";
+
+// Quantities that every method is judged by.
+inline const std::string l2_rows = "L2 v_x, row means [%]", linf_rows = "Linf v_x, row means [%]";
+inline const std::string l2 = "L2 v_x, per particle [%]", linf = "Linf v_x, per particle [%]";
+
+/// Rows as the paper averages them, one per particle row of the start.
+inline Measure by_rows(const Rung& rung) { return row_means(velocity_x, rung.spacing); }
+inline Measure by_particles(const Rung&) { return per_particle(velocity_x); }
+
+/// M1 to M4 of table 2, and 10, 20, 40, 80 cells across at 4 per cell; M2 belongs to both.
+inline std::vector<Rung> mpm_rungs(double finest_acceptance) {
+  const double cell = 0.025 * mm;
+  return {
+      {.name = "M1", .spacing = cell, .cell = cell, .acceptance = 1, .report = 1, .nightly = 1},
+      {.name = "G10", .spacing = H / 20, .cell = H / 10, .acceptance = 1, .report = 1, .nightly = 1},
+      {.name = "G20", .spacing = H / 40, .cell = H / 20, .acceptance = 1, .report = 1, .nightly = 1},
+      {.name = "M2", .spacing = cell / 2, .cell = cell, .acceptance = 1, .report = 1, .nightly = 10},
+      {.name = "M3", .spacing = cell / 3, .cell = cell, .report = 1, .nightly = 1},
+      {.name = "M4", .spacing = cell / 4, .cell = cell, .report = 1, .nightly = 1},
+      {.name = "G80", .spacing = H / 160, .cell = H / 80, .acceptance = finest_acceptance, .report = 1, .nightly = 1},
+  };
+}
+inline std::vector<Ladder> mpm_ladders() {
+  return {{points_per_cell, {"M1", "M2", "M3", "M4"}}, {grid, {"G10", "G20", "M2", "G80"}}};
+}
+inline std::vector<Ladder> sph_ladders() { return {{spacing_ladder, {"S1", "S2", "S3", "S4"}}}; }
+
+// The three solvers of a channel, and their runs.
+
+/// The material point method as printed, with one of the wall treatments of solvers/mpm/walls/.
+template <class WallTreatment, class SceneOfChannel>
+auto mpm_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
+  return mpm::solver<mpm::LinearHat, WallTreatment>(
+      scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+}
+
+/// Smoothed particle hydrodynamics as printed.
+template <class SceneOfChannel>
+auto printed_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
+  const double h = 1.2 * rung.spacing;
+  return sph::printed<sph::CubicSpline>(
+      scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+      sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
+                    sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
+}
+
+/// The regularised method: quintic spline, transport velocity, mirrored wall velocities.
+template <class SceneOfChannel>
+auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
+  return sph::transport_velocity<sph::QuinticSpline>(
+      scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = time_step},
+      sph::momentum(sph::SharedPressure{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
+}
+
+template <class WallTreatment, class SceneOfChannel>
+auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
+  return [=](const Rung& rung, const Schedule& when) {
+    return record(mpm_solver<WallTreatment>(scene, rung, time_step), when);
+  };
+}
+template <class SceneOfChannel>
+auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
+  return [=](const Rung& rung, const Schedule& when) { return record(printed_solver(scene, rung, time_step), when); };
+}
+template <class SceneOfChannel>
+auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = dt) {
+  return [=](const Rung& rung, const Schedule& when) { return record(transport_solver(scene, rung, time_step), when); };
+}
+
+/// The methods in words.
+inline const std::string mpm_words =
+    "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, explicit Euler, FLIP, "
+    "remapped "
+    "momentum (MUSL), time step 5 us. Print leaves open what acceleration a held node passes on to its particles. ";
+inline const std::string sph_printed_words =
+    "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2: cubic spline with h = 1.2 spacings, "
+    "continuity "
+    "density, laminar viscosity (26), artificial viscosity (27), density restored every 30 steps, ghosts and repulsive "
+    "particles, predictor-corrector with 5 us. Print leaves open the force of the repulsive particles; here it acts "
+    "only "
+    "on fluid that is closer to the wall than at the start.";
+inline const std::string sph_regularised_words =
+    "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = 1 "
+    "spacing, "
+    "density by summation, viscosity of Morris et al. (1997), wall velocities mirrored (Adami, Hu & Adams 2012), "
+    "kick-drift-kick with 5 us.";
+
+/// The rows of tables 3 and 4 of Sun et al. for one flow and one of its methods, "MPM" or "SPH".
+DataTable published(const std::string& flow, const std::string& method);
+
+/// Figures 6 or 9, errors and cost over the particle number, the errors over spacing and CPU time; table 3 or 4.
+std::vector<Plot> figures(const std::string& flow, const std::string& errors_figure, const std::string& table);
+
+}  // namespace touchstone::vnv::channel

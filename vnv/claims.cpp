@@ -1,0 +1,97 @@
+#include "vnv/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::vnv {
+namespace {
+
+/// "L2 v_x [%]" -> "L2 v_x", "%"; a pure number "[-]" has no unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& quantity) {
+  const std::size_t open = quantity.rfind(" [");
+  if (open == std::string::npos || quantity.back() != ']') return {quantity, ""};
+  const std::string unit = quantity.substr(open + 2, quantity.size() - open - 3);
+  return {quantity.substr(0, open), unit == "-" ? "" : unit};
+}
+
+/// Share of a limit that is left, or of half the width between two.
+double margin_of(const Claim& claim, double value) {
+  if (claim.lower && claim.upper) {
+    const double half = (*claim.upper - *claim.lower) / 2;
+    return std::min(*claim.upper - value, value - *claim.lower) / (half > 0 ? half : 1);
+  }
+  if (claim.upper) return (*claim.upper - value) / (*claim.upper != 0 ? std::abs(*claim.upper) : 1);
+  return (value - *claim.lower) / (*claim.lower != 0 ? std::abs(*claim.lower) : 1);
+}
+
+std::string limits_of(const Claim& claim) {
+  if (claim.lower && claim.upper) return fmt::format("wanted in [{:.6g}, {:.6g}]", *claim.lower, *claim.upper);
+  return claim.upper ? fmt::format("limit {:.4g}", *claim.upper) : fmt::format("wanted at least {:.4g}", *claim.lower);
+}
+
+std::string word_of(Outcome outcome) {
+  return outcome == Outcome::holds ? "HOLDS" : outcome == Outcome::fails ? "FAILS" : "INCONCLUSIVE";
+}
+
+Verdict verdict_of(const Claim& claim, const Place& place, double value) {
+  const auto [name, unit] = name_and_unit(claim.quantity);
+  Verdict v;
+  v.case_name = place.case_name;
+  v.method = place.method;
+  v.rung = place.rung;
+  v.spacing = place.spacing;
+  v.time = place.time;
+  v.quantity = claim.ladder.empty() ? name : fmt::format("order of {} over {}", name, claim.ladder);
+  v.unit = claim.ladder.empty() ? unit : "";
+  v.value = value;
+  v.lower = claim.lower;
+  v.upper = claim.upper;
+  v.author = claim.author.words;
+  v.margin = margin_of(claim, value);
+  return v;
+}
+
+void conclude(Verdict& v, const Claim& claim, Outcome outcome, std::string_view remark) {
+  v.outcome = outcome;
+  const std::string rung = v.rung.empty() ? "" : " " + v.rung;
+  const std::string time = std::isnan(v.time) ? "" : fmt::format(" at {:.4g} s", v.time);
+  const std::string unit = v.unit.empty() ? "" : " " + v.unit;
+  v.sentence =
+      fmt::format("{}.{}{}: {} = {:.4g}{}{}{}, {} ({}), margin {:.0f} %: {}", v.case_name, v.method, rung, v.quantity,
+                  v.value, unit, remark, time, limits_of(claim), v.author, 100 * v.margin, word_of(outcome));
+}
+
+bool within(const Claim& claim, double value) {
+  return (!claim.lower || value >= *claim.lower) && (!claim.upper || value <= *claim.upper) && !std::isnan(value);
+}
+
+}  // namespace
+
+bool Claim::covers(std::string_view its_rung, double its_time) const {
+  return (rung.empty() || rung == its_rung) && (std::isnan(time) || std::abs(time - its_time) <= 1e-9 * std::abs(time));
+}
+
+Verdict judge(const Claim& claim, const Place& place, double value) {
+  Verdict v = verdict_of(claim, place, value);
+  conclude(v, claim, within(claim, value) ? Outcome::holds : Outcome::fails, "");
+  return v;
+}
+
+Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order) {
+  constexpr double widest = 0.3;  // beyond this an interval does not part orders 1 and 2 from their neighbours
+  Verdict v = verdict_of(claim, place, order.order);
+  const bool sure = std::isnan(order.order) || order.half_width < widest;
+  const Outcome outcome = !sure ? Outcome::inconclusive : within(claim, order.order) ? Outcome::holds : Outcome::fails;
+  conclude(v, claim, outcome, fmt::format(" +- {:.2g} over {} rungs", order.half_width, order.rungs.size()));
+  return v;
+}
+
+Verdict inconclusive(const Claim& claim, const Place& place, std::string_view why) {
+  Verdict v = verdict_of(claim, place, not_a_number);
+  conclude(v, claim, Outcome::inconclusive, fmt::format(" ({})", why));
+  return v;
+}
+
+}  // namespace touchstone::vnv

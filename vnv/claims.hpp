@@ -1,0 +1,75 @@
+#pragma once
+/// A claim says what a method achieves, on whose word; a verdict says whether it does.
+
+#include "vnv/record.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace touchstone::vnv {
+
+/// Who set a limit: `theory`, `literature` or `baseline`, and where to look it up.
+struct Author {
+  std::string words;
+};
+inline Author theory(std::string_view source) { return {"theory: " + std::string(source)}; }
+inline Author literature(std::string_view source) { return {"literature: " + std::string(source)}; }
+
+/// A quantity lies between limits, in the unit that its name ends with ("L2 v_x, row means [%]").
+struct Claim {
+  std::string quantity;
+  std::optional<double> lower, upper;
+  Author author;
+  std::string rung = "";       // where it holds; empty: on every rung
+  double time = not_a_number;  // s  when it holds; not a number: at every time
+  std::string ladder = "";     // for an observed order: over which rungs
+
+  Claim on(std::string_view name) const {
+    Claim claim = *this;
+    claim.rung = name;
+    return claim;
+  }
+  Claim at(double when) const {
+    Claim claim = *this;
+    claim.time = when;
+    return claim;
+  }
+  /// Whether it speaks of a value; times agree to nine digits.
+  bool covers(std::string_view its_rung, double its_time) const;
+};
+
+inline Claim at_most(std::string_view quantity, double limit, Author author) {
+  return {std::string(quantity), std::nullopt, limit, std::move(author)};
+}
+inline Claim at_least(std::string_view quantity, double limit, Author author) {
+  return {std::string(quantity), limit, std::nullopt, std::move(author)};
+}
+inline Claim between(std::string_view quantity, double low, double high, Author author) {
+  return {std::string(quantity), low, high, std::move(author)};
+}
+/// The observed order of a quantity over a ladder. Judged only where its 95 % interval is narrower than 0.3 to each
+/// side; else the verdict is inconclusive, which is no pass.
+inline Claim order_between(std::string_view ladder, std::string_view quantity, double low, double high, Author author) {
+  Claim claim = between(quantity, low, high, std::move(author));
+  claim.ladder = ladder;
+  return claim;
+}
+
+/// Where a value was measured.
+struct Place {
+  std::string case_name, method, rung;
+  double spacing = not_a_number;  // m
+  double time = not_a_number;     // s
+};
+
+/// Judges a value. Written so that a value that is not a number fails.
+Verdict judge(const Claim& claim, const Place& place, double value);
+
+/// Judges an observed order.
+Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order);
+
+/// A verdict on something that could not be judged.
+Verdict inconclusive(const Claim& claim, const Place& place, std::string_view why);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,126 @@
+#include "vnv/dam_front.hpp"
+
+#include "vnv/tables.hpp"
+
+namespace touchstone::vnv {
+namespace {
+
+enum Column { half_full, percentile, farthest, mass, inside };
+
+DataTable measured_by_lobovsky(const DamFront& dam) {
+  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
+                                     {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  require_geometry(table, "column_length", dam.column_length, 1e-3);
+  require_geometry(table, "column_height", dam.column_height, 1e-3);
+  require_geometry(table, "tank_length", dam.tank_length, 1e-3);
+  return table;
+}
+
+FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
+  FrontHistory front;
+  for (std::size_t k = 0; k < run.history.time.size(); ++k) {
+    front.T.push_back(dam.scaled_time(run.history.time[k]));
+    front.L.push_back(run.history.seen[k][column]);
+  }
+  return front;
+}
+
+/// T when a front comes within a slab of the far wall, or infinity.
+double arrival(const DamFront& dam, const FrontHistory& front) {
+  for (std::size_t k = 0; k < front.T.size(); ++k)
+    if (front.L[k] > (dam.tank_length - dam.slab) / dam.column_length) return front.T[k];
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The worst number over the history.
+double largest_departure(const Run& run, Column column) {
+  double worst = 0;
+  for (const std::vector<double>& seen : run.history.seen) {
+    const double departure = seen[column] - run.history.seen.front()[column];
+    if (!(std::abs(departure) <= std::abs(worst))) worst = departure;
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<double> DamFront::look(const Samples& samples) const {
+  double in_tank = 0;
+  for (Eigen::Index p = 0; p < samples.size(); ++p)
+    in_tank += samples.x(0, p) >= 0 && samples.x(0, p) <= tank_length && samples.x(1, p) >= 0;
+  return {half_full_slab(samples, slab) / column_length, percentile_front(samples) / column_length,
+          farthest_particle(samples) / column_length, samples.mass.sum(), in_tank};
+}
+
+std::vector<Error> DamFront::compare(const Rung& rung, const Run& run) const {
+  std::vector<Error> found;
+  const auto add = [&](std::string quantity, double value) {
+    found.push_back({rung.name, rung.spacing, run.summary.end_time, std::move(quantity), value});
+  };
+  if (!run.summary.finished) return found;
+  add("mass less that of the start [kg/m]", largest_departure(run, mass));
+  add("particles lost or outside [-]", 0 - largest_departure(run, inside));
+
+  const DataTable table = measured_by_lobovsky(*this);
+  const FrontHistory measured{table.numbers("T [-]"), table.numbers("L [-]")};
+  const FrontHistory ours = history_of(*this, run, half_full);
+  const double end_of_slope = std::min(1.58, arrival(*this, ours));
+  const FrontComparison judged = compare_fronts(ours, measured, {1, 1.5}, {1, end_of_slope}, {-0.3, 0.3});
+  add(rms, judged.rms);
+  add("best shift of T [-]", judged.best_shift);
+  add("RMS of L over T in [1, 1.5], best shift [-]", judged.rms_at_best_shift);
+  add("slope dL/dT from T = 1 to 1.58 or the wall [-]", judged.slope);
+  add("slope dL/dT measured there [-]", judged.measured_slope);
+  add(slope_error, 100 * (judged.slope / judged.measured_slope - 1));
+  add("arrival at the far wall, T [-]", arrival(*this, ours));
+  add("RMS of L, no shift, 99.5th percentile [-]",
+      compare_fronts(history_of(*this, run, percentile), measured, {1, 1.5}, {1, 1.4}, {-0.3, 0.3}).rms);
+  add("RMS of L, no shift, farthest particle [-]",
+      compare_fronts(history_of(*this, run, farthest), measured, {1, 1.5}, {1, 1.4}, {-0.3, 0.3}).rms);
+  return found;
+}
+
+Plot DamFront::history(Figure frame, std::vector<std::string> rungs) const {
+  return [dam = *this, frame, rungs](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    for (const std::string& rung : rungs)
+      if (const Run* run = results.run(rung)) {
+        const FrontHistory ours = history_of(dam, *run, half_full);
+        record.curves.push_back({frame.id, results.method.name + " " + rung, Role::ours, ours.T, ours.L, false});
+      }
+    const DataTable lobovsky = measured_by_lobovsky(dam);
+    record.curves.push_back({frame.id, "Lobovský et al. 2014", Role::experiment, lobovsky.numbers("T [-]"),
+                             lobovsky.numbers("L [-]"), true});
+    record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
+  };
+}
+
+Plot DamFront::models() const {
+  return [](const Results& results, Record& record) {
+    Table table{"models",
+                "Table 5 of Sun et al. beside ours",
+                "Our walls are as high as the domain and their corners are filled, so there are more boundary "
+                "particles. The paper "
+                "says that a step of SPH costs 2.6 to 4.6 times one of MPM.",
+                {"method", "model", "particles paper", "particles ours", "boundary particles paper",
+                 "boundary particles ours", "T_p ours [ms]", "memory ours [MB]"},
+                {}};
+    const std::string method = results.method.name == "mpm" ? "MPM" : "SPH";
+    const DataTable paper = read_table(data_folder() / "papers" / "sun_table_5.csv",
+                                       {"method", "model", "cell [m]", "particles per cell [-]", "spacing [m]",
+                                        "boundary particles [-]", "particles [-]"},
+                                       {"cell [m]", "particles per cell [-]", "boundary particles [-]"})
+                                .only("method", method);
+    for (std::size_t k = 0; k < paper.rows(); ++k)
+      if (const Run* run = results.run(paper.words("model")[k])) {
+        const Cost& cost = run->summary.cost;
+        table.rows.push_back({results.method.name, paper.words("model")[k], paper.numbers("particles [-]")[k],
+                              static_cast<double>(cost.particles), paper.numbers("boundary particles [-]")[k],
+                              static_cast<double>(cost.boundary_particles), 1e3 * cost.per_step(),
+                              1e-6 * cost.peak_memory});
+      }
+    record.tables.push_back(std::move(table));
+  };
+}
+
+}  // namespace touchstone::vnv

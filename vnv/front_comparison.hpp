@@ -1,0 +1,56 @@
+#pragma once
+/// A computed dam-break front against a measured one, and whether the two differ by more than is known.
+
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// A front over time, in the numbers of Sun et al.; equally long lists.
+struct FrontHistory {
+  std::vector<double> T;  // -  (39) t sqrt(g h0) / l0, rising
+  std::vector<double> L;  // -  (38) l / l0
+};
+
+/// From `low` to `high`, both included, of T or of a shift of T.
+struct Window {
+  double low, high;
+};
+
+struct FrontComparison {
+  double rms;                // -  of L, ours less measured, clocks as they are
+  double best_shift;         // -  of T; positive: ours started too early and is drawn later by this much
+  double rms_at_best_shift;  // -  of L
+  double slope;              // -  dL/dT, ours
+  double measured_slope;     // -  dL/dT
+};
+
+/// Compares the two with and without a shift of our clock, since the origin of time of an experiment is that of its
+/// gate, and by slopes, which need no origin.
+///
+/// The rms is over the measured points in `rms_window`; ours is interpolated linearly at their times. A shift s is
+/// added to all our T; the best is sought in `shifts`, by a scan in 60 steps and Brent's minimiser [GSL] around its
+/// best point. A best shift at an end of `shifts` says that the range was too narrow. Each slope is a least-squares
+/// line through the series' own points in `slope_window`.
+///
+/// An L that is not a number in use gives numbers that are not. Throws std::invalid_argument for a series of fewer than
+/// two points, lists of unequal length, times that are not finite and rising, or a window whose low is above its high;
+/// and std::domain_error where a series does not cover a window, ours also with every shift, or has too few points in
+/// it.
+FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& measured, const Window& rms_window,
+                               const Window& slope_window, const Window& shifts);
+
+/// What an error means beside the uncertainties of numbers, inputs and data.
+struct Agreement {
+  double E;      // simulation less data
+  double u_val;  // in the unit of E
+  bool agrees;   // |E| <= u_val; false if either is not a number
+  std::string words;
+};
+
+/// Validation by ASME V&V 20 (2009): u_val² = u_num² + u_input² + u_D², all in the unit of E and of the
+/// same coverage. The words are "agrees within u_val" or "model error E +- u_val", with their numbers.
+/// Throws std::invalid_argument for a negative uncertainty.
+Agreement agrees_within(double E, double u_num, double u_input, double u_D);
+
+}  // namespace touchstone::vnv

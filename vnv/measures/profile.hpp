@@ -1,0 +1,28 @@
+#pragma once
+/// What a measure makes of samples, and the fields it may be asked for.
+
+#include "solvers/samples.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Values of one field across a channel; three equally long lists.
+struct Profile {
+  std::vector<double> at;      // m  y
+  std::vector<double> value;   // in the unit of the field
+  std::vector<double> weight;  // of each value in a norm; only ratios matter
+};
+
+/// One number of one particle.
+using Field = std::function<double(const Samples&, Eigen::Index particle)>;
+
+/// A way to look at samples.
+using Measure = std::function<Profile(const Samples&)>;
+
+inline double velocity_x(const Samples& samples, Eigen::Index particle) { return samples.v(0, particle); }    // m/s
+inline double velocity_y(const Samples& samples, Eigen::Index particle) { return samples.v(1, particle); }    // m/s
+inline double pressure(const Samples& samples, Eigen::Index particle) { return samples.pressure(particle); }  // Pa
+
+}  // namespace touchstone::vnv

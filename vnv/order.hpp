@@ -1,0 +1,21 @@
+#pragma once
+#include "vnv/record.hpp"
+
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Observed order of convergence p of errors ~ spacing^p over a ladder from coarse to fine.
+///
+/// p is the slope of the least-squares line through (log spacing, log error); it is positive when the errors shrink and
+/// negative when they grow. `half_width` is that of the 95 % interval of the slope by Student's t with n - 2 degrees of
+/// freedom (Draper & Smith, Applied Regression Analysis, 1998, chapter 1): infinite for two rungs, which leave nothing
+/// to judge the scatter by. `pairwise` holds the order between neighbouring rungs; a tail that falls towards the fine
+/// end is the signature of a floor. With fewer than two rungs, or with an error that is zero, negative or not finite,
+/// order and half-width are not numbers, and so are the pairs of that error: no power law passes there.
+///
+/// Spacings [m] and errors [any one unit] are equally many and come back in the result; the caller names ladder,
+/// quantity, time and rungs. Throws std::invalid_argument unless the spacings are finite, positive and falling.
+ObservedOrder observe_order(std::vector<double> spacings, std::vector<double> errors);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,75 @@
+#pragma once
+/// Figures that draw one number of each run against another: errors over particle number, time per step, cost.
+/// A figure is declared by the record of every method; the report draws it once, with the curves of all.
+
+#include "vnv/case.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// A number of a run, in SI or, for an error, in its own unit; none where the run has not got it.
+using Pick = std::function<std::optional<double>(const Record&, const Run&)>;
+
+inline Pick error_of(std::string quantity, double time) {
+  return [=](const Record& record, const Run& run) -> std::optional<double> {
+    for (const Error& e : record.errors)
+      if (e.rung == run.summary.rung && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time)
+        return e.value;
+    return std::nullopt;
+  };
+}
+inline Pick particle_number() {
+  return [](const Record&, const Run& run) { return static_cast<double>(run.summary.cost.particles); };
+}
+inline Pick spacing() {
+  return [](const Record&, const Run& run) { return run.summary.spacing; };
+}
+inline Pick time_per_step() {
+  return [](const Record&, const Run& run) { return run.summary.cost.per_step(); };
+}
+/// CPU time [s] until a time of the flow; a run may go on after it.
+inline Pick cpu_time_until(double time) {
+  return [=](const Record&, const Run& run) { return run.summary.cost.cpu * time / run.summary.end_time; };
+}
+
+/// What is drawn upwards, and what it is called in the key after the method's name.
+struct Ordinate {
+  std::string suffix;  // ", L2", or empty
+  Pick pick;
+};
+
+/// One curve for each ladder and ordinate, through the runs that finished. No ladders named: all of the method.
+inline Plot along_ladders(Figure frame, std::vector<std::string> ladders, Pick x, std::vector<Ordinate> ordinates) {
+  return [=](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    for (const Ladder& ladder : results.method.ladders) {
+      if (!ladders.empty() && std::ranges::find(ladders, ladder.name) == ladders.end()) continue;
+      for (const Ordinate& ordinate : ordinates) {
+        const std::string which = ladders.size() == 1 ? "" : ", " + ladder.name;
+        Curve curve{frame.id, results.method.name + ordinate.suffix + which, Role::ours, {}, {}, false};
+        for (const std::string& rung : ladder.rungs) {
+          const Run* run = results.run(rung);
+          if (!run || !run->summary.finished) continue;
+          const std::optional<double> across = x(record, *run), up = ordinate.pick(record, *run);
+          if (!across || !up) continue;
+          curve.x.push_back(*across);
+          curve.y.push_back(*up);
+        }
+        if (!curve.x.empty()) record.curves.push_back(std::move(curve));
+      }
+    }
+  };
+}
+
+/// The same curves in every record: published values, an experiment, guides to the eye.
+inline Plot beside(std::vector<Curve> curves) {
+  return
+      [=](const Results&, Record& record) { record.curves.insert(record.curves.end(), curves.begin(), curves.end()); };
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,32 @@
+#pragma once
+#include "vnv/case.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+/// Particles coloured by pressure: a column of panels per method (of the first rung named that it has), a row per time
+/// [s].
+inline Plot snapshots(Figure frame, std::vector<std::string> rungs, std::vector<double> times) {
+  return [=](const Results& results, Record& record) {
+    Figure figure = frame;
+    figure.equal_axes = true;
+    record.figures.push_back(figure);
+    for (const std::string& rung : rungs) {
+      const Run* run = results.run(rung);
+      if (!run) continue;
+      for (const double time : times)
+        if (const Samples* s = run->at(time)) {
+          Cloud cloud{frame.id, results.method.name + " " + rung, fmt::format("t = {:.2f} s", time), {}, {}, {}};
+          for (Eigen::Index p = 0; p < s->size(); ++p) {
+            cloud.x.push_back(s->x(0, p));
+            cloud.y.push_back(s->x(1, p));
+            cloud.colour.push_back(s->pressure[p]);
+          }
+          record.clouds.push_back(std::move(cloud));
+        }
+    }
+  };
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,172 @@
+#pragma once
+/// Record: all that a report may know about one method of one case, as plain data.
+/// Numbers are SI unless a name says otherwise; only a report rescales. Not a number is a value like another: it is
+/// written and read back.
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace touchstone::vnv {
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// What one run cost.
+struct Cost {
+  long particles = 0;           // fluid particles
+  long boundary_particles = 0;  // ghosts, repulsive particles; none in a grid method
+  long steps = 0;
+  double cpu = 0;          // s  user and system time of the steps and the sampling
+  double wall = 0;         // s
+  double peak_memory = 0;  // bytes  largest resident set of the process during the run
+
+  double per_step() const { return cpu / static_cast<double>(steps); }                      // s
+  double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
+
+  bool operator==(const Cost&) const = default;
+};
+
+/// One run of one method at one resolution.
+struct RunSummary {
+  std::string rung{};    // "M2"
+  double spacing = 0;    // m
+  double time_step = 0;  // s
+  double end_time = 0;   // s
+  bool finished = false;
+  std::string outcome{};  // "finished", or the diagnosis of a diverged run
+  Cost cost{};
+
+  bool operator==(const RunSummary&) const = default;
+};
+
+/// One error norm of one run.
+struct Error {
+  std::string rung;
+  double spacing = 0;    // m
+  double time = 0;       // s
+  std::string quantity;  // "L2 v_x, row means"
+  double value = not_a_number;
+
+  bool operator==(const Error&) const = default;
+};
+
+/// An observed order of convergence with its 95 % interval.
+struct ObservedOrder {
+  std::string ladder;    // "grid, 4 points per cell"
+  std::string quantity;  // as in Error
+  double time = 0;       // s
+  double order = not_a_number;
+  double half_width = not_a_number;  // of the 95 % interval
+  std::vector<std::string> rungs;    // coarse to fine, as the three below
+  std::vector<double> spacings;      // m
+  std::vector<double> errors;
+  std::vector<double> pairwise;  // one fewer than rungs
+
+  bool operator==(const ObservedOrder&) const = default;
+};
+
+enum class Outcome { holds, fails, inconclusive };
+
+/// A claim, judged.
+struct Verdict {
+  std::string case_name, method, rung;
+  double spacing = not_a_number;       // m
+  double time = not_a_number;          // s
+  std::string quantity;                // "L2 v_x, row means", "order of L2 over grid"
+  std::string unit;                    // "%", "m"; empty for a pure number
+  double value = not_a_number;         // in `unit`
+  std::optional<double> lower, upper;  // in `unit`; the limits that are claimed
+  std::string author;                  // "theory: ...", "literature: ...", "baseline: ..."
+  Outcome outcome = Outcome::inconclusive;
+  double margin = not_a_number;  // share of the limit left, negative if it fails
+  std::string sentence;          // all of it, for a person
+
+  bool operator==(const Verdict&) const = default;
+};
+
+/// A figure's frame. Curves and clouds of all methods of a case that name its id are drawn into it.
+struct Axis {
+  std::string label;  // "y [mm]"
+  double scale = 1;   // from SI to the unit in the label
+  bool logarithmic = false;
+  std::optional<double> low = std::nullopt, high = std::nullopt;  // in the unit of the label; else from the data
+
+  bool operator==(const Axis&) const = default;
+};
+struct Figure {
+  std::string id;       // "profile"; also the stem of its files
+  std::string title;    // "Velocity profiles"
+  std::string caption;  // one or more sentences; which figure of which paper it re-draws
+  Axis x, y;
+  Axis colour{};  // for clouds
+  bool equal_axes = false;
+
+  bool operator==(const Figure&) const = default;
+};
+
+/// Who speaks: decides how a curve is drawn.
+enum class Role { ours, exact, experiment, published, guide };
+
+struct Curve {
+  std::string figure;  // id of its figure
+  std::string label;   // in the key; curves of equal figure and label are one curve, drawn once
+  Role role = Role::ours;
+  std::vector<double> x, y;  // SI
+  bool points = false;       // draw points, not a line
+
+  bool operator==(const Curve&) const = default;
+};
+
+/// Particles coloured by a field; one panel of a figure.
+struct Cloud {
+  std::string figure;
+  std::string column, row;  // "MPM", "t = 0.32 s": where the panel stands in the figure
+  std::vector<double> x, y, colour;
+
+  bool operator==(const Cloud&) const = default;
+};
+
+/// A table of a page. Rows of all methods of a case that name its id are joined; equal rows appear once.
+using Cell = std::variant<std::string, double>;
+struct Table {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::vector<std::string> columns;  // with units
+  std::vector<std::vector<Cell>> rows;
+
+  bool operator==(const Table&) const = default;
+};
+
+struct Record {
+  int schema = 1;
+  std::string case_name;    // "poiseuille"
+  std::string title;        // "Start-up of plane Poiseuille flow"
+  std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs
+  std::string method;       // "mpm"
+  std::string method_description;
+  std::string suite;  // "acceptance", "report" or "nightly"
+  std::string revision, compiler, flags, machine, finished_at;
+  std::vector<RunSummary> runs;
+  std::vector<Error> errors;
+  std::vector<ObservedOrder> orders;
+  std::vector<Verdict> verdicts;
+  std::vector<Figure> figures;
+  std::vector<Curve> curves;
+  std::vector<Cloud> clouds;
+  std::vector<Table> tables;
+
+  bool operator==(const Record&) const = default;
+};
+
+/// Writes the record whole or not at all: to a neighbouring temporary name, then renamed.
+/// Throws std::runtime_error naming the file and the cause.
+void write(const Record& record, const std::filesystem::path& file);
+
+/// Throws std::runtime_error naming the file and what is wrong with it.
+Record read_record(const std::filesystem::path& file);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,107 @@
+#pragma once
+/// The only time loop: step to each asked time, take samples, keep account of what it cost.
+
+#include "solvers/diverged.hpp"
+#include "solvers/samples.hpp"
+#include "vnv/cost.hpp"
+#include "vnv/progress.hpp"
+#include "vnv/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Numbers that are followed over time, more often than all particles are kept.
+struct Watch {
+  double every = std::numeric_limits<double>::infinity();  // s
+  std::function<std::vector<double>(const Samples&)> see{};
+};
+
+/// When to look at a run.
+struct Schedule {
+  std::vector<double> times;  // s  rising; all particles are kept at these, and the run ends at the last
+  Watch watch{};
+  std::string name{};  // for the progress line
+};
+
+/// What the watch saw.
+struct History {
+  std::vector<double> time;               // s
+  std::vector<std::vector<double>> seen;  // one row a time
+};
+
+/// What came of one run. A diverged run holds what was sampled before.
+struct Run {
+  RunSummary summary{};
+  std::vector<Samples> samples{};
+  History history{};
+  std::vector<Error> found{};  // values that the run itself measured, such as a critical time step
+
+  /// The samples at a time [s], or null. Times agree to half a time step.
+  const Samples* at(double time) const {
+    for (const Samples& s : samples)
+      if (std::abs(s.time - time) <= 0.51 * summary.time_step) return &s;
+    return nullptr;
+  }
+};
+
+/// Samples of a run that goes on being a flow; throws Diverged for a velocity or density that is not.
+inline Samples sound(Samples s, long step) {
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    const auto refuse = [&](const char* quantity, double value, const char* wanted) {
+      throw Diverged({step, s.time, p, s.x.col(p), quantity, value, wanted});
+    };
+    if (!s.v.col(p).allFinite()) refuse("speed [m/s]", s.v.col(p).norm(), "a finite number");
+    if (!(s.density[p] > 0 && std::isfinite(s.density[p])))
+      refuse("density [kg/m³]", s.density[p], "a positive number");
+  }
+  return s;
+}
+
+/// Runs a solver to the last time of the schedule. Divergence is a result, not an error.
+template <class Solver>
+Run record(Solver solver, const Schedule& when) {
+  Run run;
+  CostMeter meter;
+  Progress progress(when.name, when.times.back());
+  const double dt = solver.time_step();
+  run.summary.time_step = dt;
+  try {
+    std::size_t kept = 0;
+    for (long looks = 0; kept < when.times.size();) {
+      const double next_look = when.watch.see ? static_cast<double>(looks) * when.watch.every : when.times.back();
+      const double target = std::min(next_look, when.times[kept]);
+      while (solver.time() < target - dt / 2) {
+        solver.step();
+        progress.show(solver.time());
+      }
+      const Samples samples = sound(solver.samples(), solver.steps());
+      if (when.watch.see && next_look <= target + dt / 2) {
+        run.history.time.push_back(samples.time);
+        run.history.seen.push_back(when.watch.see(samples));
+        ++looks;
+      }
+      if (when.times[kept] <= target + dt / 2) {
+        run.samples.push_back(samples);
+        ++kept;
+      }
+    }
+    run.summary.finished = true;
+    run.summary.outcome = "finished";
+  } catch (const Diverged& diverged) {
+    run.summary.outcome = diverged.what();
+  }
+  run.summary.end_time = solver.time();
+  run.summary.cost = meter.read();
+  run.summary.cost.particles = solver.particles();
+  run.summary.cost.boundary_particles = solver.boundary_particles();
+  run.summary.cost.steps = solver.steps();
+  return run;
+}
+
+}  // namespace touchstone::vnv
