@@ -100,8 +100,7 @@ Plot DamFront::models() const {
     Table table{"models",
                 "Table 5 of Sun et al. beside ours",
                 "Our walls are as high as the domain and their corners are filled, so there are more boundary "
-                "particles. The paper "
-                "says that a step of SPH costs 2.6 to 4.6 times one of MPM.",
+                "particles. The paper says that a step of SPH costs 2.6 to 4.6 times one of MPM.",
                 {"method", "model", "particles paper", "particles ours", "boundary particles paper",
                  "boundary particles ours", "T_p ours [ms]", "memory ours [MB]"},
                 {}};

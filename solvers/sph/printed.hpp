@@ -20,7 +20,7 @@ class Printed {
         terms_(terms),
         near_(scene.domain, scene.filled, scene.fluid.density, settings.spacing,
               Kernel::support * settings.smoothing_length, skin * settings.spacing,
-              lay_out_boundary(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))) {
+              lay_out_ghosts_and_walls(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))) {
     for (Scalars* field : {&rates_.rho, &rates_.vx, &rates_.vy}) field->setZero(near_.all.fluid);
     for (Scalars& sum : push_) sum.setZero(near_.all.fluid);
     for (Scalars& sum : ghost_sums_) sum.setZero(near_.ghosts());

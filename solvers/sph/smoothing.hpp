@@ -15,13 +15,4 @@ void restore_density(Particles& all, const NeighbourLists& near, double h, std::
   all.rho.head(all.fluid) = (sums[0] + Kernel::w(0.0)) / (sums[1] + Kernel::w(0.0) / rho);
 }
 
-/// Density as the mass that the kernel sees around each particle, itself included: rho_i = sum_j m_j W_ij. Only where
-/// no free surface cuts the kernel.
-template <class Kernel>
-void sum_density(Particles& all, const NeighbourLists& near, double h, Scalars& sum) {
-  sum_over_neighbours<1>(near, {sum.data()},
-                         [&](Block i, Row j) -> std::array<Lanes, 1> { return {Kernel::w(distance(all, i, j) / h)}; });
-  all.rho.head(all.fluid) = all.mass / (h * h) * (sum + Kernel::w(0.0));
-}
-
 }  // namespace touchstone::sph

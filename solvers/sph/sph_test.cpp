@@ -6,7 +6,7 @@
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
-#include "solvers/sph/terms/shared_pressure.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/sph/transport_velocity.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
@@ -33,7 +33,8 @@ auto terms() {
 
 /// Fluid in disorder between plates, with its lists.
 Neighbourhood disordered(const Domain& domain, const std::vector<Wall>& walls) {
-  Neighbourhood near(domain, box, 1000, spacing, 2 * h, 0.6 * spacing, lay_out_boundary(domain, walls, spacing, 2));
+  Neighbourhood near(domain, box, 1000, spacing, 2 * h, 0.6 * spacing,
+                     lay_out_ghosts_and_walls(domain, walls, spacing, 2));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-1, 1);
   Particles& all = near.all;
@@ -120,10 +121,29 @@ void expect_action_equals_reaction(const Term& term) {
 
 TEST(Terms, ActionEqualsReaction) {
   expect_action_equals_reaction(Pressure{});
-  expect_action_equals_reaction(SharedPressure{});
   expect_action_equals_reaction(LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h});
   expect_action_equals_reaction(MorrisViscosity{.mu = 1e-3});
   expect_action_equals_reaction(ArtificialViscosity{.alpha = 0.01, .sound_speed = 1, .h = h});
+}
+
+TEST(Terms, PressureDifferenceIsNoForceInAUniformPressure) {
+  Neighbourhood near = disordered({.box = box}, {});
+  near.all.p = 12345;
+  for (const int j : listed(near.fluid_near_fluid, near.all, 40, 2 * h)) {
+    const Pull<double> pull = PressureDifference{}(pair_of<CubicSpline>(near.all, One{40}, One{j}, h));
+    EXPECT_EQ(pull.x, 0);
+    EXPECT_EQ(pull.y, 0);
+  }
+}
+
+TEST(Terms, PressureDifferencePushesTowardsTheLowerPressure) {
+  Pair<double> ij{};
+  ij.x = spacing;  // i is to the right of j
+  ij.slope = -1;
+  ij.rho_i = ij.rho_j = 1000;
+  ij.mass = 1;
+  ij.p_j = 1;  // j presses
+  EXPECT_GT(PressureDifference{}(ij).x, 0);
 }
 
 TEST(Terms, ViscosityTakesEnergyFromEveryPair) {
@@ -171,7 +191,7 @@ TEST(Ghosts, MirrorTheVelocityAtEachWall) {
 
 TEST(Ghosts, FillTwoLayersBehindEachWallAndTheCorners) {
   const std::vector<Wall> tank = {floor_at(0, free_slip()), left_at(0, free_slip())};
-  const BoundaryLayout layout = lay_out_boundary({.box = box}, tank, spacing, 2);
+  const BoundaryLayout layout = lay_out_ghosts_and_walls({.box = box}, tank, spacing, 2);
   EXPECT_EQ(layout.ghosts.size(), 16u * 2 + 20u * 2 + 4);
   EXPECT_EQ(layout.on_walls.size(), 16u + 20u);
   EXPECT_EQ(layout.on_upright, 20u);
@@ -181,7 +201,7 @@ TEST(Ghosts, FillTwoLayersBehindEachWallAndTheCorners) {
 TEST(Ghosts, CountIsThatOfThePaperInTheChannel) {
   const Box gap{.high = {0.5 * mm, 1 * mm}};
   const std::vector<Wall> walls = {floor_at(0, no_slip()), ceiling_at(1 * mm, no_slip())};
-  const BoundaryLayout layout = lay_out_boundary({.box = gap, .periodic_x = true}, walls, spacing, 2);
+  const BoundaryLayout layout = lay_out_ghosts_and_walls({.box = gap, .periodic_x = true}, walls, spacing, 2);
   EXPECT_EQ(layout.ghosts.size() + layout.on_walls.size(), 120u);  // Sun et al., table 2, S1
 }
 
@@ -201,7 +221,7 @@ TEST(Printed, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
 
 TEST(TransportVelocity, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
   auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us},
-                                                  momentum(SharedPressure{}, MorrisViscosity{1e-3}));
+                                                  momentum(PressureDifference{}, MorrisViscosity{1e-3}));
   for (int k = 0; k < 100; ++k) solver.step();  // before the square lattice turns into a denser one
   const Samples samples = solver.samples();
   EXPECT_NEAR(samples.v.row(0).minCoeff(), 8e-3 * solver.time(), 1e-9);

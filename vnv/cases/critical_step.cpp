@@ -1,9 +1,11 @@
 /// The largest stable time step of each method in Poiseuille flow, beside the Courant limit (31) of Sun et al.
 
-#include "vnv/stability/critical_step.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/channel.hpp"
+#include "vnv/stability/critical_step.hpp"
+
+#include <numbers>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -32,9 +34,7 @@ const Scene<Newtonian, StirredDrive> scene{
 const StepSearch search{.low = 0.5 * us, .high = 200 * us, .speed_limit = 10 * mm};
 
 const std::string over_courant = "critical time step over (31) [-]";
-const Claim courant =
-    at_most(over_courant, 1.01, theory("Courant, Friedrichs & Lewy 1928: necessary; 1 % is the bracket"));
-const Claim centred = at_least(over_courant, 0.6, theory("eigenvalues of linear hats on jittered lattices: 0.6 to 1"));
+const Claim courant = at_least(over_courant, 1, literature("Sun et al. (31): stable up to it"));
 const Claim morris = at_least(over_courant, 0.25, literature("Morris, Fox & Zhu 1997: 0.25 h / c is stable"));
 const Claim papers_step =
     at_least("critical time step, stable end [us]", 5, literature("Sun et al. run every model with 5 us"));
@@ -45,12 +45,10 @@ Case vnv::the_case() {
   return {
       .title = "Largest stable time step",
       .description =
-          "Each method runs Poiseuille flow from rest, stirred by waves of a thousandth of the drive, with steps found "
-          "by bisection, 2000 steps a trial; a trial is "
-          "unstable "
-          "when a particle comes to move at ten times the steady velocity, leaves, or is no number. (31) of Sun et al. "
-          "is the "
-          "cell size (MPM) or smoothing length (SPH) over the sound speed at rest.",
+          "Each method runs Poiseuille flow from rest, stirred by waves of a thousandth of the drive, with steps "
+          "found by bisection, 2000 steps a trial. A trial is unstable when a particle comes to move at ten times the "
+          "steady velocity, leaves, or is no number. (31) of Sun et al. is the cell size (MPM) or smoothing length "
+          "(SPH) over the sound speed at rest.",
       .times = {1},
       .measurements = {},
       .methods =
@@ -65,11 +63,11 @@ Case vnv::the_case() {
                    },
                .rungs = {{.name = "M1", .spacing = H / 40, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
                          {.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1}},
-               .claims = {courant, centred, papers_step},
+               .claims = {courant, papers_step},
            },
            {
                .name = "sph",
-               .description = sph_printed_words,
+               .description = sph_printed_words + conservative_words,
                .run =
                    [](const Rung& rung, const Schedule&) {
                      return search_critical_step(

@@ -3,8 +3,8 @@
 
 namespace touchstone::sph {
 
-/// -(1 / rho_i) grad P as -sum_j m_j (P_j - P_i) / (rho_i rho_j) grad W: no force in a uniform pressure, whatever the order
-/// of the particles (Monaghan 1992, (3.1)).
+/// -(1 / rho_i) grad P as -sum_j m_j (P_j - P_i) / (rho_i rho_j) grad W: no force in a uniform pressure, whatever the
+/// order of the particles (Monaghan 1992, (3.1)).
 struct PressureDifference {
   template <class Real>
   Pull<Real> operator()(const Pair<Real>& ij) const {

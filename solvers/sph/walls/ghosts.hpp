@@ -20,31 +20,47 @@ struct BoundaryLayout {
   std::size_t on_upright = 0;  // how many of them are on walls of constant x
 };
 
-/// Ghosts on the continued lattice of the fluid, `layers` deep behind each wall, corners included; and a row of
-/// particles on each wall, at the same spacing.
-inline BoundaryLayout lay_out_boundary(const Domain& domain, const std::vector<Wall>& walls, double spacing,
-                                       int layers) {
-  const Vec2 size = domain.box.size();
-  const std::array<long, 2> count = {std::lround(size.x() / spacing), std::lround(size.y() / spacing)};
-  const Vec2 step(size.x() / static_cast<double>(count[0]), size.y() / static_cast<double>(count[1]));
-  const auto place = [&](long c, long r) -> Vec2 {
-    return domain.box.low + step.cwiseProduct(Vec2(static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5));
-  };
+/// The lattice of the fluid, stretched to fit the domain.
+struct DomainLattice {
+  std::array<long, 2> count;
+  Vec2 low, step;  // m
+
+  DomainLattice(const Box& box, double spacing)
+      : count{std::lround(box.size().x() / spacing), std::lround(box.size().y() / spacing)},
+        low(box.low),
+        step(box.size().x() / static_cast<double>(count[0]), box.size().y() / static_cast<double>(count[1])) {}
+
+  Vec2 place(long column, long row) const {
+    return low + step.cwiseProduct(Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
+  }
+};
+
+/// Ghosts on the continued lattice of the fluid, `layers` deep behind each wall, corners included.
+inline BoundaryLayout lay_out_ghosts(const Domain& domain, const std::vector<Wall>& walls, double spacing, int layers) {
+  const DomainLattice lattice(domain.box, spacing);
   std::array<long, 2> before = {0, 0}, beyond = {0, 0};
   for (const Wall& wall : walls) (wall.inward > 0 ? before : beyond)[wall.axis] = layers;
 
   BoundaryLayout layout;
-  for (long r = -before[1]; r < count[1] + beyond[1]; ++r)
-    for (long c = -before[0]; c < count[0] + beyond[0]; ++c) {
-      BoundaryLayout::Ghost ghost{place(c, r), {}};
+  for (long row = -before[1]; row < lattice.count[1] + beyond[1]; ++row)
+    for (long column = -before[0]; column < lattice.count[0] + beyond[0]; ++column) {
+      BoundaryLayout::Ghost ghost{lattice.place(column, row), {}};
       for (std::size_t w = 0; w < walls.size(); ++w)
         if (walls[w].distance(ghost.x) < 0) ghost.behind.push_back(static_cast<int>(w));
       if (!ghost.behind.empty()) layout.ghosts.push_back(std::move(ghost));
     }
+  return layout;
+}
+
+/// The same, and a row of particles on each wall at the spacing of the fluid.
+inline BoundaryLayout lay_out_ghosts_and_walls(const Domain& domain, const std::vector<Wall>& walls, double spacing,
+                                               int layers) {
+  BoundaryLayout layout = lay_out_ghosts(domain, walls, spacing, layers);
+  const DomainLattice lattice(domain.box, spacing);
   for (const int axis : {0, 1}) {
     for (const Wall& wall : walls)
-      for (long k = 0; wall.axis == axis && k < count[1 - axis]; ++k) {
-        Vec2 x = place(k, k);
+      for (long k = 0; wall.axis == axis && k < lattice.count[1 - axis]; ++k) {
+        Vec2 x = lattice.place(k, k);
         x[axis] = wall.position;
         layout.on_walls.push_back(x);
       }
