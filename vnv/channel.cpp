@@ -28,7 +28,7 @@ Plot comparison(const std::string& flow, const std::string& title) {
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       const std::string& model = paper.words("model")[k];
       const Run* run = results.run(model);
-      if (!run || !run->summary.finished) continue;
+      if (!run || !error_of(l2_rows, 1)(record, *run)) continue;
       std::vector<Cell> row = {results.method.name, model};
       const auto compare = [&](const std::string& heading, std::optional<double> ours) {
         const double printed = paper.numbers(heading)[k], value = ours.value_or(not_a_number);

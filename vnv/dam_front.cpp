@@ -91,6 +91,11 @@ Plot DamFront::history(Figure frame, std::vector<std::string> rungs) const {
     const DataTable lobovsky = measured_by_lobovsky(dam);
     record.curves.push_back({frame.id, "Lobovský et al. 2014", Role::experiment, lobovsky.numbers("T [-]"),
                              lobovsky.numbers("L [-]"), true});
+    const DataTable martin_moyce =
+        read_table(data_folder() / "experiments" / "martin_moyce_1952_front_square.csv", {"T [-]", "L [-]", "series"})
+            .only("series", "table");
+    record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
+                             martin_moyce.numbers("L [-]"), true});
     record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
   };
 }
@@ -113,8 +118,9 @@ Plot DamFront::models() const {
     for (std::size_t k = 0; k < paper.rows(); ++k)
       if (const Run* run = results.run(paper.words("model")[k])) {
         const Cost& cost = run->summary.cost;
+        const double boundary = paper.numbers("boundary particles [-]")[k];
         table.rows.push_back({results.method.name, paper.words("model")[k], paper.numbers("particles [-]")[k],
-                              static_cast<double>(cost.particles), paper.numbers("boundary particles [-]")[k],
+                              static_cast<double>(cost.particles), std::isnan(boundary) ? Cell("none") : Cell(boundary),
                               static_cast<double>(cost.boundary_particles), 1e3 * cost.per_step(),
                               1e-6 * cost.peak_memory});
       }

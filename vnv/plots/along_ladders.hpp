@@ -47,10 +47,12 @@ struct Ordinate {
 inline Plot along_ladders(Figure frame, std::vector<std::string> ladders, Pick x, std::vector<Ordinate> ordinates) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
-    for (const Ladder& ladder : results.method.ladders) {
-      if (!ladders.empty() && std::ranges::find(ladders, ladder.name) == ladders.end()) continue;
+    std::vector<Ladder> drawn;
+    for (const Ladder& ladder : results.method.ladders)
+      if (ladders.empty() || std::ranges::find(ladders, ladder.name) != ladders.end()) drawn.push_back(ladder);
+    for (const Ladder& ladder : drawn)
       for (const Ordinate& ordinate : ordinates) {
-        const std::string which = ladders.size() == 1 ? "" : ", " + ladder.name;
+        const std::string which = drawn.size() == 1 ? "" : ", " + ladder.name;
         Curve curve{frame.id, results.method.name + ordinate.suffix + which, Role::ours, {}, {}, false};
         for (const std::string& rung : ladder.rungs) {
           const Run* run = results.run(rung);
@@ -62,7 +64,6 @@ inline Plot along_ladders(Figure frame, std::vector<std::string> ladders, Pick x
         }
         if (!curve.x.empty()) record.curves.push_back(std::move(curve));
       }
-    }
   };
 }
 

@@ -1,0 +1,69 @@
+#include "vnv/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace touchstone::vnv {
+namespace {
+
+const Place here{"poiseuille", "sph", "S2", 1.25e-5, 1};
+const Claim small = at_most("L2 v_x [%]", 2.33, literature("Sun et al., table 3, S2"));
+
+TEST(Claim, HoldsUpToItsLimitAndNotBeyond) {
+  EXPECT_EQ(judge(small, here, 2.33).outcome, Outcome::holds);
+  EXPECT_EQ(judge(small, here, 2.3301).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least("order [-]", 1, theory("")), here, 0.99).outcome, Outcome::fails);
+}
+
+TEST(Claim, IsTwoSidedBetweenLimits) {
+  const Claim claim = between("L2 [%]", 1, 3, theory(""));
+  EXPECT_EQ(judge(claim, here, 0.9).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, 2).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, 3.1).outcome, Outcome::fails);
+  EXPECT_DOUBLE_EQ(judge(claim, here, 2).margin, 1);
+}
+
+TEST(Claim, FailsForWhatIsNotANumber) {
+  EXPECT_EQ(judge(small, here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least("x", -1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(between("x", -1e300, 1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+}
+
+TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
+  EXPECT_EQ(
+      judge(small, here, 2.51).sentence,
+      "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s, limit 2.33 (literature: Sun et al., table 3, S2), margin -8 %: FAILS");
+}
+
+TEST(Claim, CoversItsRungAndTimeOnly) {
+  const Claim claim = small.on("S2").at(0.1);
+  EXPECT_TRUE(claim.covers("S2", 0.1 + 1e-12));
+  EXPECT_FALSE(claim.covers("S3", 0.1));
+  EXPECT_FALSE(claim.covers("S2", 0.2));
+  EXPECT_TRUE(small.covers("anything", 7));
+}
+
+ObservedOrder order(double value, double half_width) {
+  ObservedOrder o;
+  o.order = value;
+  o.half_width = half_width;
+  return o;
+}
+
+TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
+  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  EXPECT_EQ(judge(claim, here, order(2, 0.1)).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, order(2, 0.5)).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(2, std::numeric_limits<double>::infinity())).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(1, 0.1)).outcome, Outcome::fails);
+}
+
+TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {
+  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  EXPECT_EQ(judge(claim, here, order(-2, 0.1)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
+}
+
+}  // namespace
+}  // namespace touchstone::vnv
