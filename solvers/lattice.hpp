@@ -17,28 +17,51 @@ inline void require_positive(std::string_view owner, std::string_view name, doub
     throw std::invalid_argument(fmt::format("{}: {} = {}, wanted a positive number", owner, name, value));
 }
 
-/// Points in the middle of the cells of a regular lattice over a box.
+/// Refuses water outside the domain: std::invalid_argument with one line.
+inline void require_inside(const Box& filled, const Box& domain) {
+  if (domain.contains(filled.low) && domain.contains(filled.high)) return;
+  throw std::invalid_argument(fmt::format(
+      "scene: filled box ({:g}, {:g}) to ({:g}, {:g}) m, wanted inside the domain ({:g}, {:g}) to ({:g}, {:g}) m",
+      filled.low.x(), filled.low.y(), filled.high.x(), filled.high.y(), domain.low.x(), domain.low.y(), domain.high.x(),
+      domain.high.y()));
+}
+
+/// The cells of a regular lattice that fits a box exactly.
 struct Lattice {
-  Vectors x;         // m
-  double cell_area;  // m²
+  Vec2 low;   // m
+  Vec2 step;  // m  sides of a cell
+  long columns, rows;
+
+  /// The centre of a cell [m], also of one outside the box.
+  Vec2 place(long column, long row) const {
+    return low + step.cwiseProduct(Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
+  }
+  /// All centres in the box [m], along x, then along y.
+  Vectors places() const {
+    Vectors all(2, columns * rows);
+    for (long k = 0; k < columns * rows; ++k) all.col(k) = place(k % columns, k / columns);
+    return all;
+  }
+  double volume() const { return step.prod(); }  // m²  of a cell
 };
 
-/// The lattice whose spacing comes nearest to the one asked for [m] and that fits the box exactly; row by row from the
-/// low corner. Refuses a spacing larger than the box.
-inline Lattice lattice_over(const Box& box, double spacing) {
+/// The square lattice of a spacing [m], stretched by at most half a spacing in all so as to fit the box.
+/// Throws std::invalid_argument for a spacing that is not positive, larger than the box, or too small to count with.
+inline Lattice lattice(const Box& box, double spacing) {
   require_positive("lattice", "spacing [m]", spacing);
-  const Vec2 size = box.size();
-  const long columns = std::lround(size.x() / spacing), rows = std::lround(size.y() / spacing);
-  if (columns < 1 || rows < 1)
-    throw std::invalid_argument(fmt::format("lattice: spacing = {} m, wanted at most the filled box of {} m x {} m",
-                                            spacing, size.x(), size.y()));
-  const Vec2 step(size.x() / static_cast<double>(columns), size.y() / static_cast<double>(rows));
-  Lattice lattice{Vectors(2, columns * rows), step.prod()};
-  for (long row = 0; row < rows; ++row)
-    for (long column = 0; column < columns; ++column)
-      lattice.x.col(row * columns + column) =
-          box.low + step.cwiseProduct(Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
-  return lattice;
+  constexpr double most = 1e9;  // so that particles can be counted in an int
+  const Vec2 size = box.size(), counts = (size / spacing).array().round();
+  if (!((spacing <= size.array() * (1 + 1e-9)).all() && counts.prod() <= most))  // but for rounding
+    throw std::invalid_argument(
+        fmt::format("lattice: spacing = {:g} m, wanted at most the box of {:g} m x {:g} m, and at most {:g} particles",
+                    spacing, size.x(), size.y(), most));
+  return {box.low, size.cwiseQuotient(counts), std::lround(counts.x()), std::lround(counts.y())};
+}
+
+/// The same over water that has to be inside the domain.
+inline Lattice lattice(const Box& filled, double spacing, const Box& domain) {
+  require_inside(filled, domain);
+  return lattice(filled, spacing);
 }
 
 }  // namespace touchstone

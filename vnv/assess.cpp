@@ -14,6 +14,7 @@ Schedule schedule_for(const Case& declared, const std::string& name, double unti
   Schedule when{{}, declared.watch, name};
   for (const double time : declared.times)
     if (time <= until * (1 + 1e-9)) when.times.push_back(time);
+  if (when.times.empty() || when.times.back() < until * (1 - 1e-9)) when.times.push_back(until);
   return when;
 }
 
@@ -67,12 +68,38 @@ void observe_orders(const Method& method, Record& record) {
     }
 }
 
+/// Throws std::invalid_argument for a ladder that the method has not got.
+const Ladder& find_ladder(const Method& method, const std::string& name) {
+  for (const Ladder& ladder : method.ladders)
+    if (ladder.name == name) return ladder;
+  throw std::invalid_argument(fmt::format("{}: no ladder '{}'", method.name, name));
+}
+
+/// Throws std::invalid_argument for a claim or a ladder that names a rung or ladder that the method has not got.
+void require_known_names(const Method& method) {
+  const auto require_rung = [&](const std::string& name) {
+    if (!name.empty() && std::ranges::find(method.rungs, name, &Rung::name) == method.rungs.end())
+      throw std::invalid_argument(fmt::format("{}: no rung '{}'", method.name, name));
+  };
+  for (const Ladder& ladder : method.ladders) std::ranges::for_each(ladder.rungs, require_rung);
+  for (const Claim& claim : method.claims) {
+    require_rung(claim.rung);
+    if (!claim.ladder.empty()) find_ladder(method, claim.ladder);
+  }
+}
+
 /// Whether the suite runs a rung for as long as a claim speaks of.
 bool is_run(const Claim& claim, const Method& method, Suite suite) {
-  return std::ranges::any_of(method.rungs, [&](const Rung& rung) {
-    return claim.covers(rung.name, claim.time) && rung.until(suite) > 0 &&
+  const auto is_on = [&](const Rung& rung) {
+    if (claim.ladder.empty()) return claim.covers(rung.name, claim.time);
+    const std::vector<std::string>& rungs = find_ladder(method, claim.ladder).rungs;
+    return std::ranges::find(rungs, rung.name) != rungs.end();
+  };
+  const auto runs = std::ranges::count_if(method.rungs, [&](const Rung& rung) {
+    return is_on(rung) && rung.until(suite) > 0 &&
            (std::isnan(claim.time) || rung.until(suite) >= claim.time * (1 - 1e-9));
   });
+  return runs >= (claim.ladder.empty() ? 1 : 2);
 }
 
 void judge_claim(const Claim& claim, const Method& method, Suite suite, Record& record) {
@@ -89,7 +116,7 @@ void judge_claim(const Claim& claim, const Method& method, Suite suite, Record& 
       if (e.quantity == claim.quantity && claim.covers(e.rung, e.time))
         record.verdicts.push_back(judge(claim, {record.case_name, method.name, e.rung, e.spacing, e.time}, e.value));
   }
-  if (record.verdicts.size() == before && claim.ladder.empty() && is_run(claim, method, suite))
+  if (record.verdicts.size() == before && is_run(claim, method, suite))
     record.verdicts.push_back(judge(claim, place, not_a_number));  // the run ended before, or nothing measures this
 }
 
@@ -100,22 +127,38 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
     const Place place{record.case_name, record.method, e.rung, e.spacing, e.time};
     if (last)
       record.verdicts.push_back(
-          judge(between(e.quantity, last->lower, last->upper, {"baseline: " + last->basis}), place, e.value));
+          judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
     else if (suite == Suite::acceptance)
       record.verdicts.push_back(inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place,
                                              "no baseline was accepted for this yet"));
   }
 }
 
-/// A run that did not finish is a failure whatever else is claimed of it.
-void judge_divergence(Record& record) {
-  for (const RunSummary& run : record.runs)
-    if (!run.finished) {
-      const Claim finishes = at_least("run to the end [-]", 1, theory("a stable method answers"));
-      Verdict v = judge(finishes, {record.case_name, record.method, run.rung, run.spacing, run.end_time}, 0);
+/// What a baseline holds of a run must still be measured.
+void miss_lost_values(const Baselines& baselines, Record& record) {
+  for (const Baseline& last : baselines.rows) {
+    const auto run = std::ranges::find(record.runs, last.rung, &RunSummary::rung);
+    if (last.method != record.method || run == record.runs.end() || last.time > run->end_time * (1 + 1e-9)) continue;
+    const bool measured = std::ranges::any_of(record.errors, [&](const Error& e) {
+      return baselines.find(record.method, e.rung, e.time, e.quantity) == &last;
+    });
+    if (!measured)
+      record.verdicts.push_back(judge(between(last.quantity, last.lower, last.upper, baseline(last.basis)),
+                                      {record.case_name, record.method, last.rung, run->spacing, last.time},
+                                      not_a_number));
+  }
+}
+
+/// Every run is claimed to end where it was meant to.
+void judge_ends(Record& record) {
+  for (const RunSummary& run : record.runs) {
+    const Claim ends = at_least("run to the end [-]", 1, theory("a stable method answers"));
+    Verdict v =
+        judge(ends, {record.case_name, record.method, run.rung, run.spacing, run.end_time}, run.finished ? 1 : 0);
+    if (!run.finished)
       v.sentence = fmt::format("{}.{} {}: {}: FAILS", record.case_name, record.method, run.rung, run.outcome);
-      record.verdicts.push_back(std::move(v));
-    }
+    record.verdicts.push_back(std::move(v));
+  }
 }
 
 }  // namespace
@@ -137,6 +180,7 @@ Case with_plots(Case declared, const std::vector<Plot>& plots) {
 
 Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
               const std::optional<Baselines>& baselines) {
+  require_known_names(method);
   Record record;
   record.case_name = case_name;
   record.title = declared.title;
@@ -146,10 +190,13 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
   record.suite = name_of(suite);
   const Results results{method, suite, run_rungs(declared, method, suite, record)};
   observe_orders(method, record);
-  judge_divergence(record);
+  judge_ends(record);
   for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, record);
   for (const Claim& claim : method.claims) judge_claim(claim, method, suite, record);
-  if (baselines) judge_baselines(*baselines, suite, record);
+  if (baselines) {
+    judge_baselines(*baselines, suite, record);
+    miss_lost_values(*baselines, record);
+  }
   for (const Plot& plot : declared.plots) plot(results, record);
   describe_environment(record);
   return record;

@@ -48,6 +48,7 @@ struct Method {
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
   Tolerance tolerance{};
+  double relative_cost = 1;  // of all its runs; ctest starts the dearest first
 };
 
 /// One method of a case after all its runs, as plots and tables see it.

@@ -64,7 +64,9 @@ std::vector<Plot> figures(const std::string& flow, const std::string& errors_fig
           {points_per_cell, spacing_ladder}, particle_number(),
           {{", L2", error_of(l2_rows, 1)}, {", Linf", error_of(linf_rows, 1)}}),
       beside({published_curve("errors", "paper MPM, L2", mpm, "L2 [%]", 1),
-              published_curve("errors", "paper SPH, L2", sph, "L2 [%]", 1)}),
+              published_curve("errors", "paper MPM, Linf", mpm, "Linf [%]", 1),
+              published_curve("errors", "paper SPH, L2", sph, "L2 [%]", 1),
+              published_curve("errors", "paper SPH, Linf", sph, "Linf [%]", 1)}),
       along_ladders(
           {"step_time",
            "CPU time per step",

@@ -28,7 +28,7 @@ double margin_of(const Claim& claim, double value) {
 
 std::string limits_of(const Claim& claim) {
   if (claim.lower && claim.upper) return fmt::format("wanted in [{:.6g}, {:.6g}]", *claim.lower, *claim.upper);
-  return claim.upper ? fmt::format("limit {:.4g}", *claim.upper) : fmt::format("wanted at least {:.4g}", *claim.lower);
+  return claim.upper ? fmt::format("limit {:.6g}", *claim.upper) : fmt::format("wanted at least {:.6g}", *claim.lower);
 }
 
 std::string word_of(Outcome outcome) {
@@ -59,8 +59,8 @@ void conclude(Verdict& v, const Claim& claim, Outcome outcome, std::string_view 
   const std::string time = std::isnan(v.time) ? "" : fmt::format(" at {:.4g} s", v.time);
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
   v.sentence =
-      fmt::format("{}.{}{}: {} = {:.4g}{}{}{}, {} ({}), margin {:.0f} %: {}", v.case_name, v.method, rung, v.quantity,
-                  v.value, unit, remark, time, limits_of(claim), v.author, 100 * v.margin, word_of(outcome));
+      fmt::format("{}.{}{}: {} = {:.6g}{}{}{}, {}{} ({}), margin {:.0f} %: {}", v.case_name, v.method, rung, v.quantity,
+                  v.value, unit, remark, time, limits_of(claim), unit, v.author, 100 * v.margin, word_of(outcome));
 }
 
 bool within(const Claim& claim, double value) {

@@ -14,6 +14,7 @@ struct Author {
   std::string words;
 };
 inline Author theory(std::string_view source) { return {"theory: " + std::string(source)}; }
+inline Author baseline(std::string_view source) { return {"baseline: " + std::string(source)}; }
 inline Author literature(std::string_view source) { return {"literature: " + std::string(source)}; }
 
 /// A quantity lies between limits, in the unit that its name ends with ("L2 v_x, row means [%]").

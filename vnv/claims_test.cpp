@@ -33,7 +33,7 @@ TEST(Claim, FailsForWhatIsNotANumber) {
 TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
   EXPECT_EQ(
       judge(small, here, 2.51).sentence,
-      "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s, limit 2.33 (literature: Sun et al., table 3, S2), margin -8 %: FAILS");
+      "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s, limit 2.33 % (literature: Sun et al., table 3, S2), margin -8 %: FAILS");
 }
 
 TEST(Claim, CoversItsRungAndTimeOnly) {

@@ -10,7 +10,8 @@ namespace touchstone::vnv {
 /// A column of water at the left end of a tank, and how its front is read.
 struct DamFront {
   double column_length, column_height;  // m  l0, h0
-  double tank_length;                   // m
+  double tank_length, tank_height;      // m
+  double density;                       // kg/m³
   double gravity;                       // m/s²
   double slab;                          // m  side of the slab that has to be half full
 
@@ -30,7 +31,7 @@ struct DamFront {
   /// L over T for the rungs named, with Lobovský et al., Martin & Moyce and Ritter's bound.
   Plot history(Figure frame, std::vector<std::string> rungs) const;
 
-  /// Table 5 of Sun et al. beside ours, with the ratio of the costs of the methods that the text gives.
+  /// Table 5 of Sun et al. beside ours, with time per step and memory.
   Plot models() const;
 };
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 namespace {
 
@@ -17,6 +18,10 @@ using namespace touchstone::vnv;
 
 void begin(const fs::path& records) {
   fs::create_directories(records);
+  std::vector<fs::path> old;  // of methods that may be gone
+  for (const fs::directory_entry& entry : fs::directory_iterator(records))
+    if (entry.path().extension() == ".json") old.push_back(entry.path());
+  for (const fs::path& record : old) fs::remove(record);
   if (!(std::ofstream(records / "stamp") << "suite began\n"))
     throw std::runtime_error(fmt::format("{}: cannot be written, wanted a folder for records", records.string()));
 }

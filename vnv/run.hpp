@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,9 @@ inline Samples sound(Samples s, long step) {
 /// Runs a solver to the last time of the schedule. Divergence is a result, not an error.
 template <class Solver>
 Run record(Solver solver, const Schedule& when) {
+  if (when.watch.see && !(when.watch.every > 0 && std::isfinite(when.watch.every)))
+    throw std::invalid_argument(
+        fmt::format("{}: watch every {} s, wanted a positive time", when.name, when.watch.every));
   Run run;
   CostMeter meter;
   Progress progress(when.name, when.times.back());
@@ -80,7 +84,8 @@ Run record(Solver solver, const Schedule& when) {
         solver.step();
         progress.show(solver.time());
       }
-      const Samples samples = sound(solver.samples(), solver.steps());
+      Samples samples = sound(solver.samples(), solver.steps());
+      if (std::abs(samples.time - target) < 1e-9 * target) samples.time = target;  // but for rounding
       if (when.watch.see && next_look <= target + dt / 2) {
         run.history.time.push_back(samples.time);
         run.history.seen.push_back(when.watch.see(samples));

@@ -41,8 +41,7 @@ class Mpm {
         nodes_(grid_.nodes()),
         masses_(grid_.cells()),
         wall_nodes_(scene.walls, grid_) {
-    if (!(dt_ > 0 && std::isfinite(dt_)))
-      throw std::invalid_argument(fmt::format("mpm: time step = {:g} s, wanted positive and finite", dt_));
+    require_positive("mpm", "time step [s]", dt_);
     suspects_.reserve(grid_.cells());
     nodes_.list_near(grid_, particles_.order.occupied());
   }

@@ -18,7 +18,7 @@ struct Pool {
 
   explicit Pool(bool periodic_x)
       : grid({.box = {.high = {0.4, 0.3}}, .periodic_x = periodic_x}, 0.1),
-        particles(at_rest(lattice(grid.box, 0.1, grid.box), grid, water)) {}
+        particles(at_rest(lattice(grid.box, 0.1), grid, water)) {}
 
   int settled(int cell) { return settle(particles, cell, cell, grid, water, 17, 0.5); }
   Diverged::Fault fault(int cell) {

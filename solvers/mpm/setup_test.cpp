@@ -54,12 +54,12 @@ TEST(Grid, FindsTheNodesOfWalls) {
 
 TEST(Lattice, FillsItsBoxEvenly) {
   const Box filled{.low = {1, 2}, .high = {1.61, 2.4}};
-  const Lattice points = lattice(filled, 0.1, filled);
-  EXPECT_EQ(points.x.cols(), 6 * 4);
-  EXPECT_DOUBLE_EQ(points.volume * 24, 0.61 * 0.4);
-  EXPECT_NEAR(points.x.row(0).mean(), 1.305, 1e-12);
-  EXPECT_NEAR(points.x.col(0).y() - 2, 0.05, 1e-12);
-  EXPECT_NEAR(points.x.col(1).x() - points.x.col(0).x(), 0.61 / 6, 1e-12);
+  const Lattice points = lattice(filled, 0.1);
+  EXPECT_EQ(points.places().cols(), 6 * 4);
+  EXPECT_DOUBLE_EQ(points.volume() * 24, 0.61 * 0.4);
+  EXPECT_NEAR(points.places().row(0).mean(), 1.305, 1e-12);
+  EXPECT_NEAR(points.places().col(0).y() - 2, 0.05, 1e-12);
+  EXPECT_NEAR(points.places().col(1).x() - points.places().col(0).x(), 0.61 / 6, 1e-12);
 }
 
 TEST(Mpm, StartsAtRestWithTheMassOfItsFluid) {
@@ -71,7 +71,7 @@ TEST(Mpm, StartsAtRestWithTheMassOfItsFluid) {
   EXPECT_DOUBLE_EQ(s.volumes().sum(), 0.36);
   EXPECT_EQ(s.v.norm(), 0);
   EXPECT_EQ(s.pressure.abs().maxCoeff(), 0);
-  EXPECT_TRUE(s.x.isApprox(lattice({.high = {0.6, 0.6}}, 0.05, {.high = {0.6, 0.6}}).x, 1e-14));
+  EXPECT_TRUE(s.x.isApprox(lattice({.high = {0.6, 0.6}}, 0.05).places(), 1e-14));
 }
 
 TEST(Mpm, RefusesCellsThatAreNotPositive) {
@@ -86,7 +86,7 @@ TEST(Mpm, RefusesSpacingsThatAreNotPositiveOrLargerThanTheFluid) {
   for (double spacing : {0.0, -0.1, nan, infinity, 1e-30, 0.7}) {
     Settings wrong = coarse;
     wrong.spacing = spacing;
-    EXPECT_NE(refusal(tank(), wrong).find("mpm: spacing = "), std::string::npos) << refusal(tank(), wrong);
+    EXPECT_NE(refusal(tank(), wrong).find("lattice: spacing"), std::string::npos) << refusal(tank(), wrong);
   }
 }
 
@@ -94,7 +94,7 @@ TEST(Mpm, RefusesTimeStepsThatAreNotPositive) {
   for (double time_step : {0.0, -1e-4, nan, infinity}) {
     Settings wrong = coarse;
     wrong.time_step = time_step;
-    EXPECT_NE(refusal(tank(), wrong).find("mpm: time step = "), std::string::npos) << refusal(tank(), wrong);
+    EXPECT_NE(refusal(tank(), wrong).find("mpm: time step [s] = "), std::string::npos) << refusal(tank(), wrong);
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Mpm, RefusesFluidOutsideTheDomain) {
   for (double high : {1.7, nan}) {
     Scene<Tait> scene = tank();
     scene.filled.high.x() = high;
-    EXPECT_NE(refusal(scene, coarse).find("mpm: filled box"), std::string::npos) << refusal(scene, coarse);
+    EXPECT_NE(refusal(scene, coarse).find("scene: filled box"), std::string::npos) << refusal(scene, coarse);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Mpm, RefusesInOneLine) {
   Settings wrong = coarse;
   wrong.spacing = 0.7;
   EXPECT_EQ(refusal(tank(), wrong),
-            "mpm: spacing = 0.7 m, wanted positive, at most the filled 0.6 m x 0.6 m, and at most 1e+09 particles");
+            "lattice: spacing = 0.7 m, wanted at most the box of 0.6 m x 0.6 m, and at most 1e+09 particles");
 }
 
 }  // namespace

@@ -12,24 +12,28 @@ class Neighbourhood {
   Particles all;
   BoundaryLayout boundary;
   Images images;
-  NeighbourLists fluid_near_fluid;  // of each fluid particle: fluid and ghosts
-  NeighbourLists fluid_near_ghost;  // of each ghost: fluid
-  std::array<NeighbourLists, 2>
-      wall_near_fluid;  // of each fluid particle: particles on walls of constant x, of constant y
+  NeighbourLists fluid_near_fluid;                // of each fluid particle: fluid and ghosts
+  NeighbourLists fluid_near_ghost;                // of each ghost: fluid
+  std::array<NeighbourLists, 2> wall_near_fluid;  // likewise: particles on walls of constant x, of constant y
 
   /// Fluid at rest on a lattice. `reach` [m] is the radius of the kernel; the lists reach a `skin` [m] further.
   Neighbourhood(const Domain& domain, const Box& filled, double density, double spacing, double reach, double skin,
                 BoundaryLayout layout, std::size_t carried_fields = 0)
       : boundary(std::move(layout)), domain_(domain), reach_(reach), skin_(skin) {
-    const Lattice lattice = lattice_over(filled, spacing);
-    all.fluid = lattice.x.cols();
+    const double period = domain.box.size().x();
+    if (domain.periodic_x && reach + skin > period)
+      throw std::invalid_argument(
+          fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m", reach + skin, period));
+    const Lattice cells = lattice(filled, spacing, domain.box);
+    const Vectors places = cells.places();
+    all.fluid = places.cols();
     all.boundary = static_cast<Index>(boundary.ghosts.size() + boundary.on_walls.size());
-    all.mass = density * lattice.cell_area;
+    all.mass = density * cells.volume();
     all.carried.resize(carried_fields);
     all.resize();
     all.each_field([](Scalars& field) { field = 0; });
-    all.x.head(all.fluid) = lattice.x.row(0);
-    all.y.head(all.fluid) = lattice.x.row(1);
+    all.x.head(all.fluid) = places.row(0);
+    all.y.head(all.fluid) = places.row(1);
     all.rho = density;
     for (Index k = 0; k < all.boundary; ++k) {
       const bool ghost = k < ghosts();
@@ -44,12 +48,15 @@ class Neighbourhood {
 
   Index ghosts() const { return static_cast<Index>(boundary.ghosts.size()); }
 
-  /// To be called between steps: lists anew, with the fluid in cell order, once a particle may have come from outside
-  /// the lists into the kernel's reach. Throws Diverged when a particle is outside the domain or nowhere.
-  void follow(long step, double time) {
-    const auto dx = all.x.head(all.fluid) - listed_x_, dy = all.y.head(all.fluid) - listed_y_;
-    const double allowed = 0.45 * skin_;  // of the half skin; the rest is for the motion within the next step
-    if ((dx * dx + dy * dy <= allowed * allowed).all()) return;
+  /// To be called before a step of `dt` [s]: lists anew, with the fluid in cell order, if by its end a particle may
+  /// have come from outside the lists into the kernel's reach. Throws Diverged when a particle is outside the domain or
+  /// nowhere.
+  void follow(long step, double time, double dt) {
+    constexpr double margin = 0.9;  // for what the velocity changes within the step
+    const auto fluid = Eigen::seqN(0, all.fluid);
+    way_ = ((all.x(fluid) - listed_x_).abs() + dt * all.vx(fluid).abs()).square() +
+           ((all.y(fluid) - listed_y_).abs() + dt * all.vy(fluid).abs()).square();
+    if ((way_ <= margin * margin * skin_ * skin_ / 4).all()) return;  // false for what is not a number
     refuse_strays(step, time);
     list_anew();
   }
@@ -68,8 +75,9 @@ class Neighbourhood {
     }
   }
 
-  /// The fluid in the order of its numbers.
-  Samples samples(double time) const {
+  /// The fluid in the order of its numbers, with the pressure of its density.
+  template <class FluidLaw>
+  Samples samples(double time, const FluidLaw& fluid) const {
     Samples s{time,
               Vectors(2, all.fluid),
               Vectors(2, all.fluid),
@@ -81,7 +89,7 @@ class Neighbourhood {
       s.x.col(n) = Vec2(wrapped(all.x[i]), all.y[i]);
       s.v.col(n) = Vec2(all.vx[i], all.vy[i]);
       s.density[n] = all.rho[i];
-      s.pressure[n] = all.p[i];
+      s.pressure[n] = fluid.pressure(all.rho[i]);
     }
     return s;
   }
@@ -133,7 +141,8 @@ class Neighbourhood {
   enum Kind : signed char { is_ghost = -1, is_fluid = 0, is_on_wall_of_x = 1, is_on_wall_of_y = 2 };
   std::vector<Kind> kind_;
   double reach_, skin_;          // m
-  Scalars listed_x_, listed_y_;  // m  where the fluid was when the lists were made
+  Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made
+  Scalars way_;                  // m²  how far it will be from there, squared
 };
 
 }  // namespace touchstone::sph

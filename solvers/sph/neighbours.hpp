@@ -116,7 +116,8 @@ inline Lanes distance(const Particles& all, Block i, Row j) {
   return square_root(dx * dx + dy * dy);
 }
 
-/// sums[k][i] = sum over the neighbours j of i of term(i, j)[k], with i a Block and j a Row.
+/// sums[k][n] = sum over the neighbours j of i of term(i, j)[k], with i a Block and j a Row, and n counted from the
+/// first particle that has a list.
 template <std::size_t K, class Term>
 void sum_over_neighbours(const NeighbourLists& lists, const std::array<double*, K>& sums, Term term) {
   for (Index b = 0; b < lists.blocks(); ++b) {
@@ -127,7 +128,8 @@ void sum_over_neighbours(const NeighbourLists& lists, const std::array<double*, 
       for (std::size_t k = 0; k < K; ++k) total[k] += share[k];
     }
     const Index used = std::min<Index>(lanes, lists.end - i.first);
-    for (std::size_t k = 0; k < K; ++k) std::memcpy(sums[k] + i.first, &total[k], used * sizeof(double));
+    for (std::size_t k = 0; k < K; ++k)
+      std::memcpy(sums[k] + (i.first - lists.begin), &total[k], used * sizeof(double));
   }
 }
 

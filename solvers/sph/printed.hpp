@@ -29,14 +29,13 @@ class Printed {
 
   /// One predictor-corrector step, section 2.4.
   void step() {
-    near_.follow(steps_, time_);
+    near_.follow(steps_, time_, time_step());
     remember_start();
-    find_rates();
+    find_rates(time_);
     advance(time_step() / 2);  // predict the midpoint
-    find_rates();
-    advance(time_step());  // correct from the start
-    if (++steps_ % 30 == 0)
-      restore_density<Kernel>(near_.all, near_.fluid_near_fluid, settings_.smoothing_length, density_sums_);
+    find_rates(time_ + time_step() / 2);
+    advance(time_step());                                       // correct from the start
+    if (++steps_ % steps_between_restorations == 0) restore();  // (29), (30)
     time_ = static_cast<double>(steps_) * time_step();
   }
 
@@ -48,7 +47,7 @@ class Printed {
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
     near_.refuse_strays(steps_, time_);
-    return near_.samples(time_);
+    return near_.samples(time_, scene_.fluid);
   }
 
  private:
@@ -56,6 +55,7 @@ class Printed {
     Scalars x, y, vx, vy, rho;
   };
 
+  static constexpr long steps_between_restorations = 30;
   static constexpr double skin = 0.3;  // spacings; lists last some hundred steps in a channel, a few in a splash
 
   void remember_start() {
@@ -67,17 +67,22 @@ class Printed {
     start_.rho = all.rho.head(all.fluid);
   }
 
-  void find_rates() {
+  void restore() {
+    near_.images.refresh_fluid(near_.all);
+    restore_density<Kernel>(near_.all, near_.fluid_near_fluid, settings_.smoothing_length, density_sums_);
+  }
+
+  void find_rates(double time) {
     Particles& all = near_.all;
     find_pressure();
     near_.images.refresh_fluid(all);
     fill_ghosts<Kernel>(all, near_.fluid_near_ghost, near_.boundary.ghosts, scene_.walls, settings_.smoothing_length,
-                        scene_.fluid.density, time_, ghost_sums_);
+                        scene_.fluid.density, time, ghost_sums_);
     near_.images.refresh_boundary(all);
     sum_pairs();
     repel<0>();
     repel<1>();
-    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time_, rates_.vx, rates_.vy);
+    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, rates_.vx, rates_.vy);
   }
 
   void find_pressure() {

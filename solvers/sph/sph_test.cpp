@@ -238,6 +238,36 @@ TEST(Printed, StillWaterStaysStill) {
   EXPECT_LT(solver.samples().v.cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(TransportVelocity, TwoRunsAreBitEqual) {
+  const Scene<Newtonian, Uniform> scene{
+      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {{8e-3, 0}}};
+  const auto run = [&] {
+    auto solver = transport_velocity<QuinticSpline>(scene, {spacing, spacing, 5 * us},
+                                                    momentum(PressureDifference{}, MorrisViscosity{1e-3}));
+    for (int k = 0; k < 300; ++k) solver.step();
+    return solver.samples();
+  };
+  const Samples first = run(), second = run();
+  EXPECT_EQ(first.x, second.x);
+  EXPECT_EQ(first.v, second.v);
+}
+
+TEST(TransportVelocity, KeepsTheVolumeOfItsFluid) {
+  auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us},
+                                                  momentum(PressureDifference{}, MorrisViscosity{1e-3}));
+  for (int k = 0; k < 300; ++k) solver.step();
+  EXPECT_NEAR(solver.samples().volumes().sum(), width * height, 1e-12 * width * height);
+}
+
+TEST(Printed, RefusesAPeriodShorterThanItsListsAndWallsOffTheDomain) {
+  Scene<Newtonian, Uniform> narrow = falling;
+  narrow.domain.box.high.x() = narrow.filled.high.x() = 2 * spacing;
+  EXPECT_THROW(printed<CubicSpline>(narrow, settings, terms()), std::invalid_argument);
+  Scene<Newtonian, Uniform> raised = falling;
+  raised.walls[0].position = 0.1 * height;
+  EXPECT_THROW(printed<CubicSpline>(raised, settings, terms()), std::invalid_argument);
+}
+
 TEST(Printed, TwoRunsAreBitEqual) {
   const Scene<Newtonian, Uniform> scene{
       .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {{8e-3, 0}}};

@@ -27,16 +27,17 @@ class TransportVelocity {
               lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)), 4) {
     for (Scalars* field : {&spread_x_, &spread_y_, &density_rate_}) field->setZero(near_.all.fluid);
     for (Scalars& sum : ghost_sums_) sum.setZero(near_.ghosts());
-    find_accelerations();
+    find_accelerations(0);
   }
 
   /// One kick-drift-kick step (Adami, Hu & Adams 2013, section 2.4).
   void step() {
-    near_.follow(steps_, time_);
+    near_.follow(steps_, time_, time_step());
     kick(time_step() / 2);
     drift(time_step());
-    advance_density(time_step());
-    find_accelerations();
+    const double end = time_ + time_step();
+    advance_density(time_step(), end);
+    find_accelerations(end);
     kick(time_step() / 2);
     if (++steps_ % 30 == 0) keep_volume();
     time_ = static_cast<double>(steps_) * time_step();
@@ -50,7 +51,7 @@ class TransportVelocity {
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
     near_.refuse_strays(steps_, time_);
-    return near_.samples(time_);
+    return near_.samples(time_, scene_.fluid);
   }
 
  private:
@@ -76,19 +77,19 @@ class TransportVelocity {
   }
 
   /// Fluid, ghosts and images as the last motion left them.
-  void update_surroundings() {
+  void update_surroundings(double time) {
     Particles& all = near_.all;
     for (Index i = 0; i < all.fluid; ++i) all.p[i] = scene_.fluid.pressure(all.rho[i]);  // (33)
     near_.images.refresh_fluid(all);
     fill_ghosts<Kernel>(all, near_.fluid_near_ghost, near_.boundary.ghosts, scene_.walls, settings_.smoothing_length,
-                        scene_.fluid.density, time_, ghost_sums_);
+                        scene_.fluid.density, time, ghost_sums_);
     near_.images.refresh_boundary(all);
   }
 
   /// Continuity (23) over `dt` [s], with the velocity that moved the particles.
-  void advance_density(double dt) {
+  void advance_density(double dt, double time) {
     Particles& all = near_.all;
-    update_surroundings();
+    update_surroundings(time);
     sum_over_neighbours<1>(near_.fluid_near_fluid, {density_rate_.data()}, [&](Block i, Row j) -> std::array<Lanes, 1> {
       const Pair<Lanes> ij = pair_of<Kernel>(all, i, j, settings_.smoothing_length);
       return {ij.mass * ij.slope * ij.approach()};
@@ -103,11 +104,11 @@ class TransportVelocity {
     rho *= scene_.fluid.density / static_cast<double>(near_.all.fluid) * rho.inverse().sum();
   }
 
-  void find_accelerations() {
+  void find_accelerations(double time) {
     Particles& all = near_.all;
-    update_surroundings();
+    update_surroundings(time);
     sum_pairs();
-    if constexpr (is_present<Force>) add_force(scene_.body_force, all, time_, ax(), ay());
+    if constexpr (is_present<Force>) add_force(scene_.body_force, all, time, ax(), ay());
     wx().head(all.fluid) = time_step() / 2 * spread_x_;
     wy().head(all.fluid) = time_step() / 2 * spread_y_;
   }
@@ -144,13 +145,13 @@ class TransportVelocity {
   Terms terms_;
   Neighbourhood near_;
   Scalars spread_x_, spread_y_;  // m/s²
-  Scalars density_rate_;
+  Scalars density_rate_;         // kg/m³ s
   std::array<Scalars, 5> ghost_sums_;
   double time_ = 0;
   long steps_ = 0;
 };
 
-/// sph::transport_velocity<sph::QuinticSpline>(scene, {.spacing = ...}, sph::momentum(sph::SharedPressure{}, ...))
+/// sph::transport_velocity<sph::QuinticSpline>(scene, {.spacing = ...}, sph::momentum(sph::PressureDifference{}, ...))
 template <class Kernel, class FluidLaw, class Force, class Terms>
 auto transport_velocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms) {
   return TransportVelocity<Kernel, FluidLaw, Force, Terms>(scene, settings, terms);

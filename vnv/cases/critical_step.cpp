@@ -55,7 +55,7 @@ Case vnv::the_case() {
       .methods =
           {{
                .name = "mpm",
-               .description = mpm_words,
+               .description = mpm_words + moving_words,
                .run =
                    [](const Rung& rung, const Schedule&) {
                      return search_critical_step(

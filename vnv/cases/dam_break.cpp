@@ -35,7 +35,13 @@ const Scene<Tait, Uniform> scene{
     .body_force = {{0, -g}},
 };
 
-const DamFront front{.column_length = l0, .column_height = h0, .tank_length = tank_length, .gravity = g, .slab = cell};
+const DamFront front{.column_length = l0,
+                     .column_height = h0,
+                     .tank_length = tank_length,
+                     .tank_height = tank_height,
+                     .density = scene.fluid.density,
+                     .gravity = g,
+                     .slab = cell};
 
 Run run_mpm(const Rung& rung, const Schedule& when) {
   return record(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
@@ -55,8 +61,10 @@ Run run_sph(const Rung& rung, const Schedule& when) {
 
 /// What is asked of the finest rung of both methods.
 std::vector<Claim> front_claims(const std::string& rung) {
-  return {at_most(front.rms, 0.12, literature("Lobovský et al. 2014; a plain trial had 0.09")).on(rung),
-          between(front.slope_error, -20, 20, literature("Lobovský et al. 2014: 1.34; a plain trial was 16 % off"))
+  return {at_most(front.rms, 0.12, baseline("a plain prototype of the printed MPM stood 0.09 off Lobovský et al. 2014"))
+              .on(rung),
+          between(front.slope_error, -20, 20,
+                  baseline("a plain prototype of the printed MPM was 16 % off the slope of Lobovský et al. 2014, 1.34"))
               .on(rung)};
 }
 
@@ -75,7 +83,8 @@ Case vnv::the_case() {
       .times = {0.32, 0.41, 0.46, 0.5},
       .watch = {.every = 0.0025, .see = [](const Samples& s) { return front.look(s); }},
       .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); }},
-      .claims = {between("mass less that of the start [kg/m]", 0, 0, theory("particles keep their mass")),
+      .claims = {between("mass over that of the column, less 1 [-]", -1e-12, 1e-12,
+                         theory("particles keep their mass; rounding of the sum")),
                  between("particles lost or outside [-]", 0, 0, theory("water does not cross walls"))},
       .methods =
           {{
@@ -113,6 +122,7 @@ Case vnv::the_case() {
                .ladders = {{"spacing at fixed h / spacing", {"S1", "S2", "S3", "S4"}}},
                .claims = front_claims("S4"),
                .tolerance = {0.02, "a splash is chaotic: another rounding moves the front by parts of a spacing"},
+               .relative_cost = 80,
            }},
       .plots = {snapshots({"snapshots",
                            "Flow at t = 0.32, 0.41 and 0.46 s",

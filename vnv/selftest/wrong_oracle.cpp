@@ -18,7 +18,7 @@ const Scene<Newtonian, Uniform> scene{
     .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
     .body_force = {{8 * mm, 0}},
 };
-const reference::Poiseuille half_the_force{.H = H, .F = 4 * mm, .nu = water.viscosity / water.density};
+const reference::Poiseuille half_the_force{.H = H, .F = 4 * mm, .nu = water.kinematic_viscosity()};
 }  // namespace
 
 Case vnv::the_case() {

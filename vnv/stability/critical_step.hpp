@@ -16,12 +16,13 @@ struct StepSearch {
   double speed_limit;       // m/s  the flow never comes near this; what exceeds it has blown up
 };
 
-/// Whether a solver keeps below the speed limit; one that diverges does not.
+/// Whether a solver keeps below the speed limit; one that diverges does not. Counts the steps it takes.
 template <class Solver>
-bool is_stable(Solver solver, const StepSearch& search) {
+bool is_stable(Solver solver, const StepSearch& search, long& steps) {
   try {
     for (long k = 0; k < search.steps; ++k) {
       solver.step();
+      ++steps;
       if (k % 50 == 49 && !(sound(solver.samples(), solver.steps()).v.colwise().norm().maxCoeff() < search.speed_limit))
         return false;
     }
@@ -34,21 +35,22 @@ bool is_stable(Solver solver, const StepSearch& search) {
 /// A bracket of the critical time step: stable at `low`, unstable at `high`.
 struct CriticalStep {
   double low, high;  // s
+  long steps = 0;    // that all trials took
 };
 
 /// Bisects between a stable and an unstable step; `solver_with(dt)` makes a solver. Throws std::invalid_argument if the
 /// ends are not what they are said to be.
 template <class Factory>
 CriticalStep critical_step(Factory solver_with, const StepSearch& search) {
-  if (!is_stable(solver_with(search.low), search))
+  CriticalStep bracket{search.low, search.high};
+  if (!is_stable(solver_with(search.low), search, bracket.steps))
     throw std::invalid_argument(fmt::format("critical step: {} s is unstable, wanted a stable lower end", search.low));
-  if (is_stable(solver_with(search.high), search))
+  if (is_stable(solver_with(search.high), search, bracket.steps))
     throw std::invalid_argument(
         fmt::format("critical step: {} s is stable, wanted an unstable upper end", search.high));
-  CriticalStep bracket{search.low, search.high};
   while (bracket.high > bracket.low * (1 + search.tolerance)) {
     const double middle = std::sqrt(bracket.low * bracket.high);
-    (is_stable(solver_with(middle), search) ? bracket.low : bracket.high) = middle;
+    (is_stable(solver_with(middle), search, bracket.steps) ? bracket.low : bracket.high) = middle;
   }
   return bracket;
 }
@@ -70,7 +72,7 @@ Run search_critical_step(Factory solver_with, const StepSearch& search, double l
   run.summary.cost = meter.read();
   run.summary.cost.particles = solver.particles();
   run.summary.cost.boundary_particles = solver.boundary_particles();
-  run.summary.cost.steps = search.steps;
+  run.summary.cost.steps = found.steps;
   return run;
 }
 

@@ -2,6 +2,7 @@
 /// Ghost particles: layers of fixed particles behind the walls that carry the fluid on, with the velocity that the wall
 /// mirrors. Shao et al. 2012; Adami, Hu & Adams 2012; Sun et al. 2.3.
 
+#include "solvers/lattice.hpp"
 #include "solvers/sph/neighbours.hpp"
 #include "solvers/sph/pair.hpp"
 
@@ -20,31 +21,22 @@ struct BoundaryLayout {
   std::size_t on_upright = 0;  // how many of them are on walls of constant x
 };
 
-/// The lattice of the fluid, stretched to fit the domain.
-struct DomainLattice {
-  std::array<long, 2> count;
-  Vec2 low, step;  // m
-
-  DomainLattice(const Box& box, double spacing)
-      : count{std::lround(box.size().x() / spacing), std::lround(box.size().y() / spacing)},
-        low(box.low),
-        step(box.size().x() / static_cast<double>(count[0]), box.size().y() / static_cast<double>(count[1])) {}
-
-  Vec2 place(long column, long row) const {
-    return low + step.cwiseProduct(Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
-  }
-};
-
 /// Ghosts on the continued lattice of the fluid, `layers` deep behind each wall, corners included.
 inline BoundaryLayout lay_out_ghosts(const Domain& domain, const std::vector<Wall>& walls, double spacing, int layers) {
-  const DomainLattice lattice(domain.box, spacing);
+  const Lattice cells = lattice(domain.box, spacing);
   std::array<long, 2> before = {0, 0}, beyond = {0, 0};
-  for (const Wall& wall : walls) (wall.inward > 0 ? before : beyond)[wall.axis] = layers;
+  for (const Wall& wall : walls) {
+    const double face = (wall.inward > 0 ? domain.box.low : domain.box.high)[wall.axis];
+    if (std::abs(wall.position - face) > 1e-9 * domain.box.size()[wall.axis])
+      throw std::invalid_argument(fmt::format("sph: wall at {} = {} m, wanted on the face of the domain at {} m",
+                                              "xy"[wall.axis], wall.position, face));
+    (wall.inward > 0 ? before : beyond)[wall.axis] = layers;
+  }
 
   BoundaryLayout layout;
-  for (long row = -before[1]; row < lattice.count[1] + beyond[1]; ++row)
-    for (long column = -before[0]; column < lattice.count[0] + beyond[0]; ++column) {
-      BoundaryLayout::Ghost ghost{lattice.place(column, row), {}};
+  for (long row = -before[1]; row < cells.rows + beyond[1]; ++row)
+    for (long column = -before[0]; column < cells.columns + beyond[0]; ++column) {
+      BoundaryLayout::Ghost ghost{cells.place(column, row), {}};
       for (std::size_t w = 0; w < walls.size(); ++w)
         if (walls[w].distance(ghost.x) < 0) ghost.behind.push_back(static_cast<int>(w));
       if (!ghost.behind.empty()) layout.ghosts.push_back(std::move(ghost));
@@ -56,11 +48,11 @@ inline BoundaryLayout lay_out_ghosts(const Domain& domain, const std::vector<Wal
 inline BoundaryLayout lay_out_ghosts_and_walls(const Domain& domain, const std::vector<Wall>& walls, double spacing,
                                                int layers) {
   BoundaryLayout layout = lay_out_ghosts(domain, walls, spacing, layers);
-  const DomainLattice lattice(domain.box, spacing);
+  const Lattice cells = lattice(domain.box, spacing);
   for (const int axis : {0, 1}) {
     for (const Wall& wall : walls)
-      for (long k = 0; wall.axis == axis && k < lattice.count[1 - axis]; ++k) {
-        Vec2 x = lattice.place(k, k);
+      for (long k = 0; wall.axis == axis && k < (axis == 0 ? cells.rows : cells.columns); ++k) {
+        Vec2 x = cells.place(k, k);
         x[axis] = wall.position;
         layout.on_walls.push_back(x);
       }
@@ -78,9 +70,8 @@ void fill_ghosts(Particles& all, const NeighbourLists& fluid_near, const std::ve
     const Lanes weight = all.mass / j(all.rho) * Kernel::w(distance(all, g, j) / h);
     return {weight, weight * j(all.vx), weight * j(all.vy), weight * j(all.rho), weight * j(all.p)};
   };
-  std::array<double*, 5> out;  // each indexed by particle, and the ghosts come after the fluid
-  for (std::size_t k = 0; k < 5; ++k) out[k] = sums[k].data() - all.fluid;
-  sum_over_neighbours<5>(fluid_near, out, share);
+  sum_over_neighbours<5>(fluid_near, {sums[0].data(), sums[1].data(), sums[2].data(), sums[3].data(), sums[4].data()},
+                         share);
 
   for (std::size_t k = 0; k < ghosts.size(); ++k) {
     const Index g = all.fluid + static_cast<Index>(k), s = static_cast<Index>(k);
