@@ -133,7 +133,8 @@ Case vnv::the_case() {
                                   .at(1),
                               at_most(l2, 0.2, baseline("the same at 10 s")).on("S1").at(10),
                               at_most(growth, 1.25, theory("a steady flow: no growth but the passing of particles"))
-                                  .on("S1")},
+                                  .on("S1")
+                                  .at(10)},
                    .tolerance = slipping_rows,
                    .relative_cost = 40,
                }},

@@ -56,7 +56,6 @@ Case vnv::the_case() {
                       .run = sph_as_printed(scene, step),
                       .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
                       .tolerance = slipping_rows,
-
                   },
                   {
                       .name = "sph_regularised",
