@@ -101,7 +101,7 @@ Run record(Solver solver, const Schedule& when) {
   } catch (const Diverged& diverged) {
     run.summary.outcome = diverged.what();
   }
-  run.summary.end_time = solver.time();
+  run.summary.end_time = run.summary.finished ? when.times.back() : solver.time();
   run.summary.cost = meter.read();
   run.summary.cost.particles = solver.particles();
   run.summary.cost.boundary_particles = solver.boundary_particles();
