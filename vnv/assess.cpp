@@ -178,9 +178,7 @@ Case with_plots(Case declared, const std::vector<Plot>& plots) {
   return declared;
 }
 
-Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
-              const std::optional<Baselines>& baselines) {
-  require_known_names(method);
+Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
   Record record;
   record.case_name = case_name;
   record.title = declared.title;
@@ -188,6 +186,13 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
   record.method = method.name;
   record.method_description = method.description;
   record.suite = name_of(suite);
+  return record;
+}
+
+Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
+              const std::optional<Baselines>& baselines) {
+  require_known_names(method);
+  Record record = record_of(case_name, declared, method, suite);
   const Results results{method, suite, run_rungs(declared, method, suite, record)};
   observe_orders(method, record);
   judge_ends(record);

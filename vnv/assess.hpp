@@ -6,6 +6,9 @@
 
 namespace touchstone::vnv {
 
+/// A record that says of whom it is, and nothing yet of any run.
+Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite);
+
 /// Runs a method on the rungs of a suite and judges it by the claims of the case, of the method and of the baselines.
 /// Without baselines nothing is claimed of them; with them, a value of the acceptance suite that has none is
 /// inconclusive.

@@ -60,13 +60,7 @@ class MethodTest : public testing::Test {
  private:
   /// What a report shall say of a method that could not be assessed.
   Record failed(const std::string& why) const {
-    Record record;
-    record.case_name = case_name;
-    record.title = declared_.title;
-    record.description = declared_.description;
-    record.method = method_.name;
-    record.method_description = method_.description;
-    record.suite = name_of(options.suite);
+    Record record = record_of(case_name, declared_, method_, options.suite);
     Verdict verdict = judge(at_least("assessed [-]", 1, theory("a method can be assessed")),
                             Place{.case_name = case_name, .method = method_.name, .rung = ""}, 0);
     verdict.sentence = fmt::format("{}.{}: {}: FAILS", case_name, method_.name, why);
