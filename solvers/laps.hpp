@@ -1,0 +1,29 @@
+#pragma once
+/// Where the time of a step goes, for a caller who wants to know.
+
+#include <array>
+#include <string_view>
+
+namespace touchstone {
+
+/// Parts of a step whose times are told apart.
+enum class SubStep {
+  scatter,     // particles to nodes
+  grid,        // on the nodes
+  gather,      // nodes to particles
+  pairs,       // sums over pairs of particles
+  rates,       // particle by particle: pressure, force
+  boundaries,  // ghosts, images, walls
+  motion,      // particle by particle: forward in time
+  sorting,     // who is in which cell, who is near whom
+};
+inline constexpr std::array<std::string_view, 8> names_of_sub_steps{"scatter", "grid",       "gather", "pairs",
+                                                                    "rates",   "boundaries", "motion", "sorting"};
+
+/// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part. This one
+/// hears nothing and costs nothing.
+struct NoLaps {
+  void operator()(SubStep) const {}
+};
+
+}  // namespace touchstone
