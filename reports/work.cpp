@@ -47,7 +47,7 @@ vnv::Curve curve(const WorkDiagram& diagram, std::string label, Role role, const
 std::vector<WorkPoint> beaten(const std::vector<WorkPoint>& points) {
   std::vector<WorkPoint> left;
   for (const std::string& series : vnv::ranking(points, 1)) {
-    const std::vector<WorkPoint> own = vnv::of_series(points, series), front = vnv::pareto_front(own);
+    const std::vector<WorkPoint> own = vnv::of_series(points, series), front = vnv::pareto_front(own, vnv::worthwhile);
     std::ranges::copy_if(own, std::back_inserter(left),
                          [&](const WorkPoint& p) { return std::ranges::find(front, p) == front.end(); });
   }
@@ -58,9 +58,10 @@ vnv::Figure figure(const WorkDiagram& diagram) {
   return {
       .id = diagram.id,
       .title = diagram.title,
-      .caption = diagram.caption +
-                 " A line joins the runs of a method that no other run of it beats in both; a ring marks those that "
-                 "no run of any method here beats: the Pareto front. Dashed: measured elsewhere, on other machines.",
+      .caption =
+          diagram.caption +
+          " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
+          "error. Rings mark the same among all methods here, the Pareto front. Dashed: measured elsewhere, on other machines.",
       .x = {.label = "CPU time [s]", .logarithmic = true},
       .y = {.label = diagram.quantity, .logarithmic = true}};
 }
@@ -69,14 +70,15 @@ vnv::Figure figure(const WorkDiagram& diagram) {
 void add_curves(CaseRecords& records, const WorkDiagram& diagram, const std::vector<WorkPoint>& points) {
   for (auto& record : records.records)
     if (const auto own = vnv::of_series(points, record.method); !own.empty())
-      record.curves.push_back(curve(diagram, record.method, Role::ours, vnv::pareto_front(own)));
+      record.curves.push_back(curve(diagram, record.method, Role::ours, vnv::pareto_front(own, vnv::worthwhile)));
   auto& curves = records.records.front().curves;
   const std::vector<WorkPoint> others = measured(true, points), ours = measured(false, points);
   for (const std::string& series : vnv::ranking(others, diagram.ranked_by))
     curves.push_back(curve(diagram, series, Role::published, vnv::pareto_front(vnv::of_series(others, series))));
   if (const auto left = beaten(ours); !left.empty())
     curves.push_back(curve(diagram, "beaten by another run of its method", Role::guide, left));
-  curves.push_back(curve(diagram, "Pareto front of all methods here", Role::best, vnv::pareto_front(ours)));
+  curves.push_back(
+      curve(diagram, "Pareto front of all methods here", Role::best, vnv::pareto_front(ours, vnv::worthwhile)));
 }
 
 std::string interval(const vnv::TimeToError& time) {

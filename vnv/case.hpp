@@ -72,8 +72,9 @@ using Finding = std::function<std::vector<Error>(const Results&, const Record&)>
 
 /// How much time may go into making short runs of a method more than once, to tell their cost well.
 struct Repeats {
-  double budget = 0;  // s  CPU time of all repeats of a method, beyond the first run of each rung
-  long most = 1;      // of any one run
+  double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each rung
+  long most = 5;          // runs of any one rung
+  double longest = 0.25;  // s  user time of a run that is repeated: a longer one tells its cost well enough
 };
 
 /// Adds figures and tables to the record of a method.

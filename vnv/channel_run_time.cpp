@@ -7,22 +7,20 @@ namespace touchstone::vnv::channel {
 namespace {
 
 /// A rung in the suites that can afford it, its step shortened so that a whole number of steps ends at 1 s.
-Rung affordable(Rung rung, double particles, const Effort& effort) {
+Rung affordable(Rung rung, double particles, double longest, const Effort& effort) {
+  const double weight = rung.time_step < longest ? 10 : 1;
   rung.time_step = 1 / std::ceil(1 / rung.time_step - 1e-9);
-  const double work = particles / rung.time_step;  // particle-steps in 1 s of flow
+  const double work = weight * particles / rung.time_step;  // particle-steps in 1 s of flow
   rung.name += fmt::format(", {:.3g} us", rung.time_step / us);
   rung.report = work <= effort.report ? 1 : 0;
   rung.nightly = work <= effort.nightly ? 1 : 0;
   return rung;
 }
 
-/// The longest step, half and a quarter of it, and that of the paper: longest first.
+/// The longest step, half of it, and that of the paper where it is shorter.
 std::vector<double> steps_below(double longest) {
-  std::vector<double> steps;
-  for (const double step : {longest, longest / 2, longest / 4})
-    if (step > 1.2 * dt) steps.push_back(step);
-  if (longest >= dt) steps.push_back(dt);
-  if (steps.empty()) steps.push_back(longest);
+  std::vector<double> steps = {longest, longest / 2};
+  if (longest > 2.4 * dt) steps.push_back(dt);
   return steps;
 }
 
@@ -49,12 +47,13 @@ std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effor
   for (const int n : cells)
     for (const int points_across : {1, 2}) {
       const double cell = H / n, acoustic = points_across == 1 ? 1.11 : 1.41;  // found by bisection, as `critical_step`
-      for (const double step : steps_below(longest_step(cell, {.acoustic = acoustic})))
+      const double longest = longest_step(cell, {.acoustic = acoustic});
+      for (const double step : steps_below(longest))
         rungs.push_back(affordable({.name = fmt::format("{} cells, {} per cell", n, points_across * points_across),
                                     .spacing = cell / points_across,
                                     .cell = cell,
                                     .time_step = step},
-                                   L * H / (cell * cell) * points_across * points_across, effort));
+                                   L * H / (cell * cell) * points_across * points_across, longest, effort));
     }
   return rungs;
 }
@@ -62,10 +61,12 @@ std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effor
 std::vector<Rung> sph_run_time_rungs(const std::vector<int>& particles, double smoothing, StepLimits limits,
                                      Effort effort) {
   std::vector<Rung> rungs;
-  for (const int n : particles)
-    for (const double step : steps_below(longest_step(smoothing * H / n, limits)))
+  for (const int n : particles) {
+    const double longest = longest_step(smoothing * H / n, limits);
+    for (const double step : steps_below(longest))
       rungs.push_back(affordable({.name = fmt::format("{} across", n), .spacing = H / n, .time_step = step},
-                                 L / H * n * n, effort));
+                                 L / H * n * n, longest, effort));
+  }
   return rungs;
 }
 

@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25)
 # Writes HEADER with the revision of SOURCE, only when it changed: run at each build, it recompiles one small file after
 # a commit or an edit, and nothing else.
 set(revision unknown)

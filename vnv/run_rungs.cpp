@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace touchstone::vnv {
@@ -63,7 +64,7 @@ void repeat_in_turn(const Method& method, const Repeats& repeats, std::vector<At
   double left = repeats.budget;
   for (long round = 1; round < repeats.most; ++round)
     for (Attempt& attempt : attempts)
-      if (attempt.first.crash.empty() && attempt.first.user_time <= left) {
+      if (attempt.first.crash.empty() && attempt.first.user_time <= std::min(left, repeats.longest)) {
         left -= attempt.first.user_time;
         repeat(method, attempt);
       }

@@ -25,20 +25,20 @@ double between(const WorkPoint& coarse, const WorkPoint& fine, double target) {
 
 }  // namespace
 
-std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points) {
+std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points, double gain) {
   std::erase_if(points, [](const WorkPoint& p) { return !is_drawable(p.error) || !is_drawable(p.cpu); });
   std::ranges::stable_sort(points, {}, [](const WorkPoint& p) { return std::tuple(p.cpu, p.error); });
   double best = std::numeric_limits<double>::infinity();
   std::erase_if(points, [&](const WorkPoint& p) {
-    const bool is_beaten = p.error >= best;
-    best = std::min(best, p.error);
+    const bool is_beaten = p.error >= best * (1 - gain);
+    if (!is_beaten) best = p.error;
     return is_beaten;
   });
   return points;
 }
 
 TimeToError time_to_error(const std::vector<WorkPoint>& points, double target) {
-  const std::vector<WorkPoint> front = pareto_front(points);
+  const std::vector<WorkPoint> front = pareto_front(points, worthwhile);
   const auto fine = std::ranges::find_if(front, [&](const WorkPoint& p) { return p.error <= target; });
   if (fine == front.end()) return {};
   if (fine == front.begin()) return {fine->cpu, 0, fine->cpu_highest, true};

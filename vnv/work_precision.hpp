@@ -9,9 +9,14 @@
 
 namespace touchstone::vnv {
 
-/// The points that none beats in both error and time, cheapest first; their errors fall. A point whose error or time is
-/// not positive and finite is left out.
-std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points);
+/// The points that none beats in both error and time, cheapest first; their errors fall. A point counts as better than
+/// a cheaper one if its error is smaller by more than `gain`, a share of it: without a gain a run of half the step and
+/// the same error but for the fifth digit would stand on every front. A point whose error or time is not positive and
+/// finite is left out.
+std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points, double gain = 0);
+
+/// What a dearer run must gain to be worth making.
+inline constexpr double worthwhile = 0.05;
 
 /// The CPU time to an error.
 struct TimeToError {
@@ -22,8 +27,8 @@ struct TimeToError {
   bool is_reached() const { return cpu > 0; }
 };
 
-/// Interpolated on logarithmic axes along the front of the points. The interval reaches from the fastest repeat of the
-/// neighbour that is not good enough to the slowest of the neighbour that is: no law between them is assumed.
+/// Interpolated on logarithmic axes along the front of runs worth making. The interval reaches from the fastest repeat
+/// of the neighbour that is not good enough to the slowest of the neighbour that is: no law between them is assumed.
 TimeToError time_to_error(const std::vector<WorkPoint>& points, double target);
 
 /// The points of one series.

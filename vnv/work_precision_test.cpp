@@ -22,6 +22,11 @@ TEST(ParetoFront, KeepsWhatNoOtherRunBeatsCheapestFirst) {
             (std::vector<double>{1, 10, 100}));
 }
 
+TEST(ParetoFront, LeavesOutDearerRunsThatGainLittle) {
+  EXPECT_EQ(times(pareto_front({point(1, 1), point(2, 0.99), point(4, 0.98), point(8, 0.94), point(9, 0.93)}, 0.05)),
+            (std::vector<double>{1, 8}));
+}
+
 TEST(ParetoFront, OfOneTimeKeepsTheSmallerError) {
   const auto front = pareto_front({point(1, 3), point(1, 2)});
   ASSERT_EQ(front.size(), 1u);
@@ -56,6 +61,11 @@ TEST(TimeToAnError, IsAtMostThatOfTheCheapestRunIfThatIsBetterAlready) {
 TEST(TimeToAnError, ThatNoRunReachesIsNone) {
   EXPECT_FALSE(time_to_error({point(1, 1), point(4, 0.1)}, 0.05).is_reached());
   EXPECT_FALSE(time_to_error({}, 1).is_reached());
+}
+
+TEST(TimeToAnError, IsNotMisledByADearRunThatIsHardlyBetter) {
+  const std::vector<WorkPoint> runs = {point(1, 1), point(4, 1.0 / 16)};
+  EXPECT_EQ(time_to_error({runs[0], point(2, 0.999), runs[1]}, 0.5).cpu, time_to_error(runs, 0.5).cpu);
 }
 
 TEST(TimeToAnError, IgnoresRunsThatAreBeaten) {
