@@ -3,6 +3,8 @@
 /// C++ on an array of structures, as a textbook has it (with a vector library's small vectors they take twice as long),
 /// and nothing shared with the solvers but lattice and vectors.
 
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/forces/uniform.hpp"
 #include "solvers/lattice.hpp"
 
 namespace touchstone::bench {
@@ -38,20 +40,18 @@ struct PlainFlow {
   Lattice lattice(double spacing) const { return touchstone::lattice({.high = filled}, spacing, {.high = size}); }
 };
 
-/// The channel and the column of Sun et al., tables 1 and 2, sections 3.1 and 3.3.
-inline const PlainFlow plain_channel{.shape = PlainFlow::Shape::channel,
-                                     .size = {0.5 * mm, 1 * mm},
-                                     .filled = {0.5 * mm, 1 * mm},
-                                     .density = 1000,
-                                     .bulk_modulus = 143,
-                                     .viscosity = 1e-3,
-                                     .force = {8 * mm, 0}};
-inline const PlainFlow plain_dam{.shape = PlainFlow::Shape::tank,
-                                 .size = {1.61, 1.2},
-                                 .filled = {0.6, 0.6},
-                                 .density = 1000,
-                                 .bulk_modulus = 0.36 * MPa,
-                                 .viscosity = 0,
-                                 .force = {0, -9.8}};
+/// What a plain loop is told of a scene: no more than the flows of `flows.hpp` have.
+template <class FluidLaw>
+PlainFlow plain(const Scene<FluidLaw, Uniform>& scene) {
+  double viscosity = 0;
+  if constexpr (Viscous<FluidLaw>) viscosity = scene.fluid.viscosity;
+  return {.shape = scene.domain.periodic_x ? PlainFlow::Shape::channel : PlainFlow::Shape::tank,
+          .size = scene.domain.box.high,
+          .filled = scene.filled.high,
+          .density = scene.fluid.density,
+          .bulk_modulus = scene.fluid.bulk_modulus,
+          .viscosity = viscosity,
+          .force = scene.body_force.per_mass};
+}
 
 }  // namespace touchstone::bench
