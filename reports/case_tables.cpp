@@ -107,6 +107,12 @@ Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
           {pairwise(order), "words"}};
 }
 
+/// The median, and the lowest and highest where there were several.
+std::string cpu_with_span(const vnv::Cost& c) {
+  if (c.repeats == 1) return printed(c.cpu);
+  return fmt::format("{} <small>{}–{}</small>", printed(c.cpu), printed(c.cpu_lowest), printed(c.cpu_highest));
+}
+
 Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
   return {{escape(record.method)},
@@ -117,10 +123,13 @@ Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
           number_cell(c.particles),
           number_cell(c.boundary_particles),
           number_cell(c.steps),
-          number_cell(c.cpu),
+          {cpu_with_span(c), "number"},
+          number_cell(c.repeats),
           number_cell(c.wall),
+          number_cell(100 * c.harness_share()),
           number_cell(c.peak_memory / 1e6),
           number_cell(c.per_particle_step() * 1e9),
+          number_cell(c.particle_steps_per_second() / 1e6),
           {escape(run.outcome), run.finished ? "words" : "words fails"}};
 }
 
@@ -155,10 +164,17 @@ std::string orders_html(const CaseRecords& records) {
 }
 
 std::string cost_html(const CaseRecords& records) {
-  HtmlTable table{"Cost.", "Reported, never judged.", {}, {}};
+  HtmlTable table{
+      "Cost.",
+      "User time of the steps, the median where a run was made several times, with the lowest and highest. "
+      "Memory is that of the run's own process. Harness: looking, sampling, measuring and the process, as a "
+      "share of the wall time.",
+      {},
+      {}};
   table.columns = {{"method"}, {"rung"}};
-  for (const char* heading : {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps",
-                              "CPU [s]", "wall [s]", "memory [MB]", "ns per particle-step"})
+  for (const char* heading :
+       {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps", "CPU [s]", "runs",
+        "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s"})
     table.columns.push_back({heading, "number"});
   table.columns.push_back({"outcome"});
   for (const auto& record : records.records)

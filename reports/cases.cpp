@@ -1,5 +1,7 @@
 #include "reports/cases.hpp"
 
+#include "reports/work.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,6 +36,7 @@ vnv::Record read_checked(const fs::path& file) {
   vnv::Record record = vnv::read_record(file);
   want_file_name(record.case_name, "case", file);
   for (const auto& figure : record.figures) want_file_name(figure.id, "figure", file);
+  for (const auto& diagram : record.diagrams) want_file_name(diagram.id, "diagram", file);
   return record;
 }
 
@@ -90,7 +93,8 @@ std::vector<CaseRecords> read_cases(const fs::path& folder) {
   }
   std::vector<CaseRecords> cases;
   for (auto& [name, records] : by_name) cases.push_back(std::move(records));
-  for (const auto& records : cases) {
+  for (auto& records : cases) {
+    add_work(records);
     check_figures(records);
     check_tables(records);
   }

@@ -20,7 +20,9 @@ std::string verdict_line(const vnv::Verdict& v) {
 std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
   return csv_line({record.case_name, record.method, run.rung, std::to_string(c.particles), std::to_string(c.steps),
-                   number(c.cpu), number(c.wall), number(c.peak_memory / 1e6), number(c.per_particle_step() * 1e9)});
+                   number(c.cpu), number(c.cpu_lowest), number(c.cpu_highest), std::to_string(c.repeats),
+                   number(c.wall), number(100 * c.harness_share()), number(c.peak_memory / 1e6),
+                   number(c.per_particle_step() * 1e9)});
 }
 
 }  // namespace
@@ -47,7 +49,8 @@ std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
 }
 
 std::string cost_csv(const std::vector<CaseRecords>& cases) {
-  std::string csv = "case,method,rung,particles,steps,cpu [s],wall [s],peak memory [MB],ns per particle-step\n";
+  std::string csv =
+      "case,method,rung,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step\n";
   for (const auto& records : cases)
     for (const auto& record : records.records)
       for (const auto& run : record.runs) csv += cost_line(record, run);

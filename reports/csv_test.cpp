@@ -35,9 +35,16 @@ TEST(Csv, ARunIsOneLineInTheUnitsOfTheHeading) {
   run.cost.particles = 1000;
   run.cost.steps = 2000;
   run.cost.cpu = 2;
+  run.cost.cpu_lowest = 1.9;
+  run.cost.cpu_highest = 2.2;
+  run.cost.repeats = 3;
+  run.cost.wall = 2.5;
+  run.cost.stepping = 2.475;
+  run.cost.harness = 0.025;
   run.cost.peak_memory = 5e6;
   record.runs = {run};
-  EXPECT_TRUE(contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,0,5,1000\n"));
+  EXPECT_TRUE(
+      contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,1.9,2.2,3,2.5,1,5,1000\n"));
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ Look look(const Series& s) {
               0.9};
     case Role::guide:
       return {"#8A8A8A", 1, pick(dashes, s.member + 1), 1.2, 0.7};
+    case Role::best:
+      return {"#000000", 6, "1", 2, 1.5};
     case Role::ours:
       break;
   }
@@ -94,7 +96,7 @@ void number_series(std::vector<Series>& all, Role role) {
 }
 
 // Back to front: a thin exact line stays visible upon a thick one of ours.
-constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Role::experiment, Role::exact};
+constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Role::experiment, Role::exact, Role::best};
 
 std::vector<Series> series_of(const vnv::Figure& figure, const CaseRecords& records) {
   std::vector<Series> all = find_series(figure, records);

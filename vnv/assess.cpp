@@ -2,6 +2,7 @@
 
 #include "vnv/environment.hpp"
 #include "vnv/order.hpp"
+#include "vnv/run_rungs.hpp"
 
 #include <fmt/format.h>
 
@@ -10,33 +11,19 @@
 namespace touchstone::vnv {
 namespace {
 
-Schedule schedule_for(const Case& declared, const std::string& name, double until) {
-  Schedule when{{}, declared.watch, name};
-  for (const double time : declared.times)
-    if (time <= until * (1 + 1e-9)) when.times.push_back(time);
-  if (when.times.empty() || when.times.back() < until * (1 - 1e-9)) when.times.push_back(until);
-  return when;
-}
-
-/// Runs the rungs of the suite, measures each, and keeps account in the record.
-std::vector<Run> run_rungs(const Case& declared, const Method& method, Suite suite, Record& record) {
-  std::vector<Run> runs;
-  for (const Rung& rung : method.rungs) {
-    if (!(rung.until(suite) > 0)) continue;
-    const std::string name = fmt::format("{}.{} {}", record.case_name, method.name, rung.name);
-    Run run = method.run(rung, schedule_for(declared, name, rung.until(suite)));
-    run.summary.rung = rung.name;
-    run.summary.spacing = rung.spacing;
-    for (Error& found : run.found) found.rung = rung.name, found.spacing = rung.spacing;
-    record.runs.push_back(run.summary);
+/// Measures each run and keeps account in the record.
+void measure_runs(const Case& declared, const Method& method, const std::vector<Run>& runs, Record& record) {
+  for (const Run& run : runs) {
+    const StopWatch measuring;
     record.errors.insert(record.errors.end(), run.found.begin(), run.found.end());
+    const auto rung = std::ranges::find(method.rungs, run.summary.rung, &Rung::name);
     for (const Measurement& measure : declared.measurements) {
-      const std::vector<Error> errors = measure(rung, run);
+      const std::vector<Error> errors = measure(*rung, run);
       record.errors.insert(record.errors.end(), errors.begin(), errors.end());
     }
-    runs.push_back(std::move(run));
+    record.runs.push_back(run.summary);
+    record.runs.back().cost.harness += measuring.seconds();
   }
-  return runs;
 }
 
 /// The errors of one quantity and time along a ladder, as far as this suite ran it.
@@ -102,7 +89,8 @@ bool is_run(const Claim& claim, const Method& method, Suite suite) {
   return runs >= (claim.ladder.empty() ? 1 : 2);
 }
 
-void judge_claim(const Claim& claim, const Method& method, Suite suite, Record& record) {
+void judge_claim(const Claim& claim, const Method& method, Suite suite, const std::vector<Error>& values,
+                 Record& record) {
   const std::size_t before = record.verdicts.size();
   Place place{record.case_name, method.name, claim.rung, not_a_number, claim.time};
   if (!claim.ladder.empty()) {
@@ -112,12 +100,22 @@ void judge_claim(const Claim& claim, const Method& method, Suite suite, Record& 
         record.verdicts.push_back(judge(claim, place, order));
       }
   } else {
-    for (const Error& e : record.errors)
+    for (const Error& e : values)
       if (e.quantity == claim.quantity && claim.covers(e.rung, e.time))
         record.verdicts.push_back(judge(claim, {record.case_name, method.name, e.rung, e.spacing, e.time}, e.value));
   }
   if (record.verdicts.size() == before && is_run(claim, method, suite))
     record.verdicts.push_back(judge(claim, place, not_a_number));  // the run ended before, or nothing measures this
+}
+
+/// What claims may speak of: the errors of the runs, and what was found over all of them.
+std::vector<Error> all_values(const Case& declared, const Results& results, const Record& record) {
+  std::vector<Error> values = record.errors;
+  for (const Finding& find : declared.findings) {
+    const std::vector<Error> found = find(results, record);
+    values.insert(values.end(), found.begin(), found.end());
+  }
+  return values;
 }
 
 /// Each value keeps within the limits that were accepted with the last one.
@@ -193,11 +191,13 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
               const std::optional<Baselines>& baselines) {
   require_known_names(method);
   Record record = record_of(case_name, declared, method, suite);
-  const Results results{method, suite, run_rungs(declared, method, suite, record)};
+  const Results results{method, suite, run_rungs(case_name, declared, method, suite)};
+  measure_runs(declared, method, results.runs, record);
   observe_orders(method, record);
   judge_ends(record);
-  for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, record);
-  for (const Claim& claim : method.claims) judge_claim(claim, method, suite, record);
+  const std::vector<Error> values = all_values(declared, results, record);
+  for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
+  for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
   if (baselines) {
     judge_baselines(*baselines, suite, record);
     miss_lost_values(*baselines, record);

@@ -15,13 +15,15 @@ std::string_view name_of(Suite suite);
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Rung {
-  std::string name;            // "M2"
-  double spacing;              // m  of the particles at the start
-  double cell = not_a_number;  // m  of the background grid; none in SPH
-  double acceptance = 0;       // s
-  double report = 0;           // s
-  double nightly = 0;          // s
+  std::string name;                 // "M2"
+  double spacing;                   // m  of the particles at the start
+  double cell = not_a_number;       // m  of the background grid; none in SPH
+  double time_step = not_a_number;  // s  else that of the method
+  double acceptance = 0;            // s
+  double report = 0;                // s
+  double nightly = 0;               // s
 
+  double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {
     return suite == Suite::acceptance ? acceptance : suite == Suite::report ? report : nightly;
   }
@@ -64,6 +66,17 @@ struct Results {
 /// Turns a run into named numbers, "L2 v_x, row means [%]".
 using Measurement = std::function<std::vector<Error>(const Rung&, const Run&)>;
 
+/// Turns all runs of a method into named numbers that claims may speak of. They belong to the machine of today: no
+/// baseline is taken of them.
+using Finding = std::function<std::vector<Error>(const Results&, const Record&)>;
+
+/// How much time may go into making short runs of a method more than once, to tell their cost well.
+struct Repeats {
+  double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each rung
+  long most = 5;          // runs of any one rung
+  double longest = 0.25;  // s  user time of a run that is repeated: a longer one tells its cost well enough
+};
+
 /// Adds figures and tables to the record of a method.
 using Plot = std::function<void(const Results&, Record&)>;
 
@@ -73,6 +86,8 @@ struct Case {
   std::vector<double> times;  // s  rising
   Watch watch{};
   std::vector<Measurement> measurements;
+  std::vector<Finding> findings{};
+  Repeats repeats{};            // in the suites that show cost: report and nightly
   std::vector<Claim> claims{};  // of any method
   std::vector<Method> methods;
   std::vector<Plot> plots{};

@@ -98,18 +98,20 @@ auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time
 template <class WallTreatment, class SceneOfChannel>
 auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(mpm_solver<WallTreatment>(scene, rung, time_step), when);
+    return record(mpm_solver<WallTreatment>(scene, rung, rung.step_or(time_step)), when);
   };
 }
 template <class PressureTerm = sph::Pressure, class SceneOfChannel>
 auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(printed_solver<PressureTerm>(scene, rung, time_step), when);
+    return record(printed_solver<PressureTerm>(scene, rung, rung.step_or(time_step)), when);
   };
 }
 template <class SceneOfChannel>
 auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = 2 * dt) {
-  return [=](const Rung& rung, const Schedule& when) { return record(transport_solver(scene, rung, time_step), when); };
+  return [=](const Rung& rung, const Schedule& when) {
+    return record(transport_solver(scene, rung, rung.step_or(time_step)), when);
+  };
 }
 
 /// The methods in words.

@@ -1,54 +1,45 @@
 #include "vnv/cost.hpp"
 
-#include <malloc.h>
 #include <sys/resource.h>
 
-#include <fstream>
-#include <string>
+#include <algorithm>
 
 namespace touchstone::vnv {
 namespace {
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
-
-rusage usage() {
+/// Seconds. The system's share is left out: it is mostly other people's.
+double user_time() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  return used;
+  return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
-double cpu_time() {
-  const rusage used = usage();
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
-/// Linux: forget the largest resident set so far, once freed memory has gone back to the system.
-void forget_peak_memory() {
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
-
-/// Bytes.
-double peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (double kibibytes = 0; word == "VmHWM:" && status >> kibibytes) return 1024 * kibibytes;
-  return 1024 * static_cast<double>(usage().ru_maxrss);
+double median_of(const std::vector<Cost>& repeats, double Cost::*value) {
+  std::vector<double> values;
+  for (const Cost& cost : repeats) values.push_back(cost.*value);
+  std::ranges::sort(values);
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 }  // namespace
 
-CostMeter::CostMeter() {
-  forget_peak_memory();
-  cpu_start_ = cpu_time();
-  wall_start_ = std::chrono::steady_clock::now();
-}
+CostMeter::CostMeter() : user_start_(user_time()) {}
 
 Cost CostMeter::read() const {
   Cost cost;
-  cost.cpu = cpu_time() - cpu_start_;
-  cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start_).count();
-  cost.peak_memory = peak_memory();
+  cost.cpu = cost.cpu_lowest = cost.cpu_highest = user_time() - user_start_;
+  cost.wall = watch_.seconds();
+  return cost;
+}
+
+Cost cost_of_repeats(const std::vector<Cost>& repeats) {
+  Cost cost = repeats.front();
+  cost.repeats = static_cast<long>(repeats.size());
+  for (double Cost::*value : {&Cost::cpu, &Cost::wall, &Cost::stepping, &Cost::harness, &Cost::peak_memory})
+    cost.*value = median_of(repeats, value);
+  const auto [lowest, highest] = std::ranges::minmax(repeats, {}, &Cost::cpu);
+  cost.cpu_lowest = lowest.cpu;
+  cost.cpu_highest = highest.cpu;
   return cost;
 }
 

@@ -1,5 +1,7 @@
 #include "vnv/environment.hpp"
 
+#include "vnv_revision.hpp"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

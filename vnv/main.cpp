@@ -22,7 +22,7 @@ struct Options {
   std::filesystem::path records;  // empty: none is written
   Suite suite = Suite::acceptance;
   std::string method;  // empty: all
-  double spacing = 0, cell = not_a_number, until = 0;
+  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
   std::string accept_reason;
 };
 Options options;
@@ -98,7 +98,11 @@ int run_tests(const Case& declared, char* program) {
 int explore(const Case& declared) {
   for (const Method* method : chosen_methods(declared)) {
     const double until = options.until > 0 ? options.until : declared.times.front();
-    const Rung rung{"custom", options.spacing, options.cell, until, until, until};
+    const Rung rung{.name = "custom",
+                    .spacing = options.spacing,
+                    .cell = options.cell,
+                    .time_step = options.time_step,
+                    .acceptance = until};
     Method custom = *method;
     custom.rungs = {rung};
     custom.ladders.clear();
@@ -116,6 +120,11 @@ int explore(const Case& declared) {
 
 /// Makes today's values the baselines, unless a claim of theory or literature fails.
 int accept(const Case& declared) {
+  const auto is_run = [](const Rung& rung) { return rung.until(options.suite) > 0; };
+  if (std::ranges::none_of(declared.methods, [&](const Method& m) { return std::ranges::any_of(m.rungs, is_run); })) {
+    fmt::print("{}: nothing runs in {}, nothing to accept\n", case_name, name_of(options.suite));
+    return EXIT_SUCCESS;
+  }
   Baselines baselines = read_baselines(baselines_file()).value_or(Baselines{});
   for (const Method* method : chosen_methods(declared)) {
     const Record record = assess(case_name, declared, *method, options.suite, std::nullopt);
@@ -175,6 +184,9 @@ int run(int count, char** arguments) {
   app.add_option("--spacing", options.spacing, "one run at this particle spacing [m], measured and not judged");
   const auto positive = CLI::PositiveNumber;
   app.add_option("--cell", options.cell, "with --spacing: size of a background cell [m]; else the spacing")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--time-step", options.time_step, "with --spacing: time step [s]; else that of the method")
       ->needs("--spacing")
       ->check(positive);
   app.add_option("--until", options.until, "with --spacing: end time [s]; else the first time of the case")

@@ -13,9 +13,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Cheap: looks at the clock every hundredth call.
   void show(double time) {
-    if (on_terminal_ && ++calls_ % 100 == 0) draw(time);
+    if (on_terminal_) draw(time);
   }
 
  private:
@@ -24,7 +23,6 @@ class Progress {
   std::string name_;
   double end_time_;  // s
   bool on_terminal_;
-  long calls_ = 0;
   std::chrono::steady_clock::time_point start_, drawn_;
 };
 

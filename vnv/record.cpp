@@ -28,8 +28,13 @@ void describe(auto& field, A<Cost> auto& c) {
   field("particles", c.particles);
   field("boundary_particles", c.boundary_particles);
   field("steps", c.steps);
+  field("repeats", c.repeats);
   field("cpu", c.cpu);
+  field("cpu_lowest", c.cpu_lowest);
+  field("cpu_highest", c.cpu_highest);
   field("wall", c.wall);
+  field("stepping", c.stepping);
+  field("harness", c.harness);
   field("peak_memory", c.peak_memory);
 }
 
@@ -124,6 +129,29 @@ void describe(auto& field, A<Table> auto& t) {
   field("rows", t.rows);
 }
 
+void describe(auto& field, A<WorkDiagram> auto& d) {
+  field("id", d.id);
+  field("title", d.title);
+  field("caption", d.caption);
+  field("quantity", d.quantity);
+  field("targets", d.targets);
+  field("ranked_by", d.ranked_by);
+}
+
+void describe(auto& field, A<WorkPoint> auto& p) {
+  field("diagram", p.diagram);
+  field("series", p.series);
+  field("family", p.family);
+  field("run", p.run);
+  field("elsewhere", p.elsewhere);
+  field("particles", p.particles);
+  field("per_step", p.per_step);
+  field("error", p.error);
+  field("cpu", p.cpu);
+  field("cpu_lowest", p.cpu_lowest);
+  field("cpu_highest", p.cpu_highest);
+}
+
 void describe(auto& field, A<Record> auto& r) {
   field("schema", r.schema);
   field("case_name", r.case_name);
@@ -145,12 +173,14 @@ void describe(auto& field, A<Record> auto& r) {
   field("curves", r.curves);
   field("clouds", r.clouds);
   field("tables", r.tables);
+  field("diagrams", r.diagrams);
+  field("work", r.work);
 }
 
 // The words of an enumeration, in the order of its enumerators.
 constexpr auto words(Outcome) { return std::to_array<std::string_view>({"holds", "fails", "inconclusive"}); }
 constexpr auto words(Role) {
-  return std::to_array<std::string_view>({"ours", "exact", "experiment", "published", "guide"});
+  return std::to_array<std::string_view>({"ours", "exact", "experiment", "published", "guide", "best"});
 }
 
 template <class T>

@@ -14,17 +14,24 @@ namespace touchstone::vnv {
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What one run cost.
+/// What one run cost. Times are medians over the repeats.
 struct Cost {
   long particles = 0;           // fluid particles
   long boundary_particles = 0;  // ghosts, repulsive particles; none in a grid method
   long steps = 0;
-  double cpu = 0;          // s  user and system time of the steps and the sampling
+  long repeats = 1;        // how often the run was made
+  double cpu = 0;          // s  user time of the steps and the sampling
+  double cpu_lowest = 0;   // s  of the repeats
+  double cpu_highest = 0;  // s
   double wall = 0;         // s
-  double peak_memory = 0;  // bytes  largest resident set of the process during the run
+  double stepping = 0;     // s  the part of `wall` that was spent in the solver's steps
+  double harness = 0;      // s  wall time of all else: looking, sampling, measuring, a process of its own
+  double peak_memory = 0;  // bytes  largest resident set of the run's process
 
   double per_step() const { return cpu / static_cast<double>(steps); }                      // s
   double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
+  double particle_steps_per_second() const { return 1 / per_particle_step(); }              // 1/s
+  double harness_share() const { return harness / (stepping + harness); }
 
   bool operator==(const Cost&) const = default;
 };
@@ -108,7 +115,7 @@ struct Figure {
 };
 
 /// Who speaks: decides how a curve is drawn.
-enum class Role { ours, exact, experiment, published, guide };
+enum class Role { ours, exact, experiment, published, guide, best };
 
 struct Curve {
   std::string figure;  // id of its figure
@@ -141,8 +148,36 @@ struct Table {
   bool operator==(const Table&) const = default;
 };
 
+/// A diagram of error over CPU time, with the errors whose price is told.
+struct WorkDiagram {
+  std::string id;                   // "work"; also the stem of its files
+  std::string title;                // "Error against run time"
+  std::string caption;              // which error, at which time
+  std::string quantity;             // of the error, "L2 v_x [%]"; also the label of its axis
+  std::vector<double> targets;      // in its unit, falling
+  double ranked_by = not_a_number;  // the target that ranks the methods
+
+  bool operator==(const WorkDiagram&) const = default;
+};
+
+/// One run as a point of such a diagram.
+struct WorkPoint {
+  std::string diagram{};   // id
+  std::string series{};    // "mpm", "Sun et al. MPM"
+  std::string family{};    // "MPM" or "SPH"
+  std::string run{};       // "M2"
+  bool elsewhere = false;  // measured by others or on another machine
+  double particles = 0;
+  double per_step = not_a_number;                                // s  CPU time of a step
+  double error = not_a_number;                                   // in the unit of the diagram
+  double cpu = not_a_number;                                     // s  median of the repeats
+  double cpu_lowest = not_a_number, cpu_highest = not_a_number;  // s
+
+  bool operator==(const WorkPoint&) const = default;
+};
+
 struct Record {
-  int schema = 1;
+  int schema = 2;
   std::string case_name;    // "poiseuille"
   std::string title;        // "Start-up of plane Poiseuille flow"
   std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs
@@ -158,6 +193,8 @@ struct Record {
   std::vector<Curve> curves;
   std::vector<Cloud> clouds;
   std::vector<Table> tables;
+  std::vector<WorkDiagram> diagrams;
+  std::vector<WorkPoint> work;
 
   bool operator==(const Record&) const = default;
 };

@@ -60,7 +60,7 @@ Record full_record() {
   r.flags = "-O3";
   r.machine = "one core";
   r.finished_at = "2024-01-01";
-  const Cost cost{800, 120, 200000, 92.5, 93.1, 1.7e6};
+  const Cost cost{800, 120, 200000, 5, 92.5, 92.1, 94.2, 93.1, 92.9, 0.3, 1.7e6};
   r.runs = {{"M1", 2.5e-5, 5e-6, 1.0, true, "finished", cost}};
   r.errors = {{"M1", 2.5e-5, 1.0, "L2 v_x", 0.0334}};
   r.orders = {{"grid", "L2 v_x", 1.0, 0.98, 0.11, {"M1", "M2"}, {2.5e-5, 1.25e-5}, {0.03, 0.015}, {1.02}}};
@@ -71,6 +71,8 @@ Record full_record() {
   r.clouds = {{"cloud", "MPM", "t = 0.32 s", {0.1}, {0.2}, {0.3}}};
   r.tables = {
       {"norms", "Norms", "Table 3", {"rung", "L2 [%]"}, {{std::string("M1"), 3.34}, {std::string("M2"), 1.59}}}};
+  r.diagrams = {{"work", "Error against run time", "at 1 s", "L2 v_x [%]", {3, 1}, 1}};
+  r.work = {{"work", "paper", "MPM", "M1", true, 800, 4.6e-4, 3.34, 92, 91, 93}};
   return r;
 }
 
@@ -144,8 +146,8 @@ TEST_F(RecordFile, ThatIsTornIsRefusedWhereverItIsTorn) {
 
 TEST_F(RecordFile, OfAnUnknownSchemaIsRefused) {
   write(full_record(), file());
-  change("\"schema\":1", "\"schema\":7");
-  EXPECT_NE(refusal().find("schema is 7, wanted 1"), std::string::npos) << refusal();
+  change("\"schema\":2", "\"schema\":7");
+  EXPECT_NE(refusal().find("schema is 7, wanted 2"), std::string::npos) << refusal();
 }
 
 TEST_F(RecordFile, WithAWordForANumberIsRefusedByPlace) {

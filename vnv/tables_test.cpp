@@ -246,7 +246,7 @@ DataTable read_any(const std::filesystem::path& file) {
 
 template <class Look>
 void each_file(const Look& look) {
-  for (const auto* shelf : {"experiments", "papers"})
+  for (const auto* shelf : {"experiments", "papers", "peers"})
     for (const auto& entry : std::filesystem::directory_iterator(data / shelf)) {
       SCOPED_TRACE(entry.path().string());
       if (entry.path().extension() == ".csv") look(read_any(entry.path()));
@@ -418,7 +418,8 @@ TEST(Data, IsComplete) {
                                                 {"experiments/martin_moyce_1952_height_tall.csv", 16},
                                                 {"experiments/koshizuka_oka_1996_front.csv", 18},
                                                 {"papers/koshizuka_oka_1996_computations.csv", 35},
-                                                {"papers/sun_tables_3_4.csv", 16}};
+                                                {"papers/sun_tables_3_4.csv", 16},
+                                                {"peers/poiseuille_run_time.csv", 3}};
   for (const auto& [name, count] : rows) EXPECT_EQ(read_any(data / name).rows(), count) << name;
 }
 

@@ -70,6 +70,7 @@ Run search_critical_step(Factory solver_with, const StepSearch& search, double l
   run.summary.time_step = found.low;
   const auto solver = solver_with(found.low);
   run.summary.cost = meter.read();
+  run.summary.cost.stepping = run.summary.cost.wall;
   run.summary.cost.particles = solver.particles();
   run.summary.cost.boundary_particles = solver.boundary_particles();
   run.summary.cost.steps = found.steps;

@@ -1,0 +1,108 @@
+#pragma once
+/// Error against run time in the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
+/// the points of Sun et al. and of other codes.
+
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "vnv/channel.hpp"
+#include "vnv/run_time.hpp"
+
+#include <map>
+
+namespace touchstone::vnv::channel {
+
+/// What limits the time step of a method in a channel.
+struct StepLimits {
+  double acoustic;         // critical step times sound speed over `length`
+  double viscous = 0.125;  // times length² over kinematic viscosity (Morris, Fox & Zhu 1997)
+  double share = 0.8;      // of the smaller of both: the longest step taken
+};
+
+/// How many particle-steps a run with the longest step may have to belong to a suite; with a shorter one, a tenth.
+struct Effort {
+  double report, nightly;
+};
+
+/// Rungs of the material point method: `cells` across the gap, 1 and 4 points in each.
+std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effort);
+
+/// Rungs of smoothed particle hydrodynamics: `particles` across the gap, smoothing length in spacings.
+std::vector<Rung> sph_run_time_rungs(const std::vector<int>& particles, double smoothing, StepLimits limits,
+                                     Effort effort);
+
+/// Error per particle at 1 s, with the errors whose price is told.
+WorkDiagram work_diagram();
+
+/// Tables 3 and 4 of Sun et al. as points: T_p times the steps to 1 s.
+std::vector<WorkPoint> published_work(const std::string& flow);
+
+/// Other codes, measured on another machine.
+std::vector<WorkPoint> peers_in_poiseuille_flow();
+
+/// One entry a method; the claims by its name.
+template <class SceneOfChannel>
+std::vector<Method> run_time_methods(const SceneOfChannel& scene,
+                                     const std::map<std::string, std::vector<Claim>>& claims) {
+  const std::vector<Rung> mpm =
+      mpm_run_time_rungs({4, 6, 8, 10, 12, 16, 20, 28, 40, 80}, {.report = 1.2e8, .nightly = 1e9});
+  const std::vector<int> across = {10, 14, 20, 28, 40, 80};
+  const Effort sph{.report = 2e7, .nightly = 2e8};
+  const std::vector<Rung> printed = sph_run_time_rungs(across, 1.2, {.acoustic = 0.73}, sph),
+                          regularised = sph_run_time_rungs(across, 1, {.acoustic = 2.22}, sph);
+  return {{
+              .name = "mpm",
+              .description = mpm_words + moving_words,
+              .run = mpm_with<mpm::PrescribedMotion>(scene),
+              .rungs = mpm,
+              .claims = claims.at("mpm"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "mpm_reset",
+              .description = mpm_words + reset_words,
+              .run = mpm_with<mpm::VelocityReset>(scene),
+              .rungs = mpm,
+              .claims = claims.at("mpm_reset"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "sph",
+              .description = sph_printed_words + conservative_words,
+              .run = sph_as_printed(scene),
+              .rungs = printed,
+              .claims = claims.at("sph"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "sph_difference",
+              .description = sph_printed_words + difference_words,
+              .run = sph_as_printed<sph::PressureDifference>(scene),
+              .rungs = printed,
+              .claims = claims.at("sph_difference"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "sph_regularised",
+              .description = sph_regularised_words,
+              .run = sph_with_transport_velocity(scene),
+              .rungs = regularised,
+              .claims = claims.at("sph_regularised"),
+              .relative_cost = 30,
+          }};
+}
+
+/// The case of a flow: `exact` is its truth, `elsewhere` what others measured of it.
+template <class SceneOfChannel>
+Case error_against_run_time_in(const SceneOfChannel& scene, const Truth& exact, std::vector<WorkPoint> elsewhere,
+                               const std::map<std::string, std::vector<Claim>>& claims) {
+  return {
+      .times = {1},
+      .measurements = {norms_of("v_x, per particle", by_particles, exact)},
+      .findings = {prices(work_diagram(), 1)},
+      .repeats = {.budget = 3, .most = 7, .longest = 0.2},
+      .methods = run_time_methods(scene, claims),
+      .plots = {error_against_run_time(work_diagram(), 1, std::move(elsewhere))},
+  };
+}
+
+}  // namespace touchstone::vnv::channel
