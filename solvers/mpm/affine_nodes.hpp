@@ -2,113 +2,108 @@
 /// The nodes of the affine method: one at the centre of each cell, and a ring of ghosts around them.
 
 #include "solvers/mpm/cell_order.hpp"
+#include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/nodes.hpp"
+#include "solvers/threads.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace touchstone::mpm {
 
-/// What particles give to a node, per mass of a particle: mass [particles], momentum along x and y [m/s], nothing.
-using Share = Eigen::Array4d;
-
-/// Cells from `begin` to `end` of a row.
-struct Span {
-  int begin = 0, end = 0;
-
-  bool is_empty() const { return begin == end; }
+/// What a cell gives to its nodes, per mass of a particle: particles, m/s.
+template <class Real>
+struct Shares {
+  Real mass{}, x{}, y{};
 };
-inline Span hull(const Span& a, const Span& b) {
-  if (a.is_empty()) return b;
-  return b.is_empty() ? a : Span{std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
 
-/// Node columns and rows are numbered from those of the ghosts: the cell (column, row) has its node at (column + 1,
-/// row + 1) and touches the nodes (column, row) to (column + 2, row + 2).
+/// Nodes row by row, counted from the ghosts: the cell (column, row) has its node at (column + 1, row + 1) and touches
+/// the nodes (column, row) to (column + 2, row + 2). Rows are as long as whole blocks of cells and one register more.
 ///
-/// Each row of cells gives to three rows of nodes, and has a place of its own for what it gives to each; a node adds up
-/// what it was given in a fixed order, whoever came first. In a row only what lies between the first and the last cell
-/// that hold particles is looked at; in a periodic domain the whole row.
+/// A node is given its sums in three parts, by the rows of cells above, beside and below it, so that rows of cells can
+/// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
+/// parts of all others are zero.
 class CentreNodes {
  public:
-  CentreNodes(const Grid& grid, const CellOrder& order)
-      : columns(grid.columns + 2),
+  CentreNodes(const Grid& grid, int block_width)
+      : stride(((grid.columns + block_width - 1) / block_width + 1) * block_width),
+        columns(grid.columns + 2),
         rows(grid.rows + 2),
-        sums(columns * rows),
-        velocity(columns * rows),
-        periodic_(grid.periodic_x),
-        occupied_(grid.rows),
-        given_(3 * columns * grid.rows) {
-    list_occupied(order);
+        mass(Field<double>::Zero(stride * rows)),
+        momentum(stride * rows),
+        velocity(stride * rows),
+        periodic_x_(grid.periodic_x) {
+    given_.fill({mass, mass, mass});
   }
 
-  const int columns, rows;
-  std::vector<Share> sums;     // of each node
-  std::vector<Vec2> velocity;  // m/s
+  const int stride, columns, rows;
+  Field<double> mass;    // particles
+  NodeVectors momentum;  // m/s
+  NodeVectors velocity;  // m/s
 
-  int at(int column, int row) const { return row * columns + column; }
+  /// The first of each `lanes` nodes that may be near particles, ascending.
+  const std::vector<int>& near() const { return near_; }
 
-  /// Cells of a row of cells to be visited.
-  const Span& cells(int cell_row) const { return occupied_[cell_row]; }
-  /// Nodes of a row of nodes that are near them.
-  Span near(int row) const {
-    Span cells;
-    for (int cell_row = std::max(row - 2, 0); cell_row <= std::min(row, rows - 3); ++cell_row)
-      cells = hull(cells, occupied_[cell_row]);
-    return {cells.begin, cells.is_empty() ? cells.end : cells.end + 2};
+  /// Where a row of cells gives to the node row below it, its own and the one above: `towards` 0, 1, 2.
+  void give(int towards, int node, const Shares<Lanes>& shares) {
+    store(shares.mass, &given_[towards].mass[node]);
+    store(shares.x, &given_[towards].x[node]);
+    store(shares.y, &given_[towards].y[node]);
   }
 
-  /// What a row of cells gives to the node row below, its own or the one above: `towards` 0, 1, 2.
-  Share* given(int cell_row, int towards) { return &given_[(3 * cell_row + towards) * columns]; }
-
-  void clear(int cell_row) {
-    const Span& span = occupied_[cell_row];
-    if (span.is_empty()) return;
-    for (int towards : {0, 1, 2})
-      std::fill(given(cell_row, towards) + span.begin, given(cell_row, towards) + span.end + 2, Share::Zero());
+  /// Adds up what the nodes were given; `push` is a change of velocity [m/s] that all of them feel.
+  void collect(const Vec2& push, int threads) {
+    for_near(threads, [&](int node) {
+      const auto sum = [&](Field<double> Shares<Field<double>>::*what) -> Lanes {
+        return load<Lanes>(&(given_[0].*what)[node]) + load<Lanes>(&(given_[1].*what)[node]) +
+               load<Lanes>(&(given_[2].*what)[node]);
+      };
+      const Lanes m = sum(&Shares<Field<double>>::mass);
+      store(m, &mass[node]);
+      store(Lanes(sum(&Shares<Field<double>>::x) + push.x() * m), &momentum.x[node]);
+      store(Lanes(sum(&Shares<Field<double>>::y) + push.y() * m), &momentum.y[node]);
+    });
   }
 
-  /// Adds up what the nodes of a row were given.
-  void collect(int row) {
-    const Span span = near(row);
-    std::fill(&sums[at(span.begin, row)], &sums[at(span.end, row)], Share::Zero());
-    for (int towards : {2, 1, 0}) {
-      const int cell_row = row - towards;
-      if (cell_row < 0 || cell_row >= rows - 2 || occupied_[cell_row].is_empty()) continue;
-      const Share* from = given(cell_row, towards);
-      for (int column = occupied_[cell_row].begin; column < occupied_[cell_row].end + 2; ++column)
-        sums[at(column, row)] += from[column];
-    }
+  void find_velocities(int threads) {
+    for_near(threads, [&](int node) {
+      const Lanes m = load<Lanes>(&mass[node]);
+      const auto moves = m > fill<Lanes>(Nodes::least_mass);
+      const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
+      store(Lanes(per_mass * load<Lanes>(&momentum.x[node])), &velocity.x[node]);
+      store(Lanes(per_mass * load<Lanes>(&momentum.y[node])), &velocity.y[node]);
+    });
   }
 
-  /// Adds a change of velocity [m/s] to all nodes of a row.
-  void push(int row, const Vec2& dv) {
-    const Span span = near(row);
-    const Share per_mass(0, dv.x(), dv.y(), 0);
-    for (int node = at(span.begin, row); node < at(span.end, row); ++node) sums[node] += sums[node][0] * per_mass;
-  }
-
-  void find_velocities(int row) {
-    const Span span = near(row);
-    for (int node = at(span.begin, row); node < at(span.end, row); ++node) {
-      const Share& sum = sums[node];
-      velocity[node] = sum[0] > Nodes::least_mass ? Vec2(sum[1] / sum[0], sum[2] / sum[0]) : Vec2(0, 0);
-    }
-  }
-
-  void list_occupied(const CellOrder& order) {
-    const int cell_columns = columns - 2;
-    std::fill(occupied_.begin(), occupied_.end(), Span{});
-    for (int cell : order.occupied()) {
-      const int column = cell % cell_columns;
-      Span& span = occupied_[cell / cell_columns];
-      span = periodic_ ? Span{0, cell_columns} : hull(span, {column, column + 1});
-    }
+  template <int width>
+  void list_near(const CellOrder<width>& order) {
+    for (int node : near_)
+      for (int towards : {0, 1, 2}) give(towards, node, {});
+    near_.clear();
+    for (const auto& block : order.blocks())
+      for (int row = block.row; row < block.row + 3; ++row) {
+        for (int column = 0; column < width + lanes; column += lanes)
+          near_.push_back(row * stride + block.column + column);
+        if (periodic_x_) {  // the images of the ghosts
+          near_.push_back(row * stride);
+          near_.push_back(row * stride + (columns - 2) / lanes * lanes);
+        }
+      }
+    std::sort(near_.begin(), near_.end());
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   }
 
  private:
-  bool periodic_;
-  std::vector<Span> occupied_;  // of each row of cells
-  std::vector<Share> given_;
+  template <class Work>
+  void for_near(int threads, const Work& work) const {
+    share_out(threads, static_cast<Eigen::Index>(near_.size()), [&](Eigen::Index begin, Eigen::Index end) {
+      for (Eigen::Index i = begin; i < end; ++i) work(near_[i]);
+    });
+  }
+
+  bool periodic_x_;
+  std::array<Shares<Field<double>>, 3> given_;
+  std::vector<int> near_;
 };
 
 }  // namespace touchstone::mpm

@@ -1,69 +1,75 @@
 #pragma once
-#include "solvers/mpm/affine_nodes.hpp"
 #include "solvers/mpm/affine_particles.hpp"
-#include "solvers/mpm/lanes.hpp"
 #include "solvers/mpm/shapes/quadratic_b_spline.hpp"
 
 namespace touchstone::mpm {
 
-/// Sums over the particles of a cell, per mass of a particle, for one function of X and the three of Y: those of the
-/// weights of its nodes, and of their weights times what the particles give to them.
+/// One number for each function of X, and for each of Y; or for each column of nodes around a cell, and for each row.
 template <class Real>
-struct AffineSums {
-  template <class Q>
-  using OfY = std::array<Q, 3>;
-  OfY<Real> mass{}, x{}, y{};
+using ThreeByThree = std::array<std::array<Real, 3>, 3>;
 
-  using Basis = QuadraticBSpline::Basis<Real>;
+/// Sums over the particles of the cells of a block, one cell a lane, of products of the three functions of X and of Y
+/// of which the weights are made. Slots without a particle, at X = Y = 0, add nothing to sums of powers.
+template <class Number, class Block, class Real = LanesOf<Number>>
+ThreeByThree<Real> mass_of(const AffineParticles<Number>& particles, const Block& block) {
+  Real one{}, X{}, XX{}, Y{}, XY{}, XXY{}, YY{}, XYY{}, XXYY{};
+  for (std::size_t lane = 0; lane < block.count.size(); ++lane) one[lane] = static_cast<Number>(block.count[lane]);
+  const int end = block.slot(0, block.most());
+  for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
+    const Real x = load<Real>(&particles.X[slot]), y = load<Real>(&particles.Y[slot]), xx = x * x, yy = y * y;
+    X += x;
+    XX += xx;
+    Y += y;
+    XY += x * y;
+    XXY += xx * y;
+    YY += yy;
+    XYY += x * yy;
+    XXYY += xx * yy;
+  }
+  const auto of_powers = QuadraticBSpline::of_powers<Real>;
+  const auto of_one = of_powers(one, X, XX), of_Y = of_powers(Y, XY, XXY), of_YY = of_powers(YY, XYY, XXYY);
+  ThreeByThree<Real> sums;
+  for (int m = 0; m < 3; ++m) sums[m] = of_powers(of_one[m], of_Y[m], of_YY[m]);
+  return sums;
+}
 
-  /// Adds what particles have whose weight along x is `weight` and whose lever is `lever`.
-  void add(const AffineParticles& particles, int slot, const Real& weight, const Real& lever, const Basis& Y) {
-    mass[0] += weight;
-    mass[1] += weight * Y.xi;
-    mass[2] += weight * Y.even;
-    add(particles.x, slot, weight, lever, Y, x);
-    add(particles.y, slot, weight, lever, Y, y);
+/// The same of weights times what the particles give to the nodes, for one component of the velocity [m/s].
+template <class Number, class Block, class Real = LanesOf<Number>>
+ThreeByThree<Real> momentum_of(const AffineParticles<Number>& particles,
+                               const typename AffineParticles<Number>::Component& component, const Block& block) {
+  ThreeByThree<Real> sums{};
+  const int end = block.slot(0, block.most());
+  for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
+    const QuadraticBSpline::Basis<Real> X(load<Real>(&particles.X[slot])), Y(load<Real>(&particles.Y[slot]));
+    const Real v = load<Real>(&component.v[slot]), along_x = load<Real>(&component.along_x[slot]),
+               along_y = load<Real>(&component.along_y[slot]);
+    const auto add = [&](std::array<Real, 3>& to, const Real& weighted, const Real& turned) {
+      to[0] += weighted;
+      to[1] += weighted * Y.xi + turned;
+      to[2] += weighted * Y.even + turned * Y.lever;
+    };
+    add(sums[0], v, along_y);
+    add(sums[1], v * X.xi + along_x, along_y * X.xi);
+    add(sums[2], v * X.even + along_x * X.lever, along_y * X.even);
   }
-  void add(const AffineParticles::Component& component, int slot, const Real& weight, const Real& lever, const Basis& Y,
-           OfY<Real>& sums) {
-    const Real given = weight * load<Real>(component.v, slot) + lever * load<Real>(component.along_x, slot);
-    const Real turned = weight * load<Real>(component.along_y, slot);
-    sums[0] += given;
-    sums[1] += given * Y.xi + turned;
-    sums[2] += given * Y.even + turned * Y.lever;
-  }
+  return sums;
+}
 
-  /// Totals over the lanes, one share for each function of Y.
-  OfY<Share> total() const {
-    OfY<Share> shares;
-    for (int n = 0; n < 3; ++n) shares[n] = Share(mpm::total(mass[n]), mpm::total(x[n]), mpm::total(y[n]), 0);
-    return shares;
-  }
-};
+template <int part, class Real>
+ThreeByThree<Lanes> widened(const ThreeByThree<Real>& sums) {
+  ThreeByThree<Lanes> wide;
+  for (int m = 0; m < 3; ++m)
+    for (int n = 0; n < 3; ++n) wide[m][n] = widened<part>(sums[m][n]);
+  return wide;
+}
 
-/// For one function of X; `weight_and_lever(basis)` names it.
-template <class Function>
-[[gnu::always_inline]] inline std::array<Share, 3> sum_over(const AffineParticles& particles, int begin, int end,
-                                                            const Function& function) {
-  std::array<Share, 3> shares{Share::Zero(), Share::Zero(), Share::Zero()};
-  int slot = begin;
-  const auto add = [&]<class Real>(AffineSums<Real>& sums) {
-    const QuadraticBSpline::Basis<Real> X(load<Real>(particles.X, slot)), Y(load<Real>(particles.Y, slot));
-    const auto [weight, lever] = function(X);
-    sums.add(particles, slot, weight, lever, Y);
-  };
-  if (end - begin >= lanes) {
-    AffineSums<Lanes> sums;
-    for (; slot + lanes <= end; slot += lanes) add(sums);
-    shares = sums.total();
-  }
-  if (slot < end) {
-    AffineSums<double> sums;
-    for (; slot < end; ++slot) add(sums);
-    const auto rest = sums.total();
-    for (int n = 0; n < 3; ++n) shares[n] += rest[n];
-  }
-  return shares;
+/// What the nine nodes get, by column and row.
+inline ThreeByThree<Lanes> at_nodes(const ThreeByThree<Lanes>& sums) {
+  ThreeByThree<Lanes> nodes;
+  std::array<std::array<Lanes, 3>, 3> by_column;  // of each function of Y
+  for (int n = 0; n < 3; ++n) by_column[n] = QuadraticBSpline::at_nodes(sums[0][n], sums[1][n], sums[2][n]);
+  for (int a = 0; a < 3; ++a) nodes[a] = QuadraticBSpline::at_nodes(by_column[0][a], by_column[1][a], by_column[2][a]);
+  return nodes;
 }
 
 }  // namespace touchstone::mpm

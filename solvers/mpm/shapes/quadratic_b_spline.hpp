@@ -46,6 +46,12 @@ struct QuadraticBSpline {
     constexpr Real slope_of(const Along<Real>& q) const { return q.xi + lever * q.even; }
   };
 
+  /// Sums of the functions from those of 1, X and X².
+  template <class Q>
+  static constexpr std::array<Q, 3> of_powers(const Q& one, const Q& X, const Q& XX) {
+    return {one, X - 0.5 * one, XX - X + 0.5 * one};
+  }
+
   /// Sums of q w_a over particles for the three nodes, from those of q, q xi and q (xi² + 1/4); of 4 q w_a (a - xi)
   /// from those of 0, q and q lever.
   template <class Q>
@@ -69,6 +75,8 @@ constexpr bool nodes_follow_the_weights() {
       if (at.slope_of(hat) != 4 * w * arm) return false;
       spread += w * arm * arm;
     }
+    const auto powers = QuadraticBSpline::of_powers(1.0, X, X * X);
+    if (powers[0] != 1 || powers[1] != at.xi || powers[2] != at.even) return false;
     if (spread != QuadraticBSpline::spread) return false;
   }
   return true;
