@@ -29,7 +29,7 @@ class CentreNodes {
       : stride(((grid.columns + block_width - 1) / block_width + 1) * block_width),
         columns(grid.columns + 2),
         rows(grid.rows + 2),
-        mass(Field<double>::Zero(stride * rows)),
+        mass(stride * rows),
         momentum(stride * rows),
         velocity(stride * rows),
         periodic_x_(grid.periodic_x) {

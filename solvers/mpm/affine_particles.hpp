@@ -16,7 +16,7 @@ struct AffineParticles {
     Field<Number> v;                 // m/s
     Field<Number> along_x, along_y;  // m/s  per cell, over four
 
-    explicit Component(int slots) : v(Field<Number>::Zero(slots)), along_x(v), along_y(v) {}
+    explicit Component(int slots) : v(slots), along_x(v), along_y(v) {}
   };
 
   Eigen::Index count;
@@ -31,12 +31,12 @@ struct AffineParticles {
   AffineParticles(Eigen::Index n, double mass_of_each, CellOrder<lanes_of<Number>> cells)
       : count(n),
         mass(mass_of_each),
-        X(Field<Number>::Zero(cells.slots())),
+        X(cells.slots()),
         Y(X),
         x(cells.slots()),
         y(cells.slots()),
         expansion(X),
-        number(Field<int>::Zero(cells.slots())),
+        number(cells.slots()),
         order(std::move(cells)) {}
 
   void copy(int from, int to) {
@@ -48,7 +48,7 @@ struct AffineParticles {
   /// Moves runs of slots, and makes them so many.
   void rearrange(const std::vector<Move>& moves, int slots) {
     for_fields([&]<class F>(F& field) {
-      F fresh = F::Zero(slots);
+      F fresh(slots);
       for (const Move& move : moves) std::copy_n(&field[move.from], move.slots, &fresh[move.to]);
       field.swap(fresh);
     });

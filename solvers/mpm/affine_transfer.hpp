@@ -30,7 +30,7 @@ class GivenToRow {
   template <int by>
   static Lanes moved(const Lanes& before, const Lanes& these) {
     return with_indices<lanes>(
-        [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - by + i...); });
+        [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - by + decltype(i)::value...); });
   }
 
   CentreNodes& nodes_;
