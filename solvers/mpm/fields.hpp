@@ -2,10 +2,12 @@
 #include "solvers/fields.hpp"
 #include "solvers/mpm/lanes.hpp"
 
+#include <vector>
+
 namespace touchstone::mpm {
 
-/// One number per slot or per node.
+/// One number per slot or per node, aligned as registers like it.
 template <class Number>
-using Field = Eigen::Array<Number, Eigen::Dynamic, 1>;
+using Field = std::vector<Number, Eigen::aligned_allocator<Number>>;
 
 }  // namespace touchstone::mpm

@@ -3,7 +3,6 @@
 /// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
 /// depends on what lies in the lanes beside it.
 
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -19,9 +18,18 @@ inline constexpr int register_bytes = 16;
 template <class Number>
 inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(Number));
 
+/// A register of numbers, and the same where its address need not be aligned.
 template <class Number>
-struct Register {
-  using type [[gnu::vector_size(register_bytes)]] = Number;
+struct Register;
+template <>
+struct Register<double> {
+  using type [[gnu::vector_size(register_bytes)]] = double;
+  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(double))]] = double;
+};
+template <>
+struct Register<float> {
+  using type [[gnu::vector_size(register_bytes)]] = float;
+  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(float))]] = float;
 };
 template <class Number>
 using LanesOf = typename Register<Number>::type;
@@ -34,22 +42,14 @@ inline constexpr int lanes = lanes_of<double>;
 template <class Real>
 using NumberIn = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
 
-/// The numbers from an address on, which need not be aligned.
+/// The numbers from an address on.
 template <class Real>
 Real load(const NumberIn<Real>* from) {
-  Real to;
-  std::memcpy(&to, from, sizeof to);
-  return to;
+  return *reinterpret_cast<const typename Register<NumberIn<Real>>::in_memory*>(from);
 }
 template <class Real>
 void store(const Real& value, NumberIn<Real>* to) {
-  std::memcpy(to, &value, sizeof value);
-}
-
-/// The same number in every lane.
-template <class Real>
-Real fill(double number) {
-  return Real{} + static_cast<NumberIn<Real>>(number);
+  *reinterpret_cast<typename Register<NumberIn<Real>>::in_memory*>(to) = value;
 }
 
 /// Calls f with the integer constants 0 to n - 1 as arguments.
@@ -61,10 +61,17 @@ decltype(auto) with_indices(const F& f) {
   (std::make_integer_sequence<int, n>{});
 }
 
+/// The same number in every lane.
+template <class Real>
+Real fill(double number) {
+  const auto n = static_cast<NumberIn<Real>>(number);
+  return with_indices<lanes_of<NumberIn<Real>>>([&](auto... i) { return Real{(static_cast<void>(i), n)...}; });
+}
+
 /// One lane to the right: the last of `before`, then all but the last of `these`.
 inline Lanes shifted(const Lanes& before, const Lanes& these) {
   return with_indices<lanes>(
-      [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - 1 + i...); });
+      [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - 1 + decltype(i)::value...); });
 }
 
 /// Registers of doubles that the lanes of a `Real` fill, one after the other.
@@ -78,7 +85,7 @@ Lanes widened(const Real& a) {
     return a;
   else
     return with_indices<lanes>([&](auto... i) -> Lanes {
-      return __builtin_convertvector(__builtin_shufflevector(a, a, part * lanes + i...), Lanes);
+      return __builtin_convertvector(__builtin_shufflevector(a, a, part * lanes + decltype(i)::value...), Lanes);
     });
 }
 
@@ -90,7 +97,7 @@ Real joined(const PartOf& part_of) {
   } else {
     using Half [[gnu::vector_size(register_bytes / 2)]] = float;
     const Half low = __builtin_convertvector(part_of(0), Half), high = __builtin_convertvector(part_of(lanes), Half);
-    return with_indices<2 * lanes>([&](auto... i) -> Real { return __builtin_shufflevector(low, high, i...); });
+    return with_indices<2 * lanes>([&](auto... i) -> Real { return __builtin_shufflevector(low, high, decltype(i)::value...); });
   }
 }
 

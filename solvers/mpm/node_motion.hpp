@@ -32,10 +32,10 @@ void accelerate(Nodes& nodes, const Force& force, const Vec2& cell, double dt, i
     const auto moves = m > fill<Lanes>(Nodes::least_mass);
     const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
     store(per_mass, &nodes.per_mass[node]);
-    const auto along = [&](Given momentum, Given given_force, double b, double scale, Field<double>& velocity,
+    const auto along = [&](Given momentum, Given given_force, double everywhere, double scale, Field<double>& velocity,
                            Field<double>& change, Field<double>& displacement) {
       const Lanes v = per_mass * nodes.sum(momentum, node);
-      const Lanes dv = moves ? dt * (per_mass * nodes.sum(given_force, node) + b) : Lanes{};
+      const Lanes dv = moves ? dt * (per_mass * nodes.sum(given_force, node) + everywhere) : Lanes{};
       store(v, &velocity[node]);
       store(dv, &change[node]);
       store(scale * (v + dv), &displacement[node]);

@@ -20,7 +20,7 @@ inline constexpr int all_given = 5;
 struct NodeVectors {
   Field<double> x, y;
 
-  explicit NodeVectors(int places) : x(Field<double>::Zero(places)), y(x) {}
+  explicit NodeVectors(int places) : x(places), y(x) {}
   Vec2 operator[](int node) const { return {x[node], y[node]}; }
   void set(int node, const Vec2& v) {
     x[node] = v.x();
@@ -40,7 +40,7 @@ class Nodes {
       : stride((grid.columns / block_width + 1) * block_width),
         from_above(halves(places(grid))),
         from_below(halves(places(grid))),
-        per_mass(Field<double>::Zero(places(grid))),
+        per_mass(places(grid)),
         change(places(grid)),
         displacement(places(grid)),
         velocity(places(grid)),
@@ -103,7 +103,7 @@ class Nodes {
  private:
   static std::array<Field<double>, all_given> halves(int places) {
     std::array<Field<double>, all_given> fields;
-    fields.fill(Field<double>::Zero(places));
+    fields.fill(Field<double>(places));
     return fields;
   }
   int places(const Grid& grid) const {

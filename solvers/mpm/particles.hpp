@@ -27,13 +27,13 @@ struct Particles {
   Particles(Eigen::Index n, double mass_of_each, CellOrder<lanes_of<Number>> cells)
       : count(n),
         mass(mass_of_each),
-        X(Field<Number>::Zero(cells.slots())),
+        X(cells.slots()),
         Y(X),
         vx(X),
         vy(X),
         expansion(X),
         stress(cells.slots()),
-        number(Field<int>::Zero(cells.slots())),
+        number(cells.slots()),
         order(std::move(cells)) {}
 
   void copy(int from, int to) {
@@ -45,8 +45,8 @@ struct Particles {
   /// Moves runs of slots, and makes them so many.
   void rearrange(const std::vector<Move>& moves, int slots) {
     for_fields([&]<class F>(F& field) {
-      F fresh = F::Zero(slots);
-      for (const Move& move : moves) fresh.segment(move.to, move.slots) = field.segment(move.from, move.slots);
+      F fresh(slots);
+      for (const Move& move : moves) std::copy_n(&field[move.from], move.slots, &fresh[move.to]);
       field.swap(fresh);
     });
   }

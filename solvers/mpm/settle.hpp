@@ -11,7 +11,7 @@ namespace touchstone::mpm {
 template <class Number>
 int cell_along(Number& within, int at, int cells, bool periodic) {
   if (within >= 0 && within <= 1) return at;
-  if (!(std::abs(within) < static_cast<Number>(cells))) return -1;  // asked before it becomes an integer
+  if (!(std::abs(static_cast<double>(within)) < cells)) return -1;  // asked before it becomes an integer
   const int shift = static_cast<int>(std::floor(within));
   const int to = periodic ? (at + shift + cells) % cells : at + shift;
   if (to < 0 || to >= cells) return -1;

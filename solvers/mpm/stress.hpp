@@ -23,9 +23,9 @@ struct Slopes {
 template <class Real>
 Real pressure_of(const Tait& fluid, const Real& expansion) {
   static_assert(Tait::gamma == 7);
-  const auto n = [](double number) { return fill<Real>(number); };
-  const Real d = -expansion / (1 + expansion);
-  return n(fluid.bulk_modulus) * d * (n(7) + d * (n(21) + d * (n(35) + d * (n(35) + d * (n(21) + d * (n(7) + d))))));
+  const Real d = -expansion / (1 + expansion), d2 = d * d;
+  const Real sum = (7 + 21 * d) + d2 * ((35 + 35 * d) + d2 * ((21 + 7 * d) + d2));
+  return fill<Real>(fluid.bulk_modulus) * d * sum;
 }
 
 /// Sums over the particles of a cell, of q and of q times a coordinate.
@@ -53,7 +53,7 @@ struct CornerForces {
 template <class FluidLaw, class Number>
 class Stress {
  public:
-  explicit Stress(int slots) : pressure_(Field<Number>::Zero(slots)) {}
+  explicit Stress(int slots) : pressure_(slots) {}
 
   /// Sums over the particles of a cell, as the nodes of the cell need them.
   template <class Real>
@@ -98,8 +98,7 @@ class Stress {
 template <Viscous FluidLaw, class Number>
 class Stress<FluidLaw, Number> {
  public:
-  explicit Stress(int slots)
-      : xx_(Field<Number>::Zero(slots)), xy_(Field<Number>::Zero(slots)), yy_(Field<Number>::Zero(slots)) {}
+  explicit Stress(int slots) : xx_(slots), xy_(slots), yy_(slots) {}
 
   template <class Real>
   struct Sums {

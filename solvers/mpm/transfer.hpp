@@ -279,24 +279,26 @@ void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt
   using Real = LanesOf<Number>;
   const auto& blocks = particles.order.blocks();
   calm.resize(blocks.size());
-  const auto gather_block = [&](int i) __attribute__((flatten)) {
-    const FluidLaw fluid = law;  // a copy, known not to change while particles are written
-    const Vec2 per_cell = grid.cell.cwiseInverse();
-    const auto& block = blocks[i];
-    const int node = block.row * nodes.stride + block.column;
-    const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
-    const bool dense = for_all<Real>(block, [&](int slot, const auto& write) {
-      return strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
-    });
-    const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride),
-        change(nodes.change, node, nodes.stride);
-    const bool inside = for_all<Real>(
-        block, [&](int slot, const auto& write) { return move<Real>(particles, slot, displacement, change, write); });
-    calm[i] = dense && inside;
-  };
-  for_rows(particles.order, threads, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) gather_block(i);
-  });
+  for_rows(
+      particles.order, threads, [&](int begin, int end) __attribute__((flatten)) {
+        const FluidLaw fluid = law;  // a copy, known not to change while particles are written
+        const Vec2 per_cell = grid.cell.cwiseInverse();
+        const double step = dt;
+        for (int i = begin; i < end; ++i) {
+          const auto block = blocks[i];
+          const int node = block.row * nodes.stride + block.column;
+          const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
+          const bool dense = for_all<Real>(block, [&](int slot, const auto& write) {
+            return strain<Real>(particles, slot, v, per_cell, step, fluid, write);
+          });
+          const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride),
+              change(nodes.change, node, nodes.stride);
+          const bool inside = for_all<Real>(block, [&](int slot, const auto& write) {
+            return move<Real>(particles, slot, displacement, change, write);
+          });
+          calm[i] = dense && inside;
+        }
+      });
 }
 
 }  // namespace touchstone::mpm
