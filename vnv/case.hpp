@@ -15,7 +15,7 @@ std::string_view name_of(Suite suite);
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Rung {
-  std::string name;                 // "M2"
+  std::string name{};               // "M2"
   double spacing;                   // m  of the particles at the start
   double cell = not_a_number;       // m  of the background grid; none in SPH
   double time_step = not_a_number;  // s  else that of the method
@@ -45,8 +45,8 @@ struct Tolerance {
 struct Method {
   std::string name{};         // "mpm"
   std::string description{};  // which equations, which walls, which time step; what print leaves open
-  std::function<Run(const Rung&, const Schedule&)> run;
-  std::vector<Rung> rungs;
+  std::function<Run(const Rung&, const Schedule&)> run{};
+  std::vector<Rung> rungs{};
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
   Tolerance tolerance{};

@@ -17,6 +17,17 @@ Rung affordable(Rung rung, double particles, double longest, const Effort& effor
   return rung;
 }
 
+/// A thousand steps of the paper's models with 800 and 3200 particles, to compare the cost of a step.
+Rung thousand_steps(std::string name, double spacing, double cell = not_a_number) {
+  const double end = 1000 * dt;
+  return {.name = std::move(name) + ", 1000 steps",
+          .spacing = spacing,
+          .cell = cell,
+          .time_step = dt,
+          .report = end,
+          .nightly = end};
+}
+
 /// The longest step, half of it, and that of the paper where it is shorter.
 std::vector<double> steps_below(double longest) {
   std::vector<double> steps = {longest, longest / 2};
@@ -55,6 +66,8 @@ std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effor
                                     .time_step = step},
                                    L * H / (cell * cell) * points_across * points_across, longest, effort));
     }
+  rungs.push_back(thousand_steps("M1", H / 40, H / 40));
+  rungs.push_back(thousand_steps("M2", H / 80, H / 40));
   return rungs;
 }
 
@@ -67,6 +80,8 @@ std::vector<Rung> sph_run_time_rungs(const std::vector<int>& particles, double s
       rungs.push_back(affordable({.name = fmt::format("{} across", n), .spacing = H / n, .time_step = step},
                                  L / H * n * n, longest, effort));
   }
+  rungs.push_back(thousand_steps("S1", H / 40));
+  rungs.push_back(thousand_steps("S2", H / 80));
   return rungs;
 }
 

@@ -47,7 +47,7 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
       mpm_run_time_rungs({4, 6, 8, 10, 12, 16, 20, 28, 40, 80}, {.report = 1.2e8, .nightly = 1e9});
   const std::vector<int> across = {10, 14, 20, 28, 40, 80};
   const Effort sph{.report = 2e7, .nightly = 2e8};
-  const std::vector<Rung> printed = sph_run_time_rungs(across, 1.2, {.acoustic = 0.73, .share = 0.6}, sph),
+  const std::vector<Rung> printed = sph_run_time_rungs(across, 1.2, {.acoustic = 0.73, .share = 0.4}, sph),
                           regularised = sph_run_time_rungs(across, 1, {.acoustic = 2.22}, sph);
   return {{
               .name = "mpm",
