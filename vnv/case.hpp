@@ -91,6 +91,7 @@ struct Case {
   std::vector<Claim> claims{};  // of any method
   std::vector<Method> methods;
   std::vector<Plot> plots{};
+  bool timed = false;  // what it judges is time: no other test runs beside it
 };
 
 /// The case with more plots.

@@ -1,58 +1,158 @@
 #pragma once
-#include <numeric>
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace touchstone::mpm {
 
-/// Keeps particles in the order of their cells: cell c holds the slots from begin(c) to end(c).
+/// A run of slots that moves as one.
+struct Move {
+  int from, to, slots;
+};
+
+/// Keeps particles in blocks of `width` neighbouring cells of a row, one cell a lane: the k-th particle of every cell
+/// of a block lies side by side with the k-th of the others. Only blocks that hold particles are there.
 ///
-/// A particle that goes to another cell is carried there past all cells between: each moves over by one slot by handing
-/// one particle from one end of its range to the other. Nothing is sorted and nothing allocated.
+/// A particle that goes to another cell is put behind the others there, and the last of the cell that it left fills the
+/// hole. A block that is full moves to a place with more room; when there is none, all are laid out anew. The work is
+/// that of the particles that move and, when blocks come or go, that of all blocks that hold particles: cells without
+/// cost nothing.
+template <int width>
 class CellOrder {
  public:
-  /// Makes room for particles of which `cell_of` names the cell of each.
-  CellOrder(int cells, const std::vector<int>& cell_of) : first_(cells + 1, 0) {
-    for (int cell : cell_of) ++first_[cell + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    occupied_.reserve(cells);
+  struct Block {
+    int row, column;  // of its first cell
+    int first = 0;    // slot of the first particle of its first cell
+    int capacity = 0;
+    std::array<int, width> count{};  // particles of each cell
+
+    int slot(int lane, int k) const { return first + k * width + lane; }
+    int least() const { return *std::min_element(count.begin(), count.end()); }
+    int most() const { return *std::max_element(count.begin(), count.end()); }
+  };
+
+  /// Makes room for particles of which `cell_of` names the cell of each, cells numbered row by row.
+  CellOrder(int columns, int rows, const std::vector<int>& cell_of)
+      : columns_(columns), index_of_((columns + width - 1) / width * rows, -1) {
+    for (int cell : cell_of) ++block_of(cell).count[lane_of(cell)];
     list_occupied();
+    find_room();
   }
 
-  int begin(int cell) const { return first_[cell]; }
-  int end(int cell) const { return first_[cell + 1]; }
-  int count(int cell) const { return end(cell) - begin(cell); }
-  int cells() const { return static_cast<int>(first_.size()) - 1; }
-  /// The cells that hold particles, ascending, as of the last `list_occupied`.
-  const std::vector<int>& occupied() const { return occupied_; }
-  /// True if a cell has been filled or emptied since then.
+  int count(int cell) const {
+    const int index = index_of_[number_of(cell)];
+    return index < 0 ? 0 : blocks_[index].count[lane_of(cell)];
+  }
+  /// Of the k-th particle of a cell.
+  int slot(int cell, int k) const { return blocks_[index_of_[number_of(cell)]].slot(lane_of(cell), k); }
+  int cell(const Block& block, int lane) const { return block.row * columns_ + block.column + lane; }
+  int slots() const { return slots_; }
+
+  /// Calls f(cell, slot) for every particle.
+  template <class F>
+  void for_each(const F& f) const {
+    for (const Block& block : blocks_)
+      for (int lane = 0; lane < width; ++lane)
+        for (int k = 0; k < block.count[lane]; ++k) f(cell(block, lane), block.slot(lane, k));
+  }
+
+  /// The blocks that hold particles, row by row, as of the last `list_occupied`; those that came since stand behind.
+  const std::vector<Block>& blocks() const { return blocks_; }
+  /// Where in `blocks` each row begins, and the end.
+  const std::vector<int>& rows() const { return rows_; }
+  /// True if a block has come or has been emptied since then.
   bool is_stale() const { return stale_; }
 
   void list_occupied() {
-    occupied_.clear();
-    for (int cell = 0; cell < cells(); ++cell)
-      if (begin(cell) < end(cell)) occupied_.push_back(cell);
+    for (const Block& block : blocks_) index_of_[number_of(block)] = -1;
+    std::erase_if(blocks_, [](const Block& block) { return block.most() == 0; });
+    std::sort(blocks_.begin(), blocks_.end(),
+              [&](const Block& a, const Block& b) { return number_of(a) < number_of(b); });
+    rows_.clear();
+    for (int i = 0; i < static_cast<int>(blocks_.size()); ++i) {
+      index_of_[number_of(blocks_[i])] = i;
+      if (i == 0 || blocks_[i].row != blocks_[i - 1].row) rows_.push_back(i);
+    }
+    rows_.push_back(static_cast<int>(blocks_.size()));
     stale_ = false;
   }
 
-  /// Takes the particle in `slot` from its cell to another. Carried upwards it leaves its slot to the last of its cell,
-  /// downwards to the first. `particles` offers copy(from, to) and a spare() slot.
+  /// Takes the k-th particle of a cell to another cell. `particles` offers copy(from, to), clear(slot) and
+  /// rearrange(moves, slots).
   template <class Particles>
-  void carry(Particles& particles, int slot, int from, int to) {
-    particles.copy(slot, particles.spare());
-    int hole = slot;
-    const auto fill_from = [&](int other) {
-      if (other != hole) particles.copy(other, hole);
-      hole = other;
-    };
-    for (int cell = from; cell < to; ++cell) fill_from(--first_[cell + 1]);
-    for (int cell = from; cell > to; --cell) fill_from(first_[cell]++);
-    particles.copy(particles.spare(), hole);
-    stale_ = stale_ || begin(from) == end(from) || end(to) - begin(to) == 1;
+  void carry(Particles& particles, int from, int k, int to) {
+    const int place = free_slot(particles, to);
+    Block& source = block_of(from);
+    const int left = source.slot(lane_of(from), k), last = source.slot(lane_of(from), --source.count[lane_of(from)]);
+    particles.copy(left, place);
+    if (last != left) particles.copy(last, left);
+    particles.clear(last);
+    ++block_of(to).count[lane_of(to)];
+    stale_ = stale_ || source.most() == 0;
   }
 
  private:
-  std::vector<int> first_;
-  std::vector<int> occupied_;
+  int number_of(int row, int column) const { return row * ((columns_ + width - 1) / width) + column / width; }
+  int number_of(int cell) const { return number_of(cell / columns_, cell % columns_); }
+  int number_of(const Block& block) const { return number_of(block.row, block.column); }
+  int lane_of(int cell) const { return cell % columns_ % width; }
+
+  /// A block without room, if it is new.
+  Block& block_of(int cell) {
+    int& index = index_of_[number_of(cell)];
+    if (index < 0) {
+      index = static_cast<int>(blocks_.size());
+      const int column = cell % columns_;
+      blocks_.push_back({.row = cell / columns_, .column = column - column % width});
+      stale_ = true;
+    }
+    return blocks_[index];
+  }
+
+  template <class Particles>
+  int free_slot(Particles& particles, int cell) {
+    Block& block = block_of(cell);
+    const int lane = lane_of(cell);
+    if (block.count[lane] == block.capacity) make_room(particles, block);
+    return block.slot(lane, block.count[lane]);
+  }
+
+  template <class Particles>
+  void make_room(Particles& particles, Block& block) {
+    const int capacity = 2 * block.capacity + 2;
+    if (used_ + capacity * width > slots_) return lay_out_anew(particles);
+    for (int lane = 0; lane < width; ++lane)
+      for (int k = 0; k < block.count[lane]; ++k) particles.copy(block.slot(lane, k), used_ + k * width + lane);
+    block.first = used_;
+    block.capacity = capacity;
+    used_ += capacity * width;
+  }
+
+  template <class Particles>
+  void lay_out_anew(Particles& particles) {
+    std::vector<Move> moves;
+    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most() * width});
+    find_room();
+    for (std::size_t i = 0; i < moves.size(); ++i) moves[i].to = blocks_[i].first;
+    particles.rearrange(moves, slots_);
+  }
+
+  /// Gives every block a place with room for one particle more in each of its cells, and for an eighth more.
+  void find_room() {
+    used_ = 0;
+    for (Block& block : blocks_) {
+      block.first = used_;
+      block.capacity = block.most() + block.most() / 8 + 1;
+      used_ += block.capacity * width;
+    }
+    slots_ = used_ + used_ / 16 + 64 * width;  // the rest is for blocks that come or grow
+  }
+
+  int columns_;
+  std::vector<int> index_of_;  // of each block of the grid, in blocks_; -1 for one that is not there
+  std::vector<Block> blocks_;
+  std::vector<int> rows_;
+  int used_ = 0, slots_ = 0;
   bool stale_ = false;
 };
 

@@ -3,55 +3,88 @@
 
 namespace touchstone::mpm {
 
-/// Sums over the particles of a cell of X^m Y^n, paired: how much the cell weighs, and where.
+/// Sums over the particles of a cell of X^m Y^n: how much the cell weighs, and where.
 template <class Real>
 struct CellMass {
-  Pair<Real> X_Y = zero<Real>(), XX_YY = zero<Real>(), XXY_XYY = zero<Real>(), XY_XXYY = zero<Real>();
+  Real one{}, X{}, Y{}, XX{}, YY{}, XY{}, XXY{}, XYY{}, XXYY{};
 
-  void add(const Real& X, const Real& Y) {
-    const Real XY = X * Y;
-    X_Y += Pair<Real>{X, Y};
-    XX_YY += Pair<Real>{X * X, Y * Y};
-    XXY_XYY += Pair<Real>{X * XY, XY * Y};
-    XY_XXYY += Pair<Real>{XY, XY * XY};
-  }
-  CellMass<double> total() const {
-    return {mpm::total(X_Y), mpm::total(XX_YY), mpm::total(XXY_XYY), mpm::total(XY_XXYY)};
+  void add(const Real& x, const Real& y) {
+    const Real xy = x * y;
+    X += x;
+    Y += y;
+    XX += x * x;
+    YY += y * y;
+    XY += xy;
+    XXY += x * xy;
+    XYY += xy * y;
+    XXYY += xy * xy;
   }
 };
+template <int part, class Real>
+CellMass<Lanes> widened(const CellMass<Real>& m) {
+  return {widened<part>(m.one), widened<part>(m.X),   widened<part>(m.Y),   widened<part>(m.XX),  widened<part>(m.YY),
+          widened<part>(m.XY),  widened<part>(m.XXY), widened<part>(m.XYY), widened<part>(m.XXYY)};
+}
 
-/// Sums over the particles of a cell, per mass of a particle.
-template <class FluidLaw, class Real>
-struct CellSums {
-  CellMass<Real> mass;
-  Pair<Real> v = zero<Real>(), Xv = zero<Real>(), Yv = zero<Real>(), XYv = zero<Real>();  // m/s
-  typename Stress<FluidLaw>::template Sums<Real> stress;
+/// Sums over the particles of a cell of q, q X, q Y and q XY.
+template <class Real>
+struct Moments {
+  Real one{}, X{}, Y{}, XY{};
 
-  void add(const Particles<FluidLaw>& particles, int slot) {
-    const Real X = load<Real>(particles.X, slot), Y = load<Real>(particles.Y, slot);
-    mass.add(X, Y);
-    const Pair<Real> velocity{load<Real>(particles.vx, slot), load<Real>(particles.vy, slot)};
-    v += velocity;
-    Xv += X * velocity;
-    Yv += Y * velocity;
-    XYv += X * Y * velocity;
-    stress.add(particles.stress, slot, load<Real>(particles.specific_volume, slot), X, Y);
+  void add(const Real& q, const Real& x, const Real& y, const Real& xy) {
+    one += q;
+    X += x * q;
+    Y += y * q;
+    XY += xy * q;
   }
-  CellSums<FluidLaw, double> total() const {
-    return {mass.total(), mpm::total(v), mpm::total(Xv), mpm::total(Yv), mpm::total(XYv), stress.total()};
+  template <class Number>
+  void set(int lane, const Moments<Number>& of_lane) {
+    one[lane] = of_lane.one;
+    X[lane] = of_lane.X;
+    Y[lane] = of_lane.Y;
+    XY[lane] = of_lane.XY;
   }
 };
+template <int part, class Real>
+Moments<Lanes> widened(const Moments<Real>& m) {
+  return {widened<part>(m.one), widened<part>(m.X), widened<part>(m.Y), widened<part>(m.XY)};
+}
 
-template <class FluidLaw>
-CellSums<FluidLaw, double> sum_over(const Particles<FluidLaw>& particles, int begin, int end) {
-  CellSums<FluidLaw, double> sums;
-  int slot = begin;
-  if (end - begin >= lanes) {
-    CellSums<FluidLaw, Lanes> wide;
-    for (; slot + lanes <= end; slot += lanes) wide.add(particles, slot);
-    sums = wide.total();
+/// Sums over the particles of the cells of a block, one cell a lane, per mass of a particle. Each has a loop of its
+/// own, so that its sums stay in registers.
+template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
+CellMass<Real> mass_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+  CellMass<Real> sums;
+  for (std::size_t lane = 0; lane < block.count.size(); ++lane) sums.one[lane] = static_cast<Number>(block.count[lane]);
+  const int end = block.slot(0, block.most());
+  for (int slot = block.first; slot < end; slot += lanes_of<Number>)
+    sums.add(load<Real>(&particles.X[slot]), load<Real>(&particles.Y[slot]));
+  return sums;
+}
+
+template <class Real>
+struct Momentum {
+  Moments<Real> x, y;  // m/s
+};
+
+template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
+Momentum<Real> momentum_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+  Momentum<Real> sums;
+  const int end = block.slot(0, block.most());
+  for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
+    const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]), XY = X * Y;
+    sums.x.add(load<Real>(&particles.vx[slot]), X, Y, XY);
+    sums.y.add(load<Real>(&particles.vy[slot]), X, Y, XY);
   }
-  for (; slot < end; ++slot) sums.add(particles, slot);
+  return sums;
+}
+
+template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
+auto stress_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+  typename Stress<FluidLaw, Number>::template Sums<Real> sums;
+  const int end = block.slot(0, block.most());
+  for (int slot = block.first; slot < end; slot += lanes_of<Number>)
+    sums.add(particles.stress, slot, load<Real>(&particles.X[slot]), load<Real>(&particles.Y[slot]));
   return sums;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
-/// Several particles in one register. Loop bodies are written once, for a `Real` that is `double` or `Lanes`.
-/// The lanes are those of the processor compiled for, so sums are grouped alike in every run of one program.
-
-#include "solvers/fields.hpp"
+/// Several neighbouring cells in one register, a particle of each: the vector details of this solver, all of them.
+/// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
+/// depends on what lies in the lanes beside it.
 
 #include <type_traits>
 #include <utility>
@@ -10,100 +9,113 @@
 namespace touchstone::mpm {
 
 #ifdef __AVX__
-inline constexpr int lanes = 4;
+inline constexpr int register_bytes = 32;
 #else
-inline constexpr int lanes = 2;
+inline constexpr int register_bytes = 16;
 #endif
 
-using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
-using LanesInMemory [[gnu::vector_size(lanes * sizeof(double)), gnu::aligned(alignof(double))]] = double;
+/// How many numbers a register holds.
+template <class Number>
+inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(Number));
 
-template <class Real>
-inline constexpr int width = 1;
+/// A register of numbers, and the same where its address need not be aligned.
+template <class Number>
+struct Register;
 template <>
-inline constexpr int width<Lanes> = lanes;
-
-/// The particles of a field from `slot` on.
-template <class Real>
-Real load(const Scalars& field, int slot) {
-  const double* from = field.data() + slot;
-  if constexpr (width<Real> == 1)
-    return *from;
-  else
-    return *reinterpret_cast<const LanesInMemory*>(from);
-}
-
-template <class Real>
-void store(const Real& value, Scalars& field, int slot) {
-  double* to = field.data() + slot;
-  if constexpr (width<Real> == 1)
-    *to = value;
-  else
-    *reinterpret_cast<LanesInMemory*>(to) = value;
-}
-
-/// A vector of the plane in every lane.
-struct LanePair {
-  Lanes a, b;
-
-  const Lanes& x() const { return a; }
-  const Lanes& y() const { return b; }
-  LanePair& operator+=(const LanePair& other) {
-    a += other.a;
-    b += other.b;
-    return *this;
-  }
+struct Register<double> {
+  using type [[gnu::vector_size(register_bytes)]] = double;
+  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(double))]] = double;
 };
-inline LanePair operator*(const Lanes& scale, const LanePair& v) { return {scale * v.a, scale * v.b}; }
-inline LanePair operator+(const LanePair& v, const LanePair& w) { return {v.a + w.a, v.b + w.b}; }
+template <>
+struct Register<float> {
+  using type [[gnu::vector_size(register_bytes)]] = float;
+  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(float))]] = float;
+};
+template <class Number>
+using LanesOf = typename Register<Number>::type;
 
-/// A vector of the plane: `Vec2` for one particle, `LanePair` for several.
-template <class Real>
-using Pair = std::conditional_t<width<Real> == 1, Vec2, LanePair>;
+/// What nodes are reckoned with, whatever the particles are.
+using Lanes = LanesOf<double>;
+inline constexpr int lanes = lanes_of<double>;
 
-/// The same vector in every lane.
+/// The type of the numbers in lanes.
 template <class Real>
-Pair<Real> broadcast(const Vec2& v) {
-  if constexpr (width<Real> == 1)
-    return v;
+using NumberIn = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
+
+/// The numbers from an address on.
+template <class Real>
+Real load(const NumberIn<Real>* from) {
+  return *reinterpret_cast<const typename Register<NumberIn<Real>>::in_memory*>(from);
+}
+template <class Real>
+void store(const Real& value, NumberIn<Real>* to) {
+  *reinterpret_cast<typename Register<NumberIn<Real>>::in_memory*>(to) = value;
+}
+
+/// Calls f with the integer constants 0 to n - 1 as arguments.
+template <int n, class F>
+decltype(auto) with_indices(const F& f) {
+  return [&]<int... i>(std::integer_sequence<int, i...>)->decltype(auto) {
+    return f(std::integral_constant<int, i>{}...);
+  }
+  (std::make_integer_sequence<int, n>{});
+}
+
+/// The same number in every lane.
+template <class Real>
+Real fill(double number) {
+  const auto n = static_cast<NumberIn<Real>>(number);
+  return with_indices<lanes_of<NumberIn<Real>>>([&](auto... i) { return Real{(static_cast<void>(i), n)...}; });
+}
+
+/// One lane to the right: the last of `before`, then all but the last of `these`.
+inline Lanes shifted(const Lanes& before, const Lanes& these) {
+  return with_indices<lanes>(
+      [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - 1 + decltype(i)::value...); });
+}
+
+/// Registers of doubles that the lanes of a `Real` fill, one after the other.
+template <class Real>
+inline constexpr int parts_of = lanes_of<NumberIn<Real>> / lanes;
+
+/// A part of the lanes as doubles.
+template <int part, class Real>
+Lanes widened(const Real& a) {
+  if constexpr (parts_of<Real> == 1)
+    return a;
   else
-    return {Lanes{} + v.x(), Lanes{} + v.y()};
+    return with_indices<lanes>([&](auto... i) -> Lanes {
+      return __builtin_convertvector(__builtin_shufflevector(a, a, part * lanes + decltype(i)::value...), Lanes);
+    });
 }
 
-template <class Real>
-Pair<Real> zero() {
-  return broadcast<Real>(Vec2::Zero());
+/// Lanes of which `part_of(first lane)` gives as many at a time as are doubles in a register.
+template <class Real, class PartOf>
+Real joined(const PartOf& part_of) {
+  if constexpr (parts_of<Real> == 1) {
+    return part_of(0);
+  } else {
+    using Half [[gnu::vector_size(register_bytes / 2)]] = float;
+    const Half low = __builtin_convertvector(part_of(0), Half), high = __builtin_convertvector(part_of(lanes), Half);
+    return with_indices<2 * lanes>([&](auto... i) -> Real { return __builtin_shufflevector(low, high, decltype(i)::value...); });
+  }
 }
-
-/// The sum over the lanes.
-inline const Vec2& total(const Vec2& v) { return v; }
-inline Vec2 total(const LanePair& v) {
-#ifdef __AVX__
-  const Lanes pairs = __builtin_shufflevector(v.a, v.b, 0, 4, 2, 6) + __builtin_shufflevector(v.a, v.b, 1, 5, 3, 7);
-  const auto sums = __builtin_shufflevector(pairs, pairs, 0, 1) + __builtin_shufflevector(pairs, pairs, 2, 3);
-#else
-  const Lanes sums = __builtin_shufflevector(v.a, v.b, 0, 2) + __builtin_shufflevector(v.a, v.b, 1, 3);
-#endif
-  return {sums[0], sums[1]};
-}
-
-inline double total(double a) { return a; }
-inline double total(const Lanes& a) { return total(LanePair{a, a}).x(); }
 
 /// What a comparison of two `Real` yields, and-able with `&`.
 template <class Real>
 using Truth = decltype(std::declval<Real>() < std::declval<Real>());
 
-/// Whether a number lies between two others, one of them included; false for what is not a number.
+/// Whether numbers lie between two others, both of them included; false for what is not a number.
 template <class Real>
 Truth<Real> between(double low, const Real& number, double high) {
-  return (number - low) * (high - number) >= 0;
+  return (fill<Real>(low) <= number) & (number <= fill<Real>(high));
 }
 
-inline bool all(bool truth) { return truth; }
-inline bool all(const Truth<Lanes>& truth) {
+/// True if every lane says so.
+template <class Real>
+bool all(const Truth<Real>& truth) {
   bool every = true;
-  for (int lane = 0; lane < lanes; ++lane) every = every && truth[lane];
+  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) every = every && truth[lane];
   return every;
 }
 

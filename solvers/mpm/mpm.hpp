@@ -3,7 +3,8 @@
 /// last with the momentum remapped from the particles (MUSL, Sulsky, Zhou & Schreyer 1995), particle velocities updated
 /// by increments (FLIP). All weights of a step are those of the places at its start.
 
-#include "solvers/forces/uniform.hpp"
+#include "solvers/laps.hpp"
+#include "solvers/mpm/node_motion.hpp"
 #include "solvers/mpm/seed.hpp"
 #include "solvers/mpm/settle.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
@@ -14,8 +15,6 @@
 #include "solvers/mpm/walls/wall_nodes.hpp"
 #include "solvers/samples.hpp"
 
-#include <concepts>
-
 namespace touchstone::mpm {
 
 /// How the method resolves a scene. The cell and the spacing are adjusted to fit the domain and the filled box, see
@@ -24,11 +23,13 @@ struct Settings {
   double cell;       // m  side of a cell of the background grid
   double spacing;    // m  between particles at the start
   double time_step;  // s
+  int threads = 1;   // the results are the same bits for any number
 };
 
 /// One simulation of a scene. `Shape` interpolates between nodes and particles, `WallTreatment` says how a wall's
-/// answer reaches the particles. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
-template <class Shape, class WallTreatment, class FluidLaw, class Force>
+/// answer reaches the particles, `Number` is what particles are stored and reckoned in; nodes are in double. A fluid
+/// without viscosity carries a pressure only; `NoForce` leaves the force out.
+template <class Shape, class WallTreatment, class Number, class FluidLaw, class Force>
 class Mpm {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
@@ -36,29 +37,33 @@ class Mpm {
   Mpm(const Scene<FluidLaw, Force>& scene, const Settings& settings)
       : scene_(scene),
         dt_(settings.time_step),
+        threads_(settings.threads),
         grid_(scene.domain, settings.cell),
-        particles_(at_rest(lattice(scene.filled, settings.spacing, scene.domain.box), grid_, scene.fluid)),
-        nodes_(grid_.nodes()),
-        masses_(grid_.cells()),
-        wall_nodes_(scene.walls, grid_) {
+        particles_(at_rest<Number>(lattice(scene.filled, settings.spacing, scene.domain.box), grid_, scene.fluid)),
+        nodes_(grid_, lanes_of<Number>),
+        wall_nodes_(scene.walls, grid_, nodes_) {
     require_positive("mpm", "time step [s]", dt_);
-    suspects_.reserve(grid_.cells());
-    nodes_.list_near(grid_, particles_.order.occupied());
+    require_positive("mpm", "threads", threads_);
+    list_near();
   }
 
   /// One MUSL step. Throws Diverged.
-  void step() {
-    nodes_.clear();
-    scatter<Shape>(particles_, grid_, masses_, nodes_);                      // m_i, (m v)_i, (12)
-    scatter_force();                                                         // (13)
-    accelerate_nodes();                                                      // (10), (14)
-    wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt_);    // (14) at walls
-    add_changes<Shape>(particles_.order, grid_, masses_, nodes_);            // (16) as (17) sees it
-    remap_velocity();                                                        // (17)
-    wall_nodes_.hold_remapped(nodes_, time() + dt_);                         // (17) at walls
-    gather<Shape>(nodes_, grid_, scene_.fluid, dt_, particles_, suspects_);  // (15), (16), (18), (19)
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    scatter<Shape>(particles_, grid_, scene_.body_force, time(), threads_, masses_,
+                   nodes_);  // m_i, (m v)_i, (12), (13)
+    lap(SubStep::scatter);
+    accelerate(nodes_, scene_.body_force, grid_.cell, dt_, threads_);      // (10), (11), (14)
+    wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt_);  // (14) at walls
+    scatter_changes<Shape>(particles_.order, masses_, threads_, nodes_);   // (16) as (17) sees it
+    remap_velocity(nodes_, threads_);                                      // (17)
+    wall_nodes_.hold_remapped(nodes_, time() + dt_);                       // (17) at walls
+    lap(SubStep::grid);
+    gather<Shape>(nodes_, grid_, scene_.fluid, dt_, threads_, particles_, calm_);  // (15), (16), (18), (19)
+    lap(SubStep::gather);
     ++steps_;
     keep_order();
+    lap(SubStep::sorting);
   }
 
   double time() const { return static_cast<double>(steps_) * dt_; }  // s
@@ -72,74 +77,61 @@ class Mpm {
   Samples samples() const {
     const Eigen::Index n = particles();
     Samples s{time(), Vectors(2, n), Vectors(2, n), Scalars::Constant(n, particles_.mass), Scalars(n), Scalars(n)};
-    for (int cell : particles_.order.occupied())
-      for (int slot = particles_.order.begin(cell); slot < particles_.order.end(cell); ++slot) {
-        const int p = particles_.number[slot];
-        s.x.col(p) = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
-        s.v.col(p) = Vec2(particles_.vx[slot], particles_.vy[slot]);
-        s.density[p] = 1 / particles_.specific_volume[slot];
-        s.pressure[p] = scene_.fluid.pressure(s.density[p]);
-      }
+    particles_.order.for_each([&](int cell, int slot) {
+      const int p = particles_.number[slot];
+      s.x.col(p) = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
+      s.v.col(p) = Vec2(particles_.vx[slot], particles_.vy[slot]);
+      s.density[p] = scene_.fluid.density / (1 + static_cast<double>(particles_.expansion[slot]));
+      s.pressure[p] = scene_.fluid.pressure(s.density[p]);
+    });
     return s;
   }
 
  private:
-  /// The same force everywhere is added to the nodes' accelerations, which the weights leave as it is.
-  static constexpr bool force_is_uniform = std::same_as<Force, Uniform>;
-
-  void scatter_force() {
-    if constexpr (is_present<Force> && !force_is_uniform)
-      scatter_body_force<Shape>(particles_, grid_, scene_.body_force, time(), nodes_);
-  }
-
-  void accelerate_nodes() {
-    const Vec2 cells_per_velocity = dt_ * grid_.cell.cwiseInverse();
-    for (int node : nodes_.near) {
-      const NodeSums& sums = nodes_.sums[node];
-      NodeMotion& motion = nodes_.motion[node];
-      motion = {};
-      if (!nodes_.moves(node)) continue;
-      Vec2 a = sums.force / sums.mass;
-      if constexpr (force_is_uniform) a += scene_.body_force.per_mass;
-      motion.change = dt_ * a;
-      motion.displacement = (sums.velocity() + motion.change).cwiseProduct(cells_per_velocity);
-    }
-  }
-
-  void remap_velocity() {
-    for (int node : nodes_.near)
-      if (nodes_.moves(node)) nodes_.motion[node].remapped = nodes_.sums[node].velocity();
-  }
-
   /// Carries the particles that left their cell to the one they are in; looks only where `gather` saw cause to.
   void keep_order() {
-    CellOrder& order = particles_.order;
-    for (int cell : suspects_)
-      for (int slot = order.begin(cell); slot < order.end(cell);) {
-        const int to = settle(particles_, slot, cell, grid_, scene_.fluid, steps_, time());
-        if (to != cell) order.carry(particles_, slot, cell, to);
-        if (to <= cell) ++slot;  // carried upwards, it left its slot to another of its cell
+    for (std::size_t block = 0; block < calm_.size(); ++block)
+      if (!calm_[block]) settle_block(static_cast<int>(block));
+    if (!particles_.order.is_stale()) return;
+    particles_.order.list_occupied();
+    list_near();
+  }
+
+  void settle_block(int index) {
+    auto& order = particles_.order;
+    for (int lane = 0; lane < lanes_of<Number>; ++lane)
+      for (int k = 0; k < order.blocks()[index].count[lane];) {
+        const auto& block = order.blocks()[index];
+        const int cell = order.cell(block, lane);
+        const int to = settle(particles_, block.slot(lane, k), cell, grid_, scene_.fluid, steps_, time());
+        if (to == cell)
+          ++k;
+        else
+          order.carry(particles_, cell, k, to);  // which puts another in its place
       }
-    if (!order.is_stale()) return;
-    order.list_occupied();
-    nodes_.list_near(grid_, order.occupied());
+  }
+
+  void list_near() {
+    nodes_.list_near(particles_.order);
+    wall_nodes_.list_near(nodes_);
   }
 
   Scene<FluidLaw, Force> scene_;
   double dt_;
+  int threads_;
   Grid grid_;
-  Particles<FluidLaw> particles_;
+  Particles<FluidLaw, Number> particles_;
   Nodes nodes_;
-  std::vector<CellMass<double>> masses_;  // of each cell, within a step
   WallNodes wall_nodes_;
-  std::vector<int> suspects_;  // cells
+  std::vector<CellMass<Lanes>> masses_;  // of each cell, within a step
+  std::vector<char> calm_;               // of each block, within a step
   long steps_ = 0;
 };
 
 /// A simulation of a scene: `mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(channel, {.cell = ...})`.
-template <class Shape, class WallTreatment, class FluidLaw, class Force>
+template <class Shape, class WallTreatment, class Number = double, class FluidLaw, class Force>
 auto solver(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Mpm<Shape, WallTreatment, FluidLaw, Force>(scene, settings);
+  return Mpm<Shape, WallTreatment, Number, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm

@@ -71,9 +71,11 @@ TEST(Mpm, GainsTheMomentumThatItsForceGives) {
 TEST(Mpm, FeelsAForceAtItsParticlesAsItFeelsTheSameForceEverywhere) {
   const auto gravity = [](const Vec2&, double) -> Vec2 { return {0, -1}; };
   const Scene<Tait, Uniform> scene = dam();
-  auto uniform = solver<LinearHat, PrescribedMotion>(scene, dam_settings);
+  Settings off_grid_lines = dam_settings;  // on one, rounding decides which cell's gradient a particle feels
+  off_grid_lines.spacing = 0.05;
+  auto uniform = solver<LinearHat, PrescribedMotion>(scene, off_grid_lines);
   auto local = solver<LinearHat, PrescribedMotion>(
-      Scene<Tait, decltype(gravity)>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, dam_settings);
+      Scene<Tait, decltype(gravity)>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, off_grid_lines);
   run(uniform, 100);
   run(local, 100);
   EXPECT_TRUE(local.samples().v.isApprox(uniform.samples().v, 1e-9));
@@ -140,6 +142,83 @@ TEST(Mpm, RunsTwiceToTheSameBits) {
   EXPECT_EQ(one.samples().x, other.samples().x);
   EXPECT_EQ(one.samples().v, other.samples().v);
   EXPECT_TRUE((one.samples().pressure == other.samples().pressure).all());
+}
+
+/// The same bits after some steps, for one thread and for more.
+template <class Force, class FluidLaw>
+void expect_same_bits(const Scene<FluidLaw, Force>& scene, Settings settings, int steps) {
+  auto one = solver<LinearHat, PrescribedMotion>(scene, settings);
+  run(one, steps);
+  const Samples expected = one.samples();
+  for (int threads : {2, 3}) {
+    settings.threads = threads;
+    auto shared = solver<LinearHat, PrescribedMotion>(scene, settings);
+    run(shared, steps);
+    const Samples s = shared.samples();
+    EXPECT_EQ(s.x, expected.x) << threads;
+    EXPECT_EQ(s.v, expected.v) << threads;
+    EXPECT_TRUE((s.density == expected.density).all()) << threads;
+  }
+}
+
+TEST(Mpm, GivesTheSameBitsForAnyNumberOfThreads) {
+  expect_same_bits(dam(), dam_settings, 400);
+  expect_same_bits(Scene<Newtonian, Uniform>{.domain = {.box = {.high = {0.6, 0.9}}, .periodic_x = true},
+                                             .fluid = {soft_water, 20},
+                                             .filled = {.high = {0.6, 0.9}},
+                                             .walls = {floor_at(0, no_slip()), ceiling_at(0.9, no_slip())},
+                                             .body_force = {{1, 0}}},
+                   {.cell = 0.1, .spacing = 0.05, .time_step = 5e-3}, 300);
+}
+
+TEST(Mpm, NamesTheSameFaultForAnyNumberOfThreads) {
+  std::string faults[2];
+  for (int threads : {1, 2}) try {
+      auto falling = solver<LinearHat, PrescribedMotion>(
+          drop(Uniform{{0, -10}}), {.cell = 0.1, .spacing = 0.05, .time_step = 0.01, .threads = threads});
+      run(falling, 200);
+    } catch (const Diverged& diverged) {
+      faults[threads - 1] = diverged.what();
+    }
+  EXPECT_NE(faults[0], "");
+  EXPECT_EQ(faults[0], faults[1]);
+}
+
+TEST(Mpm, FindsItsWayWhereTheBackgroundIsEmpty) {
+  Scene<Tait, Uniform> wide = dam();
+  wide.domain.box.high = {20, 40};
+  wide.walls[2] = right_at(20, free_slip());
+  auto in_a_tank = solver<LinearHat, PrescribedMotion>(dam(), dam_settings);
+  auto in_a_lake = solver<LinearHat, PrescribedMotion>(wide, dam_settings);
+  run(in_a_tank, 60);  // before the far wall is reached
+  run(in_a_lake, 60);
+  EXPECT_TRUE(in_a_lake.samples().v.isApprox(in_a_tank.samples().v, 1e-9));
+}
+
+TEST(Mpm, InSinglePrecisionComesCloseToDouble) {
+  const Scene<Newtonian, Uniform> channel{.domain = {.box = {.high = {0.5, 1}}, .periodic_x = true},
+                                          .fluid = {soft_water, 20},
+                                          .filled = {.high = {0.5, 1}},
+                                          .walls = {floor_at(0, no_slip()), ceiling_at(1, no_slip())},
+                                          .body_force = {{0.1, 0}}};
+  const Settings settings{.cell = 0.1, .spacing = 0.05, .time_step = 5e-3};
+  auto fine = solver<LinearHat, PrescribedMotion>(channel, settings);
+  auto coarse = solver<LinearHat, PrescribedMotion, float>(channel, settings);
+  run(fine, 500);
+  run(coarse, 500);
+  EXPECT_TRUE(coarse.samples().v.isApprox(fine.samples().v, 1e-5));
+  EXPECT_TRUE(coarse.samples().density.isApprox(fine.samples().density, 1e-6));
+}
+
+TEST(Mpm, TellsWhichPartOfAStepIsDone) {
+  struct Heard {
+    std::vector<SubStep>& parts;
+    void operator()(SubStep part) const { parts.push_back(part); }
+  };
+  std::vector<SubStep> parts;
+  auto breaking = solver<LinearHat, PrescribedMotion>(dam(), dam_settings);
+  breaking.step(Heard{parts});
+  EXPECT_EQ(parts, (std::vector<SubStep>{SubStep::scatter, SubStep::grid, SubStep::gather, SubStep::sorting}));
 }
 
 TEST(Mpm, CountsStepsAndTime) {

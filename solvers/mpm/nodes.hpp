@@ -1,122 +1,140 @@
 #pragma once
-/// The background grid, its indices and its periodic seam, and what its nodes hold during a step.
+/// What the nodes of the background grid hold during a step.
 
-#include "solvers/scene.hpp"
-
-#include <fmt/format.h>
+#include "solvers/mpm/cell_order.hpp"
+#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/grid.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
+#include <iterator>
 #include <vector>
 
 namespace touchstone::mpm {
 
-/// Cells that fill the box of a domain exactly. Cells and nodes are numbered row by row from the low corner. Across a
-/// periodic seam the last column of cells has its right corners in the first column of nodes.
-class Grid {
+/// What a cell gives to its corners, per mass of a particle: particles, m/s, m/s².
+enum Given { mass, momentum_x, momentum_y, force_x, force_y };
+inline constexpr int all_given = 5;
+
+/// A vector per node.
+struct NodeVectors {
+  Field<double> x, y;
+
+  explicit NodeVectors(int places) : x(places), y(x) {}
+  Vec2 operator[](int node) const { return {x[node], y[node]}; }
+  void set(int node, const Vec2& v) {
+    x[node] = v.x();
+    y[node] = v.y();
+  }
+};
+
+/// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic seam the first column
+/// stands again behind the last cell, and both images hold the same.
+///
+/// A node is given its sums in two halves, by the row of cells above it and by the row below, so that rows of cells can
+/// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
+/// sums of all others are zero.
+class Nodes {
  public:
-  /// Takes the whole number of cells nearest to size / wanted along each direction, so that opposite walls both lie on
-  /// nodes: 1.61 m in cells of 0.02 m becomes 81 or 80 cells of about 0.02 m, whichever way the half is rounded.
-  /// Throws std::invalid_argument if the wanted cell [m] is not positive or leaves no cell or too many.
-  Grid(const Domain& domain, double wanted_cell)
-      : box(domain.box),
-        periodic_x(domain.periodic_x),
-        columns(cells_along(box.size().x(), wanted_cell)),
-        rows(cells_along(box.size().y(), wanted_cell)),
-        cell(box.size().x() / columns, box.size().y() / rows) {
-    for (int row = 0; row < rows; ++row)
-      for (int column = 0; column < columns; ++column)
-        corners.push_back({node_at(column, row), node_at(column + 1, row),  //
-                           node_at(column, row + 1), node_at(column + 1, row + 1)});
-  }
+  Nodes(const Grid& grid, int block_width)
+      : stride((grid.columns / block_width + 1) * block_width),
+        from_above(halves(places(grid))),
+        from_below(halves(places(grid))),
+        per_mass(places(grid)),
+        change(places(grid)),
+        displacement(places(grid)),
+        velocity(places(grid)),
+        columns_(grid.columns),
+        periodic_x_(grid.periodic_x) {}
 
-  const Box box;  // m
-  const bool periodic_x;
-  const int columns, rows;
-  const Vec2 cell;                          // m  size of each
-  std::vector<std::array<int, 4>> corners;  // nodes of each cell, in the order of `LinearHat`
-
-  int cells() const { return columns * rows; }
-  int nodes() const { return node_columns() * (rows + 1); }
-  int cell_at(int column, int row) const { return row * columns + column; }
-  int node_at(int column, int row) const { return row * node_columns() + column % node_columns(); }
-  /// Of a place within a cell [m].
-  Vec2 place(int the_cell, double X, double Y) const {
-    return box.low + Vec2((the_cell % columns + X) * cell.x(), (the_cell / columns + Y) * cell.y());
-  }
-
-  /// The nodes of a wall. Throws std::invalid_argument if it stands off the grid.
-  std::vector<int> nodes_on(const Wall& wall) const {
-    const double line = (wall.position - box.low[wall.axis]) / cell[wall.axis];
-    const int lines = wall.axis == 0 ? columns : rows;
-    const double off = std::abs(line - std::round(line));
-    if (!(off < 1e-6 && line > -0.5 && line < lines + 0.5))  // of a cell; more than rounding leaves
-      throw std::invalid_argument(
-          fmt::format("mpm: wall at {} = {:g} m, wanted on a grid line: {:g} + 0 to {} times {:g} m",
-                      wall.axis == 0 ? "x" : "y", wall.position, box.low[wall.axis], lines, cell[wall.axis]));
-    const int fixed = static_cast<int>(std::round(line));
-    std::vector<int> found;
-    if (wall.axis == 0)
-      for (int row = 0; row <= rows; ++row) found.push_back(node_at(fixed, row));
-    else
-      for (int column = 0; column < node_columns(); ++column) found.push_back(node_at(column, fixed));
-    return found;
-  }
-
- private:
-  int node_columns() const { return periodic_x ? columns : columns + 1; }
-
-  static int cells_along(double size, double wanted) {
-    constexpr double most = 20000;  // so that cells and nodes can be counted in an int
-    const double n = std::round(size / wanted);
-    if (!(wanted > 0 && n >= 1 && n <= most))
-      throw std::invalid_argument(
-          fmt::format("mpm: cell = {:g} m, wanted positive and 1 to {:g} times in {:g} m", wanted, most, size));
-    return static_cast<int>(n);
-  }
-};
-
-/// What particles give to a node, per mass of a particle.
-struct NodeSums {
-  double mass = 0;               // particles
-  Vec2 momentum = Vec2::Zero();  // m/s
-  Vec2 force = Vec2::Zero();     // m/s²
-
-  Vec2 velocity() const { return momentum / mass; }
-};
-
-/// What particles take from a node.
-struct NodeMotion {
-  Vec2 change = Vec2::Zero();        // m/s    of velocity over the step, a_i dt
-  Vec2 displacement = Vec2::Zero();  // cells  over the step, v_i dt
-  Vec2 remapped = Vec2::Zero();      // m/s    velocity after the step, found anew from the particles
-};
-
-struct Nodes {
-  std::vector<NodeSums> sums;
-  std::vector<NodeMotion> motion;
-  std::vector<int> near;  // those of cells that hold particles; the sums of all others are zero
-
-  explicit Nodes(int count) : sums(count), motion(count) { near.reserve(count); }
-
-  void list_near(const Grid& grid, const std::vector<int>& occupied_cells) {
-    clear();
-    near.clear();
-    for (int cell : occupied_cells)
-      for (int node : grid.corners[cell])
-        if (std::exchange(sums[node].mass, 1) == 0) near.push_back(node);
-    clear();
-  }
-  void clear() {
-    for (int node : near) sums[node] = {};
-  }
+  const int stride;  // nodes in a row
+  std::array<Field<double>, all_given> from_above, from_below;
+  Field<double> per_mass;    // 1/particles  zero for a node that is left out
+  NodeVectors change;        // m/s    of velocity over the step, a_i dt
+  NodeVectors displacement;  // cells  over the step, v_i dt
+  NodeVectors velocity;      // m/s    at the start of the step; from (17) on after it, found anew from the particles
 
   /// A mass below this is the rounding error of a particle on the edge of its cell; such a node is left out.
   static constexpr double least_mass = 1e-12;  // particles
-  bool moves(int node) const { return sums[node].mass > least_mass; }
+  bool moves(int node) const { return per_mass[node] > 0; }
+
+  /// The first of each `lanes` nodes that may be near particles.
+  const std::vector<int>& near() const { return near_; }
+
+  /// Where a node of the grid stands: twice, if it is on the seam.
+  std::vector<int> images(int node, const Grid& grid) const {
+    const int column = node % grid.node_columns(), first = node / grid.node_columns() * stride;
+    if (periodic_x_ && column == 0) return {first, first + columns_};
+    return {first + column};
+  }
+
+  Lanes sum(Given what, int node) const {
+    return load<Lanes>(&from_above[what][node]) + load<Lanes>(&from_below[what][node]);
+  }
+
+  template <int width>
+  void list_near(const CellOrder<width>& order) {
+    for (int node : near_) clear(node);
+    std::vector<int> below;  // the nodes below occupied cells
+    for (std::size_t row = 0; row + 1 < order.rows().size(); ++row)
+      add_row(&order.blocks()[order.rows()[row]], &order.blocks()[order.rows()[row + 1]], below);
+    std::vector<int> above(below);
+    for (int& node : above) node += stride;
+    near_.clear();
+    std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(near_));
+  }
+
+  /// Whether cells that end at this column have their right corners in the first column of nodes.
+  bool at_seam(int end_column) const { return periodic_x_ && end_column >= columns_; }
+
+  /// Makes the first nodes of a row of cells, and of the row above, ready for what comes to them across the seam.
+  void open_seam(int row) {
+    for (Field<double>& half : from_above) store(Lanes{}, &half[row * stride]);
+    for (Field<double>& half : from_below) store(Lanes{}, &half[(row + 1) * stride]);
+  }
+  /// Adds the sums of both images of a node, from a row of cells, for the quantities from `first` to `last`.
+  void close_seam(int row, Given first, Given last) {
+    for (int what = first; what <= last; ++what) {
+      join_images(from_above[what], row * stride);
+      join_images(from_below[what], (row + 1) * stride);
+    }
+  }
+
+ private:
+  static std::array<Field<double>, all_given> halves(int places) {
+    std::array<Field<double>, all_given> fields;
+    fields.fill(Field<double>(places));
+    return fields;
+  }
+  int places(const Grid& grid) const {
+    return stride * (grid.rows + 1) + lanes;
+  }  // a register more to read past the end
+
+  void clear(int node) {
+    for (Field<double>& half : from_above) store(Lanes{}, &half[node]);
+    for (Field<double>& half : from_below) store(Lanes{}, &half[node]);
+  }
+  void join_images(Field<double>& half, int first) {
+    half[first] += half[first + columns_];
+    half[first + columns_] = half[first];
+  }
+
+  /// Adds the nodes below a row of cells, ascending.
+  template <class Block>
+  void add_row(const Block* begin, const Block* end, std::vector<int>& nodes) const {
+    constexpr int width = std::tuple_size_v<decltype(begin->count)>;
+    const int first = begin->row * stride;
+    if (at_seam(end[-1].column + width) && begin->column > 0) nodes.push_back(first);
+    for (const Block* block = begin; block < end; ++block) {
+      for (int lane = 0; lane < width; lane += lanes) nodes.push_back(first + block->column + lane);
+      const bool last = block + 1 == end || block[1].column > block->column + width;
+      if (last && block->column + width < stride) nodes.push_back(first + block->column + width);
+    }
+  }
+
+  int columns_;
+  bool periodic_x_;
+  std::vector<int> near_;
 };
 
 }  // namespace touchstone::mpm

@@ -10,38 +10,53 @@ inline constexpr double least_density = 0.2, most_density = 5;
 /// The state of all particles, component by component, in the order of their cells.
 ///
 /// A place is kept within its cell, which the order knows, so that a wrap across the seam loses no digit. All particles
-/// of a scene have the same mass; it cancels from (10) to (17) and is left out of them. One slot more than there are
-/// particles is spare, for a particle on its way from cell to cell.
-template <class FluidLaw>
+/// of a scene have the same mass; it cancels from (10) to (17) and is left out of them. A slot without a particle holds
+/// a particle at rest in the corner of its cell: but for its mass it adds nothing to any sum.
+template <class FluidLaw, class Number = double>
 struct Particles {
   Eigen::Index count;
   double mass;              // kg/m   of each
-  Scalars X, Y;             // -      place within the cell, 0 to 1
-  Scalars vx, vy;           // m/s
-  Scalars specific_volume;  // m³/kg  1 / rho
-  Stress<FluidLaw> stress;
-  Eigen::ArrayXi number;  // as seeded; the same at all times
-  CellOrder order;
+  Field<Number> X, Y;       // -      place within the cell, 0 to 1
+  Field<Number> vx, vy;     // m/s
+  Field<Number> expansion;  // -      rho0 / rho - 1
+  Stress<FluidLaw, Number> stress;
+  Field<int> number;  // as seeded; the same at all times
+  CellOrder<lanes_of<Number>> order;
 
   /// At rest, with places and numbers yet to be written.
-  Particles(Eigen::Index n, double mass_of_each, double density, CellOrder cells)
+  Particles(Eigen::Index n, double mass_of_each, CellOrder<lanes_of<Number>> cells)
       : count(n),
         mass(mass_of_each),
-        X(Scalars::Zero(n + 1)),
-        Y(Scalars::Zero(n + 1)),
-        vx(Scalars::Zero(n + 1)),
-        vy(Scalars::Zero(n + 1)),
-        specific_volume(Scalars::Constant(n + 1, 1 / density)),
-        stress(n + 1),
-        number(n + 1),
+        X(cells.slots()),
+        Y(X),
+        vx(X),
+        vy(X),
+        expansion(X),
+        stress(cells.slots()),
+        number(cells.slots()),
         order(std::move(cells)) {}
 
-  int spare() const { return static_cast<int>(count); }
-
   void copy(int from, int to) {
-    for (Scalars* field : {&X, &Y, &vx, &vy, &specific_volume}) (*field)[to] = (*field)[from];
-    stress.copy(from, to);
-    number[to] = number[from];
+    for_fields([=](auto& field) { field[to] = field[from]; });
+  }
+  void clear(int slot) {
+    for_fields([=](auto& field) { field[slot] = 0; });
+  }
+  /// Moves runs of slots, and makes them so many.
+  void rearrange(const std::vector<Move>& moves, int slots) {
+    for_fields([&]<class F>(F& field) {
+      F fresh(slots);
+      for (const Move& move : moves) std::copy_n(&field[move.from], move.slots, &fresh[move.to]);
+      field.swap(fresh);
+    });
+  }
+
+ private:
+  template <class F>
+  void for_fields(const F& f) {
+    for (Field<Number>* field : {&X, &Y, &vx, &vy, &expansion}) f(*field);
+    stress.for_fields(f);
+    f(number);
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "solvers/diverged.hpp"
-#include "solvers/mpm/nodes.hpp"
+#include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/particles.hpp"
 
 namespace touchstone::mpm {
@@ -8,21 +8,22 @@ namespace touchstone::mpm {
 /// Where along a row or column of cells is what lies `within` cell `at`, counted in cells from its low edge? Returns
 /// the cell, with `within` between 0 and 1 there, or -1 for a place past the ends and for what is not a number. Edges
 /// belong to the cell on either side, as the shape does.
-inline int cell_along(double& within, int at, int cells, bool periodic) {
+template <class Number>
+int cell_along(Number& within, int at, int cells, bool periodic) {
   if (within >= 0 && within <= 1) return at;
-  if (!(std::abs(within) < cells)) return -1;  // asked before it becomes an integer
+  if (!(std::abs(static_cast<double>(within)) < cells)) return -1;  // asked before it becomes an integer
   const int shift = static_cast<int>(std::floor(within));
   const int to = periodic ? (at + shift + cells) % cells : at + shift;
   if (to < 0 || to >= cells) return -1;
-  within -= shift;
+  within -= static_cast<Number>(shift);
   return to;
 }
 
 /// Settles a particle that may have left its cell: returns the cell it is in now, with its place within that one.
 /// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
-template <class FluidLaw>
-int settle(Particles<FluidLaw>& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step,
-           double time) {
+template <class FluidLaw, class Number>
+int settle(Particles<FluidLaw, Number>& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid,
+           long step, double time) {
   const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
   const auto fail = [&](std::string quantity, double value, std::string wanted) {
     throw Diverged({.step = step,
@@ -39,9 +40,9 @@ int settle(Particles<FluidLaw>& particles, int slot, int cell, const Grid& grid,
   if (column < 0) fail("x [m]", place.x(), range(grid.box.low.x(), grid.box.high.x()));
   const int row = cell_along(particles.Y[slot], cell / grid.columns, grid.rows, false);
   if (row < 0) fail("y [m]", place.y(), range(grid.box.low.y(), grid.box.high.y()));
-  const double density = 1 / particles.specific_volume[slot];
+  const double density = fluid.density / (1 + static_cast<double>(particles.expansion[slot]));
   const double least = least_density * fluid.density, most = most_density * fluid.density;
-  if (!between(least, density, most)) fail("density [kg/m³]", density, range(least, most));
+  if (!(least <= density && density <= most)) fail("density [kg/m³]", density, range(least, most));
   return grid.cell_at(column, row);
 }
 

@@ -20,7 +20,10 @@ struct Pool {
       : grid({.box = {.high = {0.4, 0.3}}, .periodic_x = periodic_x}, 0.1),
         particles(at_rest(lattice(grid.box, 0.1), grid, water)) {}
 
-  int settled(int cell) { return settle(particles, cell, cell, grid, water, 17, 0.5); }
+  int slot(int cell) const { return particles.order.slot(cell, 0); }
+  double& X(int cell) { return particles.X[slot(cell)]; }
+  double& Y(int cell) { return particles.Y[slot(cell)]; }
+  int settled(int cell) { return settle(particles, slot(cell), cell, grid, water, 17, 0.5); }
   Diverged::Fault fault(int cell) {
     try {
       settled(cell);
@@ -34,33 +37,33 @@ struct Pool {
 TEST(Settle, LeavesAParticleInItsCell) {
   Pool pool(false);
   EXPECT_EQ(pool.settled(6), 6);
-  EXPECT_DOUBLE_EQ(pool.particles.X[6], 0.5);
+  EXPECT_DOUBLE_EQ(pool.X(6), 0.5);
 }
 
 TEST(Settle, MovesAParticleToTheCellItIsIn) {
   Pool pool(false);
   const Vec2 place = pool.grid.place(5, 1.25, -0.5);
-  pool.particles.X[5] = 1.25;
-  pool.particles.Y[5] = -0.5;
+  pool.X(5) = 1.25;
+  pool.Y(5) = -0.5;
   const int to = pool.settled(5);
   EXPECT_EQ(to, pool.grid.cell_at(2, 0));
-  EXPECT_TRUE(pool.grid.place(to, pool.particles.X[5], pool.particles.Y[5]).isApprox(place));
+  EXPECT_TRUE(pool.grid.place(to, pool.X(5), pool.Y(5)).isApprox(place));
 }
 
 TEST(Settle, WrapsAcrossTheSeamWithoutLosingADigit) {
   Pool pool(true);
-  pool.particles.X[7] = 1.25;
+  pool.X(7) = 1.25;
   EXPECT_EQ(pool.settled(7), 4);
-  EXPECT_EQ(pool.particles.X[7], 0.25);
-  pool.particles.X[8] = -0.25;
+  EXPECT_EQ(pool.X(7), 0.25);
+  pool.X(8) = -0.25;
   EXPECT_EQ(pool.settled(8), 11);
-  EXPECT_EQ(pool.particles.X[8], 0.75);
+  EXPECT_EQ(pool.X(8), 0.75);
 }
 
 TEST(Settle, ReportsAParticleThatLeftTheDomain) {
   Pool pool(false);
-  pool.particles.number[7] = 42;
-  pool.particles.X[7] = 1.5;
+  pool.particles.number[pool.slot(7)] = 42;
+  pool.X(7) = 1.5;
   const Diverged::Fault fault = pool.fault(7);
   EXPECT_EQ(fault.step, 17);
   EXPECT_EQ(fault.time, 0.5);
@@ -75,10 +78,10 @@ TEST(Settle, ReportsAPlaceThatIsNotANumberOrFarAway) {
   for (double lost : {nan, 1e300, -1e300, std::numeric_limits<double>::infinity()})
     for (bool periodic : {true, false}) {
       Pool pool(periodic);
-      pool.particles.Y[3] = lost;
+      pool.Y(3) = lost;
       EXPECT_EQ(pool.fault(3).quantity, "y [m]");
       EXPECT_EQ(pool.fault(3).particle, 3);
-      pool.particles.X[3] = lost;
+      pool.X(3) = lost;
       EXPECT_EQ(pool.fault(3).quantity, "x [m]");
     }
 }
@@ -86,7 +89,7 @@ TEST(Settle, ReportsAPlaceThatIsNotANumberOrFarAway) {
 TEST(Settle, ReportsAnImplausibleDensity) {
   for (double density : {nan, 199.0, 5001.0, -1000.0}) {
     Pool pool(true);
-    pool.particles.specific_volume[2] = 1 / density;
+    pool.particles.expansion[pool.slot(2)] = 1000 / density - 1;
     EXPECT_EQ(pool.fault(2).quantity, "density [kg/m³]") << density;
     EXPECT_EQ(pool.fault(2).wanted, "200 to 5000");
   }

@@ -41,8 +41,8 @@ TEST(Grid, ClosesThePeriodicSeam) {
   const Grid grid({.box = {.high = {0.4, 0.3}}, .periodic_x = true}, 0.1);
   EXPECT_EQ(grid.nodes(), 4 * 4);
   for (int row = 0; row < grid.rows; ++row) {
-    EXPECT_EQ(grid.corners[grid.cell_at(3, row)][1], grid.corners[grid.cell_at(0, row)][0]);
-    EXPECT_EQ(grid.corners[grid.cell_at(3, row)][3], grid.corners[grid.cell_at(0, row)][2]);
+    EXPECT_EQ(grid.corners(grid.cell_at(3, row))[1], grid.corners(grid.cell_at(0, row))[0]);
+    EXPECT_EQ(grid.corners(grid.cell_at(3, row))[3], grid.corners(grid.cell_at(0, row))[2]);
   }
 }
 
@@ -95,6 +95,14 @@ TEST(Mpm, RefusesTimeStepsThatAreNotPositive) {
     Settings wrong = coarse;
     wrong.time_step = time_step;
     EXPECT_NE(refusal(tank(), wrong).find("mpm: time step [s] = "), std::string::npos) << refusal(tank(), wrong);
+  }
+}
+
+TEST(Mpm, RefusesToRunOnNoThreads) {
+  for (int threads : {0, -1}) {
+    Settings wrong = coarse;
+    wrong.threads = threads;
+    EXPECT_NE(refusal(tank(), wrong).find("mpm: threads = "), std::string::npos) << refusal(tank(), wrong);
   }
 }
 

@@ -1,8 +1,9 @@
 #pragma once
-/// The stress that particles carry, as much of it as their fluid has: a pressure, or with viscosity a whole tensor.
+/// The stress that particles carry, as much of it as their fluid has: a pressure, or with viscosity a whole tensor. It
+/// is kept per density [m²/s²], as the nodes want it.
 
 #include "solvers/fluids/newtonian.hpp"
-#include "solvers/mpm/lanes.hpp"
+#include "solvers/mpm/fields.hpp"
 
 #include <array>
 
@@ -11,100 +12,143 @@ namespace touchstone::mpm {
 /// How the velocity changes along x and along y [1/s].
 template <class Real>
 struct Slopes {
-  Pair<Real> x, y;
+  Real xx, yx;  // of v_x and v_y along x
+  Real xy, yy;  // of v_x and v_y along y
 
-  Real divergence() const { return x.x() + y.y(); }
+  Real divergence() const { return xx + yy; }
+};
+
+/// Pressure [Pa] by Tait's law (33) from the expansion e = rho0 / rho - 1, with (1 + d)^7 - 1 multiplied out for
+/// d = rho / rho0 - 1: the difference from the density at rest is small, and all its digits count.
+template <class Real>
+Real pressure_of(const Tait& fluid, const Real& expansion) {
+  static_assert(Tait::gamma == 7);
+  const Real d = -expansion / (1 + expansion), d2 = d * d;
+  const Real sum = (7 + 21 * d) + d2 * ((35 + 35 * d) + d2 * ((21 + 7 * d) + d2));
+  return fill<Real>(fluid.bulk_modulus) * d * sum;
+}
+
+/// Sums over the particles of a cell, of q and of q times a coordinate.
+template <class Real>
+struct Sum {
+  Real one{}, moment{};
+
+  void add(const Real& q, const Real& coordinate) {
+    one += q;
+    moment += coordinate * q;
+  }
+};
+template <int part, class Real>
+Sum<Lanes> widened(const Sum<Real>& sum) {
+  return {widened<part>(sum.one), widened<part>(sum.moment)};
+}
+
+/// Forces on the four corners of a cell.
+template <class Real>
+struct CornerForces {
+  std::array<Real, 4> x, y;
 };
 
 /// The stress of an inviscid fluid is its pressure.
-template <class FluidLaw>
+template <class FluidLaw, class Number>
 class Stress {
  public:
-  explicit Stress(Eigen::Index particles) : pressure_(Scalars::Zero(particles)) {}
+  explicit Stress(int slots) : pressure_(slots) {}
 
-  /// Sums over the particles of a cell of pressure / density [m²/s²], as the nodes of the cell need them.
+  /// Sums over the particles of a cell, as the nodes of the cell need them.
   template <class Real>
   struct Sums {
-    Pair<Real> p_Xp = zero<Real>();
-    Real Yp{};
+    Sum<Real> along_x, along_y;  // of the pressure, with Y and with X
 
-    void add(const Stress& stress, int slot, const Real& per_density, const Real& X, const Real& Y) {
-      const Real p = per_density * load<Real>(stress.pressure_, slot);
-      p_Xp += Pair<Real>{p, X * p};
-      Yp += Y * p;
+    void add(const Stress& stress, int slot, const Real& X, const Real& Y) {
+      const Real p = load<Real>(&stress.pressure_[slot]);
+      along_x.add(p, Y);
+      along_y.add(p, X);
     }
-    Sums<double> total() const { return {mpm::total(p_Xp), mpm::total(Yp)}; }
+    template <int part>
+    Sums<Lanes> as_doubles() const {
+      return {widened<part>(along_x), widened<part>(along_y)};
+    }
 
-    /// Internal forces on the corners of the cell (12), per mass of a particle; `per_cell` [1/m] is 1 / its size.
+    /// Internal forces on the corners of the cell (12); `per_cell` [1/m] is 1 / its size.
     template <class Shape>
-    std::array<Vec2, 4> forces(const Vec2& per_cell) const {
-      const auto along_x = Shape::slopes_along_X(p_Xp.x(), Yp), along_y = Shape::slopes_along_Y(p_Xp.x(), p_Xp.y());
-      std::array<Vec2, 4> forces;
-      for (int corner = 0; corner < 4; ++corner)
-        forces[corner] = per_cell.cwiseProduct(Vec2(along_x[corner], along_y[corner]));
-      return forces;
+    CornerForces<Real> forces(const Vec2& per_cell) const {
+      return {Shape::template slopes_along_X<Real>(per_cell.x() * along_x.one, per_cell.x() * along_x.moment),
+              Shape::template slopes_along_Y<Real>(per_cell.y() * along_y.one, per_cell.y() * along_y.moment)};
     }
   };
 
-  /// (33).
-  template <class Real>
-  void update(int slot, const FluidLaw& fluid, const Real& density, const Slopes<Real>&) {
-    store<Real>(fluid.pressure(density), pressure_, slot);
+  /// (33), of the particles from `slot` on that `Store` writes.
+  template <class Real, class Store>
+  void update(int slot, const FluidLaw& fluid, const Real& expansion, const Slopes<Real>&, const Store& write) {
+    const Real specific_volume = fill<Real>(1 / fluid.density) * (1 + expansion);  // m³/kg
+    write(specific_volume * pressure_of<Real>(fluid, expansion), &pressure_[slot]);
   }
-  void copy(int from, int to) { pressure_[to] = pressure_[from]; }
+
+  template <class F>
+  void for_fields(const F& f) {
+    f(pressure_);
+  }
 
  private:
-  Scalars pressure_;  // Pa
+  Field<Number> pressure_;
 };
 
 /// The stress of a viscous fluid.
-template <Viscous FluidLaw>
-class Stress<FluidLaw> {
+template <Viscous FluidLaw, class Number>
+class Stress<FluidLaw, Number> {
  public:
-  explicit Stress(Eigen::Index particles)
-      : xx_(Scalars::Zero(particles)), xy_(Scalars::Zero(particles)), yy_(Scalars::Zero(particles)) {}
+  explicit Stress(int slots) : xx_(slots), xy_(slots), yy_(slots) {}
 
-  /// Sums over the particles of a cell of the rows of stress / density [m²/s²], as the nodes of the cell need them.
   template <class Real>
   struct Sums {
-    Pair<Real> x = zero<Real>(), Yx = zero<Real>(), y = zero<Real>(), Xy = zero<Real>();
+    Sum<Real> xx, xy_Y, xy_X, yy;  // those along x with Y, those along y with X
 
-    void add(const Stress& stress, int slot, const Real& per_density, const Real& X, const Real& Y) {
-      const Real xy = per_density * load<Real>(stress.xy_, slot);
-      const Pair<Real> row_x{per_density * load<Real>(stress.xx_, slot), xy};
-      const Pair<Real> row_y{xy, per_density * load<Real>(stress.yy_, slot)};
-      x += row_x;
-      Yx += Y * row_x;
-      y += row_y;
-      Xy += X * row_y;
+    void add(const Stress& stress, int slot, const Real& X, const Real& Y) {
+      const Real xy = load<Real>(&stress.xy_[slot]);
+      xx.add(load<Real>(&stress.xx_[slot]), Y);
+      xy_Y.add(xy, Y);
+      xy_X.add(xy, X);
+      yy.add(load<Real>(&stress.yy_[slot]), X);
     }
-    Sums<double> total() const { return {mpm::total(x), mpm::total(Yx), mpm::total(y), mpm::total(Xy)}; }
+    template <int part>
+    Sums<Lanes> as_doubles() const {
+      return {widened<part>(xx), widened<part>(xy_Y), widened<part>(xy_X), widened<part>(yy)};
+    }
 
     template <class Shape>
-    std::array<Vec2, 4> forces(const Vec2& per_cell) const {
-      const auto along_x = Shape::template slopes_along_X<Vec2>(-per_cell.x() * x, -per_cell.x() * Yx);
-      const auto along_y = Shape::template slopes_along_Y<Vec2>(-per_cell.y() * y, -per_cell.y() * Xy);
-      std::array<Vec2, 4> forces;
-      for (int corner = 0; corner < 4; ++corner) forces[corner] = along_x[corner] + along_y[corner];
-      return forces;
+    CornerForces<Real> forces(const Vec2& per_cell) const {
+      const auto along = [&](const Sum<Real>& x, const Sum<Real>& y) {
+        auto force = Shape::template slopes_along_X<Real>(-per_cell.x() * x.one, -per_cell.x() * x.moment);
+        const auto along_y = Shape::template slopes_along_Y<Real>(-per_cell.y() * y.one, -per_cell.y() * y.moment);
+        for (int corner = 0; corner < 4; ++corner) force[corner] += along_y[corner];
+        return force;
+      };
+      return {along(xx, xy_X), along(xy_Y, yy)};
     }
   };
 
   /// (32) and (33): 2 mu eps - (2/3) mu tr(eps) I - P I.
-  template <class Real>
-  void update(int slot, const FluidLaw& fluid, const Real& density, const Slopes<Real>& of_v) {
-    const double mu = fluid.viscosity;
-    const Real isotropic = -2 * mu / 3 * of_v.divergence() - fluid.pressure(density);
-    store<Real>(2 * mu * of_v.x.x() + isotropic, xx_, slot);
-    store<Real>(mu * (of_v.x.y() + of_v.y.x()), xy_, slot);
-    store<Real>(2 * mu * of_v.y.y() + isotropic, yy_, slot);
+  template <class Real, class Store>
+  void update(int slot, const FluidLaw& fluid, const Real& expansion, const Slopes<Real>& of_v, const Store& write) {
+    const Real specific_volume = fill<Real>(1 / fluid.density) * (1 + expansion);
+    const Real mu = fill<Real>(fluid.viscosity) * specific_volume;
+    const Real isotropic =
+        fill<Real>(-2.0 / 3) * mu * of_v.divergence() - specific_volume * pressure_of<Real>(fluid, expansion);
+    write(2 * mu * of_v.xx + isotropic, &xx_[slot]);
+    write(mu * (of_v.xy + of_v.yx), &xy_[slot]);
+    write(2 * mu * of_v.yy + isotropic, &yy_[slot]);
   }
-  void copy(int from, int to) {
-    for (Scalars* component : {&xx_, &xy_, &yy_}) (*component)[to] = (*component)[from];
+
+  template <class F>
+  void for_fields(const F& f) {
+    f(xx_);
+    f(xy_);
+    f(yy_);
   }
 
  private:
-  Scalars xx_, xy_, yy_;  // Pa
+  Field<Number> xx_, xy_, yy_;
 };
 
 }  // namespace touchstone::mpm

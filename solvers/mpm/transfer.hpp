@@ -1,149 +1,304 @@
 #pragma once
-/// What goes from particles to nodes and back. A cell is summed over its particles before it meets its corners, and its
-/// fields are laid out once for all its particles: equal, but for rounding, to a loop over particles and nodes.
+/// What goes from particles to nodes and back. A block of neighbouring cells is summed over its particles, one cell a
+/// lane, before the cells meet their corners, and its fields are laid out once for all its particles: equal, but for
+/// rounding, to a loop over particles and nodes.
 ///
 /// A shape of degree one within a cell plugs in with its moments, corners and fields as `LinearHat` does. A wider one,
-/// whose cells touch more nodes, needs higher moments too: its own `CellSums`, `scatter`, `add_changes` and `gather`.
+/// whose cells touch more nodes, needs higher moments too: its own sums, `scatter`, `add_changes` and `gather`.
 
+#include "solvers/forces/none.hpp"
+#include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/cell_sums.hpp"
 #include "solvers/mpm/nodes.hpp"
+#include "solvers/threads.hpp"
+
+#include <algorithm>
+#include <concepts>
 
 namespace touchstone::mpm {
 
-/// Masses, momenta and internal forces (12) of the nodes; keeps what each cell weighs for `add_changes`.
-template <class Shape, class FluidLaw>
-[[gnu::flatten]] void scatter(const Particles<FluidLaw>& particles, const Grid& grid,
-                              std::vector<CellMass<double>>& masses, Nodes& nodes) {
-  const CellOrder& order = particles.order;
+/// What a row of cells gives to its nodes, block by block from left to right. The nodes between two blocks belong to
+/// both: what the one on the left gives them waits for the one on the right.
+template <Given first, Given last>
+class GivenByRow {
+ public:
+  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
+
+  template <Given what>
+  void give(int column, const std::array<Lanes, 4>& corners) {
+    Waiting& waiting = waiting_[what - first];
+    store(corners[0] + shifted(waiting.low, corners[1]), &nodes_.from_above[what][low_ + column]);
+    store(corners[2] + shifted(waiting.high, corners[3]), &nodes_.from_below[what][high_ + column]);
+    waiting = {corners[1], corners[3]};
+  }
+  /// Gives what waits to the nodes from `column` on, where no block follows.
+  void finish(int column) {
+    with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
+  }
+
+ private:
+  struct Waiting {
+    Lanes low{}, high{};
+  };
+  Nodes& nodes_;
+  int low_, high_;
+  std::array<Waiting, last - first + 1> waiting_;
+};
+
+/// Calls work(begin, end) for the rows of blocks, shared out between threads so that each has as many blocks.
+template <int width, class Work>
+void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
+  const std::vector<int>& rows = order.rows();
+  share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) {
+    for (auto row = std::lower_bound(rows.begin(), rows.end(), begin); row + 1 < rows.end() && *row < end; ++row)
+      work(row[0], row[1]);
+  });
+}
+
+/// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seam.
+template <Given first, Given last, int width, class Give>
+void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
+  const auto& blocks = order.blocks();
+  for_rows(order, threads, [&](int begin, int end) {
+    const int row = blocks[begin].row;
+    const bool seam = nodes.at_seam(blocks[end - 1].column + width);
+    if (seam) nodes.open_seam(row);
+    GivenByRow<first, last> to(nodes, row);
+    for (int i = begin; i < end; ++i) {
+      give(i, to);
+      const int next = blocks[i].column + width;
+      if (next < nodes.stride && (i + 1 == end || blocks[i + 1].column > next)) to.finish(next);
+    }
+    if (seam) nodes.close_seam(row, first, last);
+  });
+}
+
+/// A force that differs from place to place is given to the nodes by the particles; the same force everywhere is added
+/// to the nodes' accelerations, which the weights leave as it is.
+template <class Force>
+concept Local = is_present<Force> && !std::same_as<Force, Uniform>;
+
+/// Sums over the particles of the cells of a block of a local body force (13) [m/s²].
+template <class Real, class FluidLaw, class Number, class Block, class Force>
+Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
+                             const Force& force, double time) {
+  Momentum<Real> sums;
+  for (int lane = 0; lane < lanes_of<Number>; ++lane) {
+    Moments<Number> x, y;
+    for (int k = 0; k < block.count[lane]; ++k) {
+      const int slot = block.slot(lane, k);
+      const Number X = particles.X[slot], Y = particles.Y[slot];
+      const Vec2 b = force(grid.place(particles.order.cell(block, lane), X, Y), time);
+      x.add(static_cast<Number>(b.x()), X, Y, X * Y);
+      y.add(static_cast<Number>(b.y()), X, Y, X * Y);
+    }
+    sums.x.set(lane, x);
+    sums.y.set(lane, y);
+  }
+  return sums;
+}
+
+template <class Shape>
+std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
+  return Shape::template at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
+}
+
+inline void add(const std::array<Lanes, 4>& what, std::array<Lanes, 4>& to) {
+  for (int corner = 0; corner < 4; ++corner) to[corner] += what[corner];
+}
+
+/// Masses, momenta and forces (12), (13) of the nodes; keeps what each cell weighs for `scatter_changes`.
+template <class Shape, class FluidLaw, class Number, class Force>
+void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
+             int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
+  const auto& blocks = particles.order.blocks();
+  constexpr int parts = lanes_of<Number> / lanes;
+  masses.resize(blocks.size() * parts);
   const Vec2 per_cell = grid.cell.cwiseInverse();
-  for (int cell : order.occupied()) {
-    const CellSums<FluidLaw, double> sums = sum_over(particles, order.begin(cell), order.end(cell));
-    masses[cell] = sums.mass;
-    const auto mass = Shape::template at_corners<double>(
-        {1.0 * order.count(cell), sums.mass.X_Y.x(), sums.mass.X_Y.y(), sums.mass.XY_XXYY.x()});
-    const auto momentum = Shape::template at_corners<Vec2>({sums.v, sums.Xv, sums.Yv, sums.XYv});
-    const auto force = sums.stress.template forces<Shape>(per_cell);
-    for (int corner = 0; corner < 4; ++corner) {
-      NodeSums& node = nodes.sums[grid.corners[cell][corner]];
-      node.mass += mass[corner];
-      node.momentum += momentum[corner];
-      node.force += force[corner];
-    }
-  }
+  scatter_rows<mass, force_y>(
+      particles.order, threads, nodes, [&](int i, auto& to) __attribute__((flatten)) {
+        const auto m = mass_of(particles, blocks[i]);
+        const auto v = momentum_of(particles, blocks[i]);
+        const auto stress = stress_of(particles, blocks[i]);
+        const auto give = [&]<int part>(std::integral_constant<int, part>) {
+          const int column = blocks[i].column + part * lanes;
+          const CellMass<Lanes> of_part = masses[i * parts + part] = widened<part>(m);
+          to.template give<mass>(column,
+                                 at_corners<Shape>(Moments<Lanes>{of_part.one, of_part.X, of_part.Y, of_part.XY}));
+          to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
+          to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
+          auto force_on = stress.template as_doubles<part>().template forces<Shape>(per_cell);
+          if constexpr (Local<Force>) {
+            const auto b = body_force_of<LanesOf<Number>>(particles, blocks[i], grid, force, time);
+            add(at_corners<Shape>(widened<part>(b.x)), force_on.x);
+            add(at_corners<Shape>(widened<part>(b.y)), force_on.y);
+          }
+          to.template give<force_x>(column, force_on.x);
+          to.template give<force_y>(column, force_on.y);
+        };
+        with_indices<parts>([&](auto... part) { (give(part), ...); });
+      });
 }
 
-/// Adds the body forces on the particles to those of the nodes (13), for a force that differs from place to place.
-template <class Shape, class FluidLaw, class Force>
-void scatter_body_force(const Particles<FluidLaw>& particles, const Grid& grid, const Force& body_force, double time,
-                        Nodes& nodes) {
-  for (int cell : particles.order.occupied())
-    for (int slot = particles.order.begin(cell); slot < particles.order.end(cell); ++slot) {
-      const double X = particles.X[slot], Y = particles.Y[slot];
-      const Vec2 b = body_force(grid.place(cell, X, Y), time);
-      const auto force = Shape::template at_corners<Vec2>({b, X * b, Y * b, X * Y * b});
-      for (int corner = 0; corner < 4; ++corner) nodes.sums[grid.corners[cell][corner]].force += force[corner];
-    }
-}
-
-/// A field of the nodes, within a cell.
+/// A field of the nodes within the cells right of and above `node` and those that follow.
 template <class Shape>
-typename Shape::template Within<Vec2> field(const Nodes& nodes, const std::array<int, 4>& corners,
-                                            Vec2 NodeMotion::*of) {
-  return {nodes.motion[corners[0]].*of, nodes.motion[corners[1]].*of, nodes.motion[corners[2]].*of,
-          nodes.motion[corners[3]].*of};
+typename Shape::template Within<Lanes> laid_out(const Field<double>& field, int node, int stride) {
+  const double* low = &field[node];
+  const double* high = low + stride;
+  return {load<Lanes>(low), load<Lanes>(low + 1), load<Lanes>(high), load<Lanes>(high + 1)};
 }
 
-/// Adds to the momentum of the nodes what (16) adds to that of the particles, which makes it that of (17):
+/// Sums over the particles of a cell of q, q X, q Y and q XY, for a field q within the cell.
+template <class Within>
+Moments<Lanes> moments_of(const Within& q, const CellMass<Lanes>& m) {
+  return {m.one * q.q0 + m.X * q.qX + m.Y * q.qY + m.XY * q.qXY, m.X * q.q0 + m.XX * q.qX + m.XY * q.qY + m.XXY * q.qXY,
+          m.Y * q.q0 + m.XY * q.qX + m.YY * q.qY + m.XYY * q.qXY,
+          m.XY * q.q0 + m.XXY * q.qX + m.XYY * q.qY + m.XXYY * q.qXY};
+}
+
+/// Gives the nodes what (16) adds to the momentum of the particles, with which it becomes that of (17):
 /// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its share of M_ij.
-template <class Shape>
-[[gnu::flatten]] void add_changes(const CellOrder& order, const Grid& grid, const std::vector<CellMass<double>>& masses,
-                                  Nodes& nodes) {
-  for (int cell : order.occupied()) {
-    const auto& corners = grid.corners[cell];
-    const auto dv = field<Shape>(nodes, corners, &NodeMotion::change);
-    const CellMass<double>& m = masses[cell];
-    const double one = order.count(cell), X = m.X_Y.x(), Y = m.X_Y.y(), XX = m.XX_YY.x(), YY = m.XX_YY.y();
-    const double XY = m.XY_XXYY.x(), XXYY = m.XY_XXYY.y(), XXY = m.XXY_XYY.x(), XYY = m.XXY_XYY.y();
-    const auto added = Shape::template at_corners<Vec2>(
-        {one * dv.q0 + X * dv.qX + Y * dv.qY + XY * dv.qXY, X * dv.q0 + XX * dv.qX + XY * dv.qY + XXY * dv.qXY,
-         Y * dv.q0 + XY * dv.qX + YY * dv.qY + XYY * dv.qXY, XY * dv.q0 + XXY * dv.qX + XYY * dv.qY + XXYY * dv.qXY});
-    for (int corner = 0; corner < 4; ++corner) nodes.sums[corners[corner]].momentum += added[corner];
+template <class Shape, int width>
+void scatter_changes(const CellOrder<width>& order, const std::vector<CellMass<Lanes>>& masses, int threads,
+                     Nodes& nodes) {
+  constexpr int parts = width / lanes;
+  scatter_rows<momentum_x, momentum_y>(
+      order, threads, nodes, [&](int i, auto& to) __attribute__((flatten)) {
+        for (int part = 0; part < parts; ++part) {
+          const CellMass<Lanes>& m = masses[i * parts + part];
+          const int column = order.blocks()[i].column + part * lanes,
+                    node = order.blocks()[i].row * nodes.stride + column;
+          to.template give<momentum_x>(
+              column, at_corners<Shape>(moments_of(laid_out<Shape>(nodes.change.x, node, nodes.stride), m)));
+          to.template give<momentum_y>(
+              column, at_corners<Shape>(moments_of(laid_out<Shape>(nodes.change.y, node, nodes.stride), m)));
+        }
+      });
+}
+
+/// The same in the lanes of particles.
+template <class Shape, class Real>
+typename Shape::template Within<Real> field(const Field<double>& of, int node, int stride) {
+  using Within = typename Shape::template Within<Lanes>;
+  const auto part = [&](Lanes Within::*q) {
+    return joined<Real>([&](int lane) { return laid_out<Shape>(of, node + lane, stride).*q; });
+  };
+  typename Shape::template Within<Real> field;
+  field.q0 = part(&Within::q0);
+  field.qX = part(&Within::qX);
+  field.qY = part(&Within::qY);
+  field.qXY = part(&Within::qXY);
+  return field;
+}
+
+/// Fields of the nodes within a block of cells.
+template <class Shape, class Real>
+struct FieldPair {
+  typename Shape::template Within<Real> x, y;
+
+  FieldPair(const NodeVectors& of, int node, int stride)
+      : x(field<Shape, Real>(of.x, node, stride)), y(field<Shape, Real>(of.y, node, stride)) {}
+};
+
+/// Writes every lane.
+struct Everywhere {
+  template <class Real>
+  void operator()(const Real& value, NumberIn<Real>* to) const {
+    store(value, to);
   }
+  template <class Truth>
+  Truth unless_absent(const Truth& truth) const {
+    return truth;
+  }
+};
+/// Writes the lanes that hold a particle.
+template <class Real>
+struct WherePresent {
+  Truth<Real> present;
+
+  void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
+  Truth<Real> unless_absent(const Truth<Real>& truth) const { return truth | ~present; }
+};
+
+/// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
+template <class Real, class Number, class FluidLaw, class Velocity, class Write>
+Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell, double dt,
+                   const FluidLaw& fluid, const Write& write) {
+  const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
+  const Real along_x = fill<Real>(per_cell.x()), along_y = fill<Real>(per_cell.y());
+  const Slopes<Real> of_v{.xx = along_x * (v.x.qX + Y * v.x.qXY),
+                          .yx = along_x * (v.y.qX + Y * v.y.qXY),
+                          .xy = along_y * (v.x.qY + X * v.x.qXY),
+                          .yy = along_y * (v.y.qY + X * v.y.qXY)};
+  const Real before = load<Real>(&particles.expansion[slot]);
+  const Real after = before + (1 + before) * (fill<Real>(dt) * of_v.divergence());
+  write(after, &particles.expansion[slot]);
+  particles.stress.template update<Real>(slot, fluid, after, of_v, write);
+  return write.unless_absent(between(1 / most_density, 1 + after, 1 / least_density));
 }
 
 template <class Real, class Field>
-Pair<Real> at(const Real& X, const Real& Y, const Field& q) {
-  return broadcast<Real>(q.q0) + X * broadcast<Real>(q.qX) + Y * (broadcast<Real>(q.qY) + X * broadcast<Real>(q.qXY));
+Real at(const Real& X, const Real& Y, const Field& q) {
+  return q.q0 + X * q.qX + Y * (q.qY + X * q.qXY);
 }
 
-/// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
-template <class Real, class Field, class FluidLaw>
-Truth<Real> strain(Particles<FluidLaw>& particles, int slot, const Field& v, const Vec2& per_cell, double dt,
-                   const FluidLaw& fluid) {
-  const Real X = load<Real>(particles.X, slot), Y = load<Real>(particles.Y, slot);
-  const Slopes<Real> of_v{
-      (Real{} + per_cell.x()) * (broadcast<Real>(v.qX) + Y * broadcast<Real>(v.qXY)),
-      (Real{} + per_cell.y()) * (broadcast<Real>(v.qY) + X * broadcast<Real>(v.qXY)),
-  };
-  const Real specific_volume = load<Real>(particles.specific_volume, slot) * (1 + dt * of_v.divergence());
-  const Real density = 1 / specific_volume;
-  store<Real>(specific_volume, particles.specific_volume, slot);
-  particles.stress.template update<Real>(slot, fluid, density, of_v);
-  return between(least_density * fluid.density, density, most_density * fluid.density);
+/// Place (15) and velocity (16); true if the particles are still in their cells.
+template <class Real, class Number, class FluidLaw, class Vectors, class Write>
+Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors& displacement, const Vectors& change,
+                 const Write& write) {
+  const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
+  write(load<Real>(&particles.vx[slot]) + at(X, Y, change.x), &particles.vx[slot]);
+  write(load<Real>(&particles.vy[slot]) + at(X, Y, change.y), &particles.vy[slot]);
+  const Real new_X = X + at(X, Y, displacement.x), new_Y = Y + at(X, Y, displacement.y);
+  write(new_X, &particles.X[slot]);
+  write(new_Y, &particles.Y[slot]);
+  return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
 }
 
-/// Place (15) and velocity (16); true if the particle is still in its cell.
-template <class Real, class Field, class FluidLaw>
-Truth<Real> move(Particles<FluidLaw>& particles, int slot, const Field& displacement, const Field& change) {
-  const Real X = load<Real>(particles.X, slot), Y = load<Real>(particles.Y, slot);
-  const Pair<Real> dv = at<Real>(X, Y, change);
-  store<Real>(load<Real>(particles.vx, slot) + dv.x(), particles.vx, slot);
-  store<Real>(load<Real>(particles.vy, slot) + dv.y(), particles.vy, slot);
-  const Pair<Real> dx = at<Real>(X, Y, displacement);
-  const Real new_X = X + dx.x(), new_Y = Y + dx.y();
-  store<Real>(new_X, particles.X, slot);
-  store<Real>(new_Y, particles.Y, slot);
-  return between(0, new_X, 1) & between(0, new_Y, 1);
-}
-
-/// Does all of `bodies` in turn to the particles of a cell, several at once while there are as many; true if every body
-/// says so of every particle.
-template <class... Bodies>
-bool for_all(int begin, int end, const Bodies&... bodies) {
-  int slot = begin;
-  bool each = true;
-  if (end - begin >= lanes) {
-    Truth<Lanes> wide = Lanes{} == Lanes{};
-    const auto run = [&](const auto& body) {
-      for (slot = begin; slot + lanes <= end; slot += lanes) wide &= body.template operator()<Lanes>(slot);
-    };
-    (run(bodies), ...);
-    each = all(wide);
+/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k; true if every call
+/// yields true for every particle.
+template <class Real, class Block, class Body>
+bool for_all(const Block& block, const Body& body) {
+  constexpr int width = lanes_of<NumberIn<Real>>;
+  Truth<Real> each = Real{} == Real{};
+  const int least = block.least(), most = block.most();
+  for (int k = 0; k < least; ++k) each &= body(block.first + k * width, Everywhere{});
+  if (most > least) {
+    Real count{};
+    for (int lane = 0; lane < width; ++lane) count[lane] = static_cast<NumberIn<Real>>(block.count[lane]);
+    for (int k = least; k < most; ++k) each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
   }
-  for (; slot < end; ++slot) ((each &= bodies.template operator()<double>(slot)), ...);
-  return each;
+  return all<Real>(each);
 }
 
-/// Everything that the particles take from the nodes. `suspects` becomes the list of cells in which a particle may have
-/// left its cell or have an implausible density; not a number is among the latter.
-template <class Shape, class FluidLaw>
-[[gnu::flatten]] void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt,
-                             Particles<FluidLaw>& particles, std::vector<int>& suspects) {
-  const CellOrder& order = particles.order;
-  const FluidLaw fluid = law;  // a copy, known not to change while particles are written
-  const Vec2 per_cell = grid.cell.cwiseInverse();
-  suspects.clear();
-  for (int cell : order.occupied()) {
-    const auto& corners = grid.corners[cell];
-    const int begin = order.begin(cell), end = order.end(cell);
-    const auto v = field<Shape>(nodes, corners, &NodeMotion::remapped);
-    const auto displacement = field<Shape>(nodes, corners, &NodeMotion::displacement);
-    const auto change = field<Shape>(nodes, corners, &NodeMotion::change);
-    const bool calm = for_all(
-        begin, end, [&]<class Real>(int slot) { return strain<Real>(particles, slot, v, per_cell, dt, fluid); },
-        [&]<class Real>(int slot) { return move<Real>(particles, slot, displacement, change); });
-    if (!calm) suspects.push_back(cell);
-  }
+/// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
+/// their cells, and of a plausible density; not a number is neither.
+template <class Shape, class FluidLaw, class Number>
+void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
+            Particles<FluidLaw, Number>& particles, std::vector<char>& calm) {
+  using Real = LanesOf<Number>;
+  const auto& blocks = particles.order.blocks();
+  calm.resize(blocks.size());
+  for_rows(
+      particles.order, threads, [&](int begin, int end) __attribute__((flatten)) {
+        const FluidLaw fluid = law;  // a copy, known not to change while particles are written
+        const Vec2 per_cell = grid.cell.cwiseInverse();
+        const double step = dt;
+        for (int i = begin; i < end; ++i) {
+          const auto block = blocks[i];
+          const int node = block.row * nodes.stride + block.column;
+          const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
+          const bool dense = for_all<Real>(block, [&](int slot, const auto& write) {
+            return strain<Real>(particles, slot, v, per_cell, step, fluid, write);
+          });
+          const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride),
+              change(nodes.change, node, nodes.stride);
+          const bool inside = for_all<Real>(block, [&](int slot, const auto& write) {
+            return move<Real>(particles, slot, displacement, change, write);
+          });
+          calm[i] = dense && inside;
+        }
+      });
 }
 
 }  // namespace touchstone::mpm

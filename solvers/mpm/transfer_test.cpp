@@ -170,26 +170,38 @@ TEST(Transfer, EqualsThePlainLoopForAnInviscidFluidInACorner) {
   });
 }
 
-TEST(Lanes, TotalEveryLane) {
-  Scalars a(lanes), b(lanes);
-  for (int lane = 0; lane < lanes; ++lane) {
-    a[lane] = 1 << lane;
-    b[lane] = 3 << lane;
-  }
-  const Vec2 sums = total(LanePair{load<Lanes>(a, 0), load<Lanes>(b, 0)});
-  EXPECT_EQ(sums.x(), a.sum());
-  EXPECT_EQ(sums.y(), b.sum());
+template <class Number>
+LanesOf<Number> counted_from(Number first) {
+  LanesOf<Number> numbers;
+  for (int lane = 0; lane < lanes_of<Number>; ++lane) numbers[lane] = first + static_cast<Number>(lane);
+  return numbers;
 }
 
 TEST(Lanes, NoticeOneNumberThatIsNotOne) {
   for (int lane = 0; lane < lanes; ++lane) {
-    Scalars a = Scalars::Constant(lanes, 0.5);
-    EXPECT_TRUE(all(between(0, load<Lanes>(a, 0), 1)));
+    Lanes a = fill<Lanes>(0.5);
+    EXPECT_TRUE(all<Lanes>(between(0, a, 1)));
     a[lane] = std::nan("");
-    EXPECT_FALSE(all(between(0, load<Lanes>(a, 0), 1)));
+    EXPECT_FALSE(all<Lanes>(between(0, a, 1)));
     a[lane] = 1.001;
-    EXPECT_FALSE(all(between(0, load<Lanes>(a, 0), 1)));
+    EXPECT_FALSE(all<Lanes>(between(0, a, 1)));
   }
+}
+
+TEST(Lanes, HandTheLastOnTheLeftToTheFirst) {
+  const Lanes numbers = shifted(counted_from(1.0), counted_from(1.0 + lanes));
+  for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(numbers[lane], lanes + lane);
+}
+
+TEST(Lanes, AreTheSameNumbersWidenedAndJoined) {
+  const auto numbers = counted_from(1.0F);
+  const Lanes first = widened<0>(numbers), second = widened<1>(numbers);
+  const auto again = joined<LanesOf<float>>([&](int lane) { return lane == 0 ? first : second; });
+  for (int lane = 0; lane < lanes; ++lane) {
+    EXPECT_EQ(first[lane], 1 + lane);
+    EXPECT_EQ(second[lane], 1 + lanes + lane);
+  }
+  for (int lane = 0; lane < lanes_of<float>; ++lane) EXPECT_EQ(again[lane], numbers[lane]);
 }
 
 }  // namespace

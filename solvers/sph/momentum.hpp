@@ -1,21 +1,69 @@
 #pragma once
-#include "solvers/sph/neighbours.hpp"
+/// The terms of a method's momentum equation, as types: one that is not listed costs nothing.
+
 #include "solvers/sph/pair.hpp"
 
 #include <tuple>
 
 namespace touchstone::sph {
 
-/// The terms of a method's momentum equation, as types: one that is not listed costs nothing.
+/// A term that divides by something of its own says by what; a pair divides once for all of them.
+template <class Term, class Real>
+concept Dividing = requires(const Term& term, const Pair<Real>& ij) {
+  term.divisor(ij);
+};
+
+/// 1 / of[k] for all k, by one division.
+template <class Real, std::size_t count>
+std::array<Real, count> reciprocals(const std::array<Real, count>& of) {
+  std::array<Real, count> product = of, per;
+  for (std::size_t k = 1; k < count; ++k) product[k] *= product[k - 1];
+  Real rest = 1 / product[count - 1];
+  for (std::size_t k = count - 1; k > 0; --k) {
+    per[k] = rest * product[k - 1];
+    rest *= of[k];
+  }
+  per[0] = rest;
+  return per;
+}
+
+/// The slope of the kernel at a distance whose reciprocal is known [m⁻⁴].
+template <class Kernel, class Real>
+Real slope_of(const Real& r, const Real& per_r, double h) {
+  return Kernel::dw(Real(r * Number<Real>(1 / h))) * Number<Real>(1 / (h * h * h)) * per_r;
+}
+
 template <class... Terms>
 struct Momentum {
   std::tuple<Terms...> terms;
 
-  template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
+  /// The pull of all terms on a pair, whose slope is found on the way.
+  template <class Kernel, class Real>
+  Pull<Real> on(Pair<Real>& ij, double h) const {
+    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r};
+    std::size_t last = 0;
+    std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, last), ...); }, terms);
+    const auto per = reciprocals(divisors);
+    ij.slope = slope_of<Kernel>(ij.r, per[0], h);
     Pull<Real> sum;
-    std::apply([&](const auto&... term) { ((sum += term(ij)), ...); }, terms);
+    last = 0;
+    std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, last)), ...); }, terms);
     return sum;
+  }
+
+ private:
+  template <class Term, class Real, std::size_t count>
+  static void add_divisor(const Term& term, const Pair<Real>& ij, std::array<Real, count>& divisors,
+                          std::size_t& last) {
+    if constexpr (Dividing<Term, Real>) divisors[++last] = term.divisor(ij);
+  }
+  template <class Term, class Real, std::size_t count>
+  static Pull<Real> pull_of(const Term& term, const Pair<Real>& ij, const std::array<Real, count>& per,
+                            std::size_t& last) {
+    if constexpr (Dividing<Term, Real>)
+      return term.pull(ij, per[++last]);
+    else
+      return term(ij);
   }
 };
 
@@ -24,33 +72,37 @@ Momentum<Terms...> momentum(const Terms&... terms) {
   return {{terms...}};
 }
 
-/// Particles i and their neighbours j, with the slope of the kernel between them.
-template <class Kernel, class I, class J>
-auto pair_of(const Particles& all, const I& i, const J& j, double h) {
-  Pair<typename J::Real> ij;
-  ij.x = i(all.x) - j(all.x);
-  ij.y = i(all.y) - j(all.y);
+/// Particles i and their neighbours j, without the slope of the kernel between them.
+template <class I, class J>
+auto pair_of(const I& i, const J& j, double mass) {
+  using Real = typename J::Real;
+  using Record = std::remove_cvref_t<decltype(*j.all)>;
+  Pair<Real> ij;
+  const auto sides = apart(i, j);
+  ij.x = sides[0];
+  ij.y = sides[1];
   ij.r2 = ij.x * ij.x + ij.y * ij.y;
-  const auto r = square_root(ij.r2);
-  ij.slope = Kernel::dw(r / h) / (h * h * h * r);
-  ij.vx = i(all.vx) - j(all.vx);
-  ij.vy = i(all.vy) - j(all.vy);
-  ij.rho_i = i(all.rho);
-  ij.rho_j = j(all.rho);
-  ij.p_i = i(all.p);
-  ij.p_j = j(all.p);
-  ij.mass = all.mass;
+  ij.r = square_root(ij.r2);
+  const auto v_i = i.two(&Record::vx), v_j = j.two(&Record::vx);
+  ij.vx = v_i[0] - v_j[0];
+  ij.vy = v_i[1] - v_j[1];
+  const auto state_i = i.two(&Record::rho), state_j = j.two(&Record::rho);
+  ij.rho_i = state_i[0], ij.p_i = state_i[1];
+  ij.rho_j = state_j[0], ij.p_j = state_j[1];
+  const auto derived_i = i.two(&Record::volume), derived_j = j.two(&Record::volume);
+  ij.volume_i = derived_i[0], ij.push_i = derived_i[1];
+  ij.volume_j = derived_j[0], ij.push_j = derived_j[1];
+  ij.mass = static_cast<Number<Real>>(mass);
   return ij;
 }
 
-/// Adds the body force per mass, the last part of (24).
-template <class Force>
-void add_force(const Force& body_force, const Particles& all, double time, Scalars& ax, Scalars& ay) {
-  for (Index i = 0; i < all.fluid; ++i) {
-    const Vec2 force = body_force(Vec2(all.x[i], all.y[i]), time);
-    ax[i] += force.x();
-    ay[i] += force.y();
-  }
+/// The same with the slope of the kernel.
+template <class Kernel, class I, class J>
+auto pair_of(const I& i, const J& j, double mass, double h) {
+  auto ij = pair_of(i, j, mass);
+  using Real = typename J::Real;
+  ij.slope = slope_of<Kernel>(ij.r, Real(1 / ij.r), h);
+  return ij;
 }
 
 }  // namespace touchstone::sph

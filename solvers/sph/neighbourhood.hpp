@@ -3,60 +3,61 @@
 
 #include "solvers/lattice.hpp"
 #include "solvers/samples.hpp"
+#include "solvers/sph/neighbours.hpp"
 #include "solvers/sph/walls/ghosts.hpp"
+
+#include <atomic>
 
 namespace touchstone::sph {
 
+/// How far the lists reach [m]: the kernel, the push of a wall (0 where there is none), and a skin beyond both.
+struct Reach {
+  double kernel, wall, skin;
+};
+
+template <class Record_>
 class Neighbourhood {
  public:
+  using Record = Record_;
+  static constexpr int width = lanes<typename Record::Number>;
+  using Lists = NeighbourLists<width>;
+
   Particles all;
+  std::vector<Record> seen;  // of all, what sums over pairs read
   BoundaryLayout boundary;
   Images images;
-  NeighbourLists fluid_near_fluid;                // of each fluid particle: fluid and ghosts
-  NeighbourLists fluid_near_ghost;                // of each ghost: fluid
-  std::array<NeighbourLists, 2> wall_near_fluid;  // likewise: particles on walls of constant x, of constant y
+  Lists fluid_near_fluid;                // of each fluid particle: fluid and ghosts
+  Lists fluid_near_ghost;                // of each ghost that has any: fluid
+  std::array<Lists, 2> wall_near_fluid;  // of fluid that has any: particles on walls of constant x, of constant y
 
-  /// Fluid at rest on a lattice. `reach` [m] is the radius of the kernel; the lists reach a `skin` [m] further.
-  Neighbourhood(const Domain& domain, const Box& filled, double density, double spacing, double reach, double skin,
-                BoundaryLayout layout, std::size_t carried_fields = 0)
-      : boundary(std::move(layout)), domain_(domain), reach_(reach), skin_(skin) {
+  /// Fluid at rest on a lattice.
+  Neighbourhood(const Domain& domain, const Box& filled, double density, double spacing, const Reach& reach,
+                BoundaryLayout layout, int threads = 1)
+      : boundary(std::move(layout)), domain_(domain), density_(density), reach_(reach), threads_(threads) {
     const double period = domain.box.size().x();
-    if (domain.periodic_x && reach + skin > period)
-      throw std::invalid_argument(
-          fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m", reach + skin, period));
+    if (domain.periodic_x && reach.kernel + reach.skin > period)
+      throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
+                                              reach.kernel + reach.skin, period));
     const Lattice cells = lattice(filled, spacing, domain.box);
-    const Vectors places = cells.places();
-    all.fluid = places.cols();
-    all.boundary = static_cast<Index>(boundary.ghosts.size() + boundary.on_walls.size());
+    place(cells.places());
     all.mass = density * cells.volume();
-    all.carried.resize(carried_fields);
-    all.resize();
-    all.each_field([](Scalars& field) { field = 0; });
-    all.x.head(all.fluid) = places.row(0);
-    all.y.head(all.fluid) = places.row(1);
-    all.rho = density;
-    for (Index k = 0; k < all.boundary; ++k) {
-      const bool ghost = k < ghosts();
-      const Vec2& x = ghost ? boundary.ghosts[k].x : boundary.on_walls[k - ghosts()];
-      all.x[all.fluid + k] = x.x();
-      all.y[all.fluid + k] = x.y();
-    }
-    all.number.resize(all.fluid);
-    for (Index i = 0; i < all.fluid; ++i) all.number[i] = static_cast<int>(i);
     list_anew();
   }
 
   Index ghosts() const { return static_cast<Index>(boundary.ghosts.size()); }
+  int threads() const { return threads_; }
+
+  /// Gives the fluid fields of zeros that go with it: of a method, and of an integrator.
+  void carry(std::size_t of_method, std::size_t of_integrator) {
+    all.carried.assign(of_method, Scalars::Zero(all.fluid));
+    all.past.assign(of_integrator, Scalars::Zero(all.fluid));
+  }
 
   /// To be called before a step of `dt` [s]: lists anew, with the fluid in cell order, if by its end a particle may
   /// have come from outside the lists into the kernel's reach. Throws Diverged when a particle is outside the domain or
   /// nowhere.
   void follow(long step, double time, double dt) {
-    constexpr double margin = 0.9;  // for what the velocity changes within the step
-    const auto fluid = Eigen::seqN(0, all.fluid);
-    way_ = ((all.x(fluid) - listed_x_).abs() + dt * all.vx(fluid).abs()).square() +
-           ((all.y(fluid) - listed_y_).abs() + dt * all.vy(fluid).abs()).square();
-    if ((way_ <= margin * margin * skin_ * skin_ / 4).all()) return;  // false for what is not a number
+    if (lists_hold(dt)) return;
     refuse_strays(step, time);
     list_anew();
   }
@@ -73,6 +74,20 @@ class Neighbourhood {
       throw Diverged(
           {step, time, all.number[i], x, inside_x ? "y [m]" : "x [m]", inside_x ? x.y() : x.x(), "inside the domain"});
     }
+  }
+
+  /// Writes the records of the fluid and of its images, with the pressure of its density (33).
+  template <class FluidLaw>
+  void see_fluid(const FluidLaw& fluid) {
+    share_out(threads_, all.fluid, [&, law = fluid](Index begin, Index end) {
+      Record* const record = seen.data();
+      for (Index i = begin; i < end; ++i) {
+        record[i].stand_at(all.x[i], all.y[i]);
+        record[i].move(all.vx[i], all.vy[i]);
+        record[i].be(all.rho[i], law.pressure(all.rho[i]));
+      }
+    });
+    images.refresh_fluid(all, seen);
   }
 
   /// The fluid in the order of its numbers, with the pressure of its density.
@@ -95,6 +110,40 @@ class Neighbourhood {
   }
 
  private:
+  void place(const Vectors& places) {
+    all.fluid = places.cols();
+    all.boundary = static_cast<Index>(boundary.ghosts.size() + boundary.on_walls.size());
+    all.x.resize(all.nowhere() + 1);
+    all.y.resize(all.nowhere() + 1);
+    all.x.head(all.fluid) = places.row(0);
+    all.y.head(all.fluid) = places.row(1);
+    for (Index k = 0; k < all.boundary; ++k) {
+      const Vec2& x = k < ghosts() ? boundary.ghosts[k].x : boundary.on_walls[k - ghosts()];
+      all.x[all.fluid + k] = x.x();
+      all.y[all.fluid + k] = x.y();
+    }
+    all.each_field([&](Scalars& field) { field.setZero(all.fluid); });
+    all.rho = density_;
+    all.number.resize(all.fluid);
+    for (Index i = 0; i < all.fluid; ++i) all.number[i] = static_cast<int>(i);
+  }
+
+  bool lists_hold(double dt) const {
+    constexpr double margin = 0.9;  // for what the velocity changes within the step
+    const double farthest = margin * margin * reach_.skin * reach_.skin / 4;
+    std::atomic<bool> hold = true;
+    share_out(threads_, all.fluid, [&](Index begin, Index end) {
+      long beyond = 0;
+      for (Index i = begin; i < end; ++i) {
+        const double x = std::abs(all.x[i] - listed_x_[i]) + dt * std::abs(all.vx[i]),
+                     y = std::abs(all.y[i] - listed_y_[i]) + dt * std::abs(all.vy[i]);
+        beyond |= x * x + y * y <= farthest ? 0 : 1;  // 1 for what is not a number
+      }
+      if (beyond) hold = false;
+    });
+    return hold;
+  }
+
   double wrapped(double x) const {
     if (!domain_.periodic_x) return x;
     const double low = domain_.box.low.x(), length = domain_.box.size().x();
@@ -102,47 +151,68 @@ class Neighbourhood {
   }
 
   void list_anew() {
-    const double listed = reach_ + skin_;
+    const double listed = reach_.kernel + reach_.skin;
     for (Index i = 0; i < all.fluid; ++i) all.x[i] = wrapped(all.x[i]);
-    sort_fluid(Cells(all.x.data(), all.y.data(), all.fluid, listed).sorted());
+    sort_fluid(Cells(all.x, all.y, all.fluid, listed, [](Index) { return true; }).sorted());
     images.choose(all, domain_, listed);
-    const Cells cells(all.x.data(), all.y.data(), all.nowhere(), listed);
-    find_kinds();
-    fill<3>({&fluid_near_fluid, &wall_near_fluid[0], &wall_near_fluid[1]}, all, cells, 0, all.fluid, listed,
-            [&](int j) { return kind_[j] <= is_fluid ? 0 : kind_[j]; });
-    fill<1>({&fluid_near_ghost}, all, cells, all.fluid, all.fluid + ghosts(), listed,
-            [&](int j) { return kind_[j] == is_fluid ? 0 : -1; });
+    list_fluid_and_ghosts(listed);
+    if (reach_.wall > 0) list_walls(reach_.wall + reach_.skin);
+    see_boundary_at_rest();
     listed_x_ = all.x.head(all.fluid);
     listed_y_ = all.y.head(all.fluid);
   }
 
-  /// What each particle and image is.
-  void find_kinds() {
-    kind_.resize(all.nowhere());
-    const Index on_walls = all.fluid + ghosts(), on_level = on_walls + static_cast<Index>(boundary.on_upright);
-    for (Index j = 0; j < all.nowhere(); ++j) {
-      const Index source = j < images.first(all) ? j : images.source(j - images.first(all));
-      kind_[j] = source < all.fluid  ? is_fluid
-                 : source < on_walls ? is_ghost
-                 : source < on_level ? is_on_wall_of_x
-                                     : is_on_wall_of_y;
+  void list_fluid_and_ghosts(double listed) {
+    const Cells cells(all.x, all.y, all.nowhere(), listed, [&](Index j) { return !is_on_wall(source(j)); });
+    fill(fluid_near_fluid, all, cells, 0, all.fluid, listed, true, threads_, [](int) { return true; });
+    const int fluid = static_cast<int>(all.fluid), first = static_cast<int>(images.first(all)),
+              last = first + static_cast<int>(images.of_fluid());
+    fill(fluid_near_ghost, all, cells, all.fluid, all.fluid + ghosts(), listed, false, threads_,
+         [=](int j) { return (j < fluid) | ((j >= first) & (j < last)); });
+  }
+
+  void list_walls(double listed) {
+    const Index on_upright = all.fluid + ghosts() + static_cast<Index>(boundary.on_upright);
+    for (const int axis : {0, 1}) {
+      const Cells cells(all.x, all.y, all.nowhere(), listed,
+                        [&](Index j) { return is_on_wall(source(j)) && (source(j) < on_upright) == (axis == 0); });
+      if (cells.sorted().empty()) continue;
+      fill(wall_near_fluid[axis], all, cells, 0, all.fluid, listed, false, threads_, [](int) { return true; });
     }
   }
 
+  /// Boundary particles stand where they stand, at rest and without pressure until fluid near them moves them.
+  void see_boundary_at_rest() {
+    const Vec2 far = domain_.box.high + domain_.box.size() + Vec2::Constant(10 * (reach_.kernel + reach_.skin));
+    all.x[all.nowhere()] = far.x();
+    all.y[all.nowhere()] = far.y();
+    seen.resize(all.nowhere() + 1);
+    for (Index k = all.fluid; k <= all.nowhere(); ++k) {
+      seen[k] = Record{};
+      seen[k].stand_at(all.x[k], all.y[k]);
+      seen[k].be(density_, 0);
+    }
+  }
+
+  Index source(Index j) const { return j < images.first(all) ? j : images.source(j - images.first(all)); }
+  bool is_on_wall(Index source) const { return source >= all.fluid + ghosts(); }
+
   void sort_fluid(const std::vector<int>& order) {
     const Eigen::Map<const Eigen::ArrayXi> rows(order.data(), all.fluid);
-    all.each_field([&](Scalars& field) { field.head(all.fluid) = field(rows).eval(); });
+    const auto sort = [&](auto&& field) { field.head(all.fluid) = field(rows).eval(); };
+    sort(all.x);
+    sort(all.y);
+    all.each_field(sort);
     std::vector<int> numbers(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) numbers[k] = all.number[order[k]];
     all.number = std::move(numbers);
   }
 
   Domain domain_;
-  enum Kind : signed char { is_ghost = -1, is_fluid = 0, is_on_wall_of_x = 1, is_on_wall_of_y = 2 };
-  std::vector<Kind> kind_;
-  double reach_, skin_;          // m
+  double density_;  // kg/m³  at rest
+  Reach reach_;
+  int threads_;
   Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made
-  Scalars way_;                  // m²  how far it will be from there, squared
 };
 
 }  // namespace touchstone::sph

@@ -1,136 +1,122 @@
 #pragma once
-/// Who is near whom: linked cells (Sun et al. 2.5) fill lists that hold for many steps, because they reach a little
-/// further than the kernel; and the sum over these lists, the one hot loop of the method.
+/// Lists of neighbours that hold for many steps, because they reach a little further than the kernel; and the sum over
+/// these lists, the one hot loop of the method.
 
-#include "solvers/sph/particles.hpp"
+#include "solvers/sph/cells.hpp"
+#include "solvers/threads.hpp"
 
-#include <algorithm>
-#include <array>
+#include <span>
 
 namespace touchstone::sph {
 
-/// Lists of neighbours for a range of particles, `lanes` particles to a block. Row r of a block holds the r-th
-/// neighbour of each of its particles; short lists are filled up with the particle that is nowhere.
+/// Lists of neighbours, `width` particles to a block. The first row of a block holds its particles, row r the r-th
+/// neighbour of each; short lists are filled up with the particle that is nowhere, a short block with its first
+/// particle. The neighbours of a particle keep their order, whatever the width.
+template <int width>
 struct NeighbourLists {
-  Index begin = 0, end = 0;         // the particles that have lists
-  std::vector<Index> first_row{0};  // of each block, and one more
-  std::vector<int> neighbour;       // [row][lane]
+  struct Block {
+    Index first_row;
+    int particles, rows;
+  };
+  /// What one thread lists and sums for.
+  struct Part {
+    std::vector<Block> blocks;
+    std::vector<int> rows;  // [row][lane]
 
-  Index blocks() const { return static_cast<Index>(first_row.size()) - 1; }
-
-  /// Adds a block, short lists filled up with `nobody`.
-  void append(const std::array<std::vector<int>, lanes>& near, int nobody) {
-    std::size_t rows = 0;
-    for (const std::vector<int>& of_lane : near) rows = std::max(rows, of_lane.size());
-    const std::size_t start = neighbour.size();
-    neighbour.resize(start + rows * lanes, nobody);
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-      for (std::size_t row = 0; row < near[lane].size(); ++row) neighbour[start + row * lanes + lane] = near[lane][row];
-    first_row.push_back(first_row.back() + static_cast<Index>(rows));
-  }
+    std::span<const int> rows_of(const Block& block) const {
+      return {rows.data() + block.first_row * width, static_cast<std::size_t>(block.rows) * width};
+    }
+  };
+  std::vector<Part> parts{1};
 };
 
-/// Particles sorted into square cells: the linked-cell search.
-class Cells {
+/// Collects particles with their neighbours into blocks.
+template <int width>
+class BlockWriter {
  public:
-  /// Sorts `count` places; a place that is not finite is refused by the caller.
-  Cells(const double* x, const double* y, Index count, double side) : side_(side) {
-    low_ = {*std::min_element(x, x + count), *std::min_element(y, y + count)};
-    const Vec2 high = {*std::max_element(x, x + count), *std::max_element(y, y + count)};
-    columns_ = static_cast<int>((high.x() - low_.x()) / side) + 1;
-    rows_ = static_cast<int>((high.y() - low_.y()) / side) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-    std::vector<int> cell(count);
-    for (Index i = 0; i < count; ++i) ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    sorted_.resize(count);
-    for (Index i = 0; i < count; ++i) sorted_[next[cell[i]]++] = static_cast<int>(i);
+  using Part = typename NeighbourLists<width>::Part;
+
+  BlockWriter(Part& part, int nobody) : part_(part), nobody_(nobody) {
+    part_.blocks.clear();
+    part_.rows.clear();
   }
-
-  const std::vector<int>& sorted() const { return sorted_; }
-
-  /// Calls visit(j) for each particle in the nine cells around a place, in a fixed order.
-  template <class Visit>
-  void near(double x, double y, Visit visit) const {
-    const int c = column(x), r = row(y);
-    for (int k = std::max(r - 1, 0); k <= std::min(r + 1, rows_ - 1); ++k)
-      for (int s = first_[at(std::max(c - 1, 0), k)]; s < first_[at(std::min(c + 1, columns_ - 1), k) + 1]; ++s)
-        visit(sorted_[s]);
+  std::vector<int>& next() { return near_[used_]; }  // where to write the neighbours of the next particle
+  void take(int particle, std::size_t neighbours) {
+    particle_[used_] = particle;
+    count_[used_] = neighbours;
+    if (++used_ == width) flush();
+  }
+  void flush() {
+    if (used_ == 0) return;
+    const std::size_t start = part_.rows.size(), most = *std::max_element(count_.begin(), count_.begin() + used_);
+    part_.blocks.push_back({static_cast<Index>(start / width), used_, static_cast<int>(1 + most)});
+    part_.rows.resize(start + (1 + most) * width, nobody_);
+    int* rows = part_.rows.data() + start;
+    for (int lane = 0; lane < width; ++lane) rows[lane] = particle_[lane < used_ ? lane : 0];
+    for (int lane = 0; lane < used_; ++lane)
+      for (std::size_t n = 0; n < count_[lane]; ++n) rows[(1 + n) * width + lane] = near_[lane][n];
+    used_ = 0;
   }
 
  private:
-  int column(double x) const { return static_cast<int>((x - low_.x()) / side_); }
-  int row(double y) const { return static_cast<int>((y - low_.y()) / side_); }
-  int at(int c, int r) const { return r * columns_ + c; }
-
-  double side_;
-  Vec2 low_;
-  int columns_, rows_;
-  std::vector<int> first_, sorted_;
+  Part& part_;
+  int nobody_, used_ = 0;
+  std::array<std::vector<int>, width> near_;
+  std::array<int, width> particle_{};
+  std::array<std::size_t, width> count_{};
 };
 
-/// Fills `K` lists for the particles [begin, end) in one search: a particle j within `reach` [m] goes to list kind(j),
-/// or to none for a kind that is negative.
-template <std::size_t K, class Kind>
-void fill(const std::array<NeighbourLists*, K>& lists, const Particles& all, const Cells& cells, Index begin, Index end,
-          double reach, Kind kind) {
-  for (NeighbourLists* list : lists) {
-    list->begin = begin;
-    list->end = end;
-    list->first_row.assign(1, 0);
-    list->neighbour.clear();
-  }
-  std::array<std::array<std::vector<int>, lanes>, K> near;
-  for (Index block = begin; block < end; block += lanes) {
-    for (auto& of_kind : near)
-      for (std::vector<int>& of_lane : of_kind) of_lane.clear();
-    for (Index i = block; i < std::min<Index>(block + lanes, end); ++i) {
-      const double x = all.x[i], y = all.y[i];
-      cells.near(x, y, [&](int j) {
-        const double dx = x - all.x[j], dy = y - all.y[j];
-        if (dx * dx + dy * dy >= reach * reach || j == i) return;
-        if (const int k = kind(j); k >= 0) near[k][i - block].push_back(j);
-      });
+/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m] and accepted. Particles
+/// without any have no list, unless `all_of_them` shall have one.
+template <int width, class Accept>
+void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells, Index begin, Index end, double reach,
+          bool all_of_them, int threads, Accept accept) {
+  lists.parts.resize(threads);
+  share_out(threads, threads, [&](Index first, Index last) {
+    for (Index part = first; part < last; ++part) {
+      BlockWriter<width> writer(lists.parts[part], static_cast<int>(all.nowhere()));
+      const Index count = end - begin;
+      for (Index i = begin + count * part / threads; i < begin + count * (part + 1) / threads; ++i) {
+        const int self = static_cast<int>(i);
+        const std::size_t found = cells.near(Vec2(all.x[i], all.y[i]), reach, self, accept, writer.next());
+        if (found > 0 || all_of_them) writer.take(self, found);
+      }
+      writer.flush();
     }
-    for (std::size_t k = 0; k < K; ++k) lists[k]->append(near[k], static_cast<int>(all.nowhere()));
-  }
+  });
 }
 
-/// A block of particles i: their values of a field.
-struct Block {
-  using Real = Lanes;
-  Index first;
-  Lanes operator()(const Scalars& field) const { return load(field.data() + first); }
-};
-/// A row of neighbours j, one for each i.
-struct Row {
-  using Real = Lanes;
-  const int* which;
-  Lanes operator()(const Scalars& field) const { return gather(field.data(), which); }
-};
-
-/// Distances between i and j [m].
-inline Lanes distance(const Particles& all, Block i, Row j) {
-  const Lanes dx = i(all.x) - j(all.x), dy = i(all.y) - j(all.y);
-  return square_root(dx * dx + dy * dy);
+/// The sums of one block. Everything is inlined here, or vectors would travel through memory.
+template <std::size_t K, int width, class Record, class Term>
+[[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Record* all, const Term& term) {
+  std::array<Lanes<typename Record::Number, width>, K> total{};
+  const Row<Record, width> i{all, rows.data()};
+  for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
+    const auto share = term(i, Row<Record, width>{all, row});
+    for (std::size_t k = 0; k < K; ++k) total[k] += share[k];
+  }
+  return total;
 }
 
-/// sums[k][n] = sum over the neighbours j of i of term(i, j)[k], with i a Block and j a Row, and n counted from the
-/// first particle that has a list.
-template <std::size_t K, class Term>
-void sum_over_neighbours(const NeighbourLists& lists, const std::array<double*, K>& sums, Term term) {
-  for (Index b = 0; b < lists.blocks(); ++b) {
-    const Block i{lists.begin + b * lanes};
-    std::array<Lanes, K> total{};
-    for (Index row = lists.first_row[b]; row < lists.first_row[b + 1]; ++row) {
-      const std::array<Lanes, K> share = term(i, Row{&lists.neighbour[row * lanes]});
-      for (std::size_t k = 0; k < K; ++k) total[k] += share[k];
+/// For each particle i that has a list: give(i, sums), with sums[k] = sum over its neighbours j of term(i, j)[k], in
+/// the order of the list; for the term i and j are Rows.
+template <std::size_t K, int width, class Record, class Term, class Give>
+void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Record>& all, const Term& term,
+                         const Give& give) {
+  const int parts = static_cast<int>(lists.parts.size());
+  share_out(parts, parts, [&](Index first, Index last) {
+    for (Index p = first; p < last; ++p) {
+      for (const auto& block : lists.parts[p].blocks) {
+        const std::span<const int> rows = lists.parts[p].rows_of(block);
+        const auto total = sum_of_block<K, width>(rows, all.data(), term);
+        for (int lane = 0; lane < block.particles; ++lane) {
+          std::array<double, K> sums;
+          for (std::size_t k = 0; k < K; ++k) sums[k] = total[k][lane];
+          give(Index{rows[lane]}, sums);
+        }
+      }
     }
-    const Index used = std::min<Index>(lanes, lists.end - i.first);
-    for (std::size_t k = 0; k < K; ++k)
-      std::memcpy(sums[k] + (i.first - lists.begin), &total[k], used * sizeof(double));
-  }
+  });
 }
 
 }  // namespace touchstone::sph

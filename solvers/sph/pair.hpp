@@ -1,21 +1,26 @@
 #pragma once
 /// A pair of particles as a term of the momentum equation sees it.
-/// `Real` is a double, or eight of them side by side (lanes.hpp): terms have no branch.
+/// `Real` is a number, or several of them side by side (lanes.hpp): terms have no branch.
+
+#include "solvers/sph/lanes.hpp"
 
 namespace touchstone::sph {
 
 /// Particle i and its neighbour j.
 template <class Real>
 struct Pair {
-  Real x, y;          // m     r_i - r_j
-  Real r2;            // m²    |r_i - r_j|²
-  Real slope;         // m⁻⁴   W'(r) / r, so that the gradient of W_ij at i is slope * (x, y)
-  Real vx, vy;        // m/s   v_i - v_j
-  Real rho_i, rho_j;  // kg/m³
-  Real p_i, p_j;      // Pa
-  double mass;        // kg/m  of each
+  Real x, y;                // m     r_i - r_j
+  Real r2, r;               // m², m |r_i - r_j|² and its root
+  Real slope;               // m⁻⁴   W'(r) / r, so that the gradient of W_ij at i is slope * (x, y)
+  Real vx, vy;              // m/s   v_i - v_j
+  Real rho_i, rho_j;        // kg/m³
+  Real p_i, p_j;            // Pa
+  Real volume_i, volume_j;  // m³/kg 1 / rho
+  Real push_i, push_j;      // Pa m⁶/kg²  p / rho²
+  Number<Real> mass;        // kg/m  of each
 
-  Real approach() const { return x * vx + y * vy; }  // m²/s  v_ij · r_ij, negative when closing in
+  Real approach() const { return x * vx + y * vy; }              // m²/s  v_ij · r_ij, negative when closing in
+  Real continuity() const { return mass * slope * approach(); }  // kg/m³ s  what j adds to the rate of rho_i (23)
 };
 
 /// An acceleration [m/s²].

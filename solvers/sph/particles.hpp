@@ -1,10 +1,10 @@
 #pragma once
-/// All particles that a sum may meet, in one numbering: fluid, then boundary, then their images beyond the periodic
-/// seam, then a few so far away that no kernel reaches them, which fill the vector lanes that have no particle.
+/// All particles of a run in one numbering: fluid, then boundary, then their images beyond the periodic seam, then one
+/// so far away that no kernel reaches it, which fills the vector lanes that have no neighbour.
 
 #include "solvers/diverged.hpp"
 #include "solvers/scene.hpp"
-#include "solvers/sph/lanes.hpp"
+#include "solvers/sph/record.hpp"
 
 #include <vector>
 
@@ -12,31 +12,24 @@ namespace touchstone::sph {
 
 using Index = Eigen::Index;
 
-/// A field per particle; x and y stand apart because loops over pairs run along them with vector instructions.
+/// The state, in double precision whatever the sums run in.
 struct Particles {
   Index fluid = 0, boundary = 0, images = 0;
   double mass = 0;               // kg/m  of every particle
-  Scalars x, y;                  // m
-  Scalars vx, vy;                // m/s
-  Scalars rho, p;                // kg/m³, Pa
-  std::vector<Scalars> carried;  // further fields of a method that go with its particles; of its own units
+  Scalars x, y;                  // m     of all; where images stood when they were chosen
+  Scalars vx, vy, rho;           // m/s, kg/m³         of the fluid
+  Scalars ax, ay, drho;          // m/s², kg/m³ s      rates of change of these
+  std::vector<Scalars> carried;  // further fields of a method that go with its fluid; of its own units
+  std::vector<Scalars> past;     // likewise, of an integrator
   std::vector<int> number;       // of each fluid particle at the start, before it was sorted into cells
 
   Index nowhere() const { return fluid + boundary + images; }
-  /// Calls change(field) for each field.
+  /// Calls change(field) for each field of the fluid but its places.
   template <class Change>
   void each_field(Change change) {
-    for (Scalars* field : {&x, &y, &vx, &vy, &rho, &p}) change(*field);
+    for (Scalars* field : {&vx, &vy, &rho, &ax, &ay, &drho}) change(*field);
     for (Scalars& field : carried) change(field);
-  }
-  /// Makes room for the images and for those that are nowhere.
-  void resize() {
-    each_field([&](Scalars& field) {
-      field.conservativeResize(nowhere() + lanes);
-      field.tail(lanes) = 0;
-    });
-    x.tail(lanes) = y.tail(lanes) = 1e30;  // m  its square is still finite
-    rho.tail(lanes) = 1;                   // kg/m³  divides nothing by zero
+    for (Scalars& field : past) change(field);
   }
 };
 
@@ -48,7 +41,7 @@ class Images {
     double shift;  // m
   };
 
-  /// Chooses the particles within `reach` of the seam, fluid first.
+  /// Chooses the particles within `reach` of the seam, fluid first, and says where they stand.
   void choose(Particles& all, const Domain& domain, double reach) {
     images_.clear();
     of_fluid_ = 0;
@@ -58,14 +51,23 @@ class Images {
       add(all, all.fluid, all.fluid + all.boundary, domain.box, reach);
     }
     all.images = static_cast<Index>(images_.size());
-    all.resize();
-    refresh_fluid(all);
-    refresh_boundary(all);
+    for (Scalars* field : {&all.x, &all.y}) field->conservativeResize(all.nowhere() + 1);
+    for (Index k = 0; k < all.images; ++k) {
+      all.x[first(all) + k] = all.x[images_[k].source] + images_[k].shift;
+      all.y[first(all) + k] = all.y[images_[k].source];
+    }
   }
-  void refresh_fluid(Particles& all) const { refresh(all, 0, of_fluid_); }
-  void refresh_boundary(Particles& all) const { refresh(all, of_fluid_, images_.size()); }
+  template <class Record>
+  void refresh_fluid(const Particles& all, std::vector<Record>& seen) const {
+    refresh(all, seen, 0, of_fluid_);
+  }
+  template <class Record>
+  void refresh_boundary(const Particles& all, std::vector<Record>& seen) const {
+    refresh(all, seen, of_fluid_, images_.size());
+  }
 
   Index source(Index image) const { return images_[static_cast<std::size_t>(image)].source; }
+  Index of_fluid() const { return static_cast<Index>(of_fluid_); }
   /// The number of the first image.
   Index first(const Particles& all) const { return all.fluid + all.boundary; }
 
@@ -77,12 +79,13 @@ class Images {
       if (all.x[i] > box.high.x() - reach) images_.push_back({i, -length});
     }
   }
-  void refresh(Particles& all, std::size_t begin, std::size_t end) const {
+  template <class Record>
+  void refresh(const Particles& all, std::vector<Record>& seen, std::size_t begin, std::size_t end) const {
     for (std::size_t k = begin; k < end; ++k) {
       const auto [source, shift] = images_[k];
-      const Index copy = first(all) + static_cast<Index>(k);
-      all.each_field([source = source, copy](Scalars& field) { field[copy] = field[source]; });
-      all.x[copy] += shift;
+      Record& image = seen[first(all) + static_cast<Index>(k)];
+      image = seen[source];
+      image.stand_at(all.x[source] + shift, all.y[source]);
     }
   }
 

@@ -8,6 +8,7 @@ struct Settings {
   double spacing;           // m
   double smoothing_length;  // m   h
   double time_step;         // s
+  int threads = 1;
 };
 
 /// The settings, or std::invalid_argument with one line.
@@ -15,6 +16,7 @@ inline const Settings& checked(const Settings& s) {
   require_positive("sph", "spacing [m]", s.spacing);
   require_positive("sph", "smoothing length [m]", s.smoothing_length);
   require_positive("sph", "time step [s]", s.time_step);
+  require_positive("sph", "threads", s.threads);
   return s;
 }
 

@@ -31,45 +31,65 @@ auto terms() {
                   ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h});
 }
 
+using Near = Neighbourhood<Record<double>>;
+using Single = One<Record<double>>;
+
+/// Writes the records of the fluid from its fields and the pressures [Pa] given.
+void see(Near& near, const Scalars& pressure) {
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    near.seen[i].stand_at(near.all.x[i], near.all.y[i]);
+    near.seen[i].move(near.all.vx[i], near.all.vy[i]);
+    near.seen[i].be(near.all.rho[i], pressure[i]);
+  }
+  near.images.refresh_fluid(near.all, near.seen);
+  near.images.refresh_boundary(near.all, near.seen);
+}
+
 /// Fluid in disorder between plates, with its lists.
-Neighbourhood disordered(const Domain& domain, const std::vector<Wall>& walls) {
-  Neighbourhood near(domain, box, 1000, spacing, 2 * h, 0.6 * spacing,
-                     lay_out_ghosts_and_walls(domain, walls, spacing, 2));
+Near disordered(const Domain& domain, const std::vector<Wall>& walls) {
+  Near near(domain, box, 1000, spacing, {.kernel = 2 * h, .wall = 1.12 * spacing, .skin = 0.6 * spacing},
+            lay_out_ghosts_and_walls(domain, walls, spacing, 2));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-1, 1);
   Particles& all = near.all;
+  Scalars pressure(all.fluid);
   for (Index i = 0; i < all.fluid; ++i) {
     all.x[i] += 0.13 * spacing * jitter(random);  // within what the skin allows
     all.y[i] += 0.13 * spacing * jitter(random);
     all.vx[i] = jitter(random);
     all.vy[i] = jitter(random);
     all.rho[i] = 1000 + jitter(random);
-    all.p[i] = jitter(random);
+    pressure[i] = jitter(random);
   }
-  near.images.refresh_fluid(all);
-  near.images.refresh_boundary(all);
+  see(near, pressure);
   return near;
 }
 
-std::multiset<int> listed(const NeighbourLists& lists, const Particles& all, Index i, double reach) {
-  std::multiset<int> found;
-  const Index block = (i - lists.begin) / lanes, lane = (i - lists.begin) % lanes;
-  for (Index row = lists.first_row[block]; row < lists.first_row[block + 1]; ++row) {
-    const int j = lists.neighbour[row * lanes + lane];
-    if (std::hypot(all.x[i] - all.x[j], all.y[i] - all.y[j]) < reach) found.insert(j);
+double apart(const Near& near, Index i, Index j) {
+  return distance(Single{near.seen.data(), i}, Single{near.seen.data(), j});
+}
+
+/// The neighbours of a particle closer than `reach` [m], in the order of its list.
+std::vector<int> listed(const Near& near, Index i, double reach) {
+  constexpr int side_by_side = Near::width;
+  std::vector<int> found;
+  for (const auto& block : near.fluid_near_fluid.parts[0].blocks) {
+    const auto rows = near.fluid_near_fluid.parts[0].rows_of(block);
+    for (int lane = 0; lane < block.particles; ++lane)
+      for (std::size_t at = side_by_side + lane; rows[lane] == i && at < rows.size(); at += side_by_side)
+        if (apart(near, i, rows[at]) < reach) found.push_back(rows[at]);
   }
   return found;
 }
+std::multiset<int> sorted(const std::vector<int>& numbers) { return {numbers.begin(), numbers.end()}; }
 
-/// One pair by the plain formula, for the loop that runs eight of them.
-struct One {
-  using Real = double;
-  Index which;
-  double operator()(const Scalars& field) const { return field[which]; }
-};
+/// Particles i and j by the plain formula, for the loop that runs several of them.
+Pair<double> pair_at(const Near& near, Index i, Index j) {
+  return pair_of<CubicSpline>(Single{near.seen.data(), i}, Single{near.seen.data(), j}, near.all.mass, h);
+}
 
 TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
-  const Neighbourhood near = disordered(channel, plates);
+  const Near near = disordered(channel, plates);
   const Particles& all = near.all;
   ASSERT_GT(all.images, 0);
   for (Index i = 0; i < all.fluid; ++i) {
@@ -77,26 +97,29 @@ TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
     for (Index j = 0; j < all.nowhere(); ++j) {
       const Index source = j < all.fluid + all.boundary ? j : near.images.source(j - near.images.first(all));
       const bool on_wall = source >= all.fluid + near.ghosts();
-      if (j != i && !on_wall && std::hypot(all.x[i] - all.x[j], all.y[i] - all.y[j]) < 2 * h)
-        wanted.insert(static_cast<int>(j));
+      if (j != i && !on_wall && apart(near, i, j) < 2 * h) wanted.insert(static_cast<int>(j));
     }
-    ASSERT_EQ(listed(near.fluid_near_fluid, all, i, 2 * h), wanted) << "particle " << i;
+    ASSERT_EQ(sorted(listed(near, i, 2 * h)), wanted) << "particle " << i;
   }
 }
 
 TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
-  const Neighbourhood near = disordered(channel, plates);
+  const Near near = disordered(channel, plates);
   const Particles& all = near.all;
   const auto pull_of = terms();
   Scalars ax(all.fluid), ay(all.fluid);
-  sum_over_neighbours<2>(near.fluid_near_fluid, {ax.data(), ay.data()}, [&](Block i, Row j) -> std::array<Lanes, 2> {
-    const Pull<Lanes> pull = pull_of(pair_of<CubicSpline>(all, i, j, h));
-    return {pull.x, pull.y};
-  });
+  sum_over_neighbours<2>(
+      near.fluid_near_fluid, near.seen,
+      [&](const auto& i, const auto& j) {
+        auto ij = pair_of(i, j, all.mass);
+        const auto pull = pull_of.on<CubicSpline>(ij, h);
+        return std::array{pull.x, pull.y};
+      },
+      [&](Index i, const std::array<double, 2>& sums) { ax[i] = sums[0], ay[i] = sums[1]; });
   for (Index i = 0; i < all.fluid; ++i) {
     Pull<double> plain;
-    for (const int j : listed(near.fluid_near_fluid, all, i, 2 * h))
-      plain += pull_of(pair_of<CubicSpline>(all, One{i}, One{j}, h));
+    for (const int j : listed(near, i, 2 * h))
+      std::apply([&](const auto&... term) { ((plain += term(pair_at(near, i, j))), ...); }, pull_of.terms);
     EXPECT_NEAR(ax[i], plain.x, 1e-9 * std::abs(plain.x) + 1e-9);
     EXPECT_NEAR(ay[i], plain.y, 1e-9 * std::abs(plain.y) + 1e-9);
   }
@@ -104,13 +127,11 @@ TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
 
 template <class Term>
 void expect_action_equals_reaction(const Term& term) {
-  const Neighbourhood near = disordered({.box = box}, {});
-  const Particles& all = near.all;
+  const Near near = disordered({.box = box}, {});
   double largest = 0;
-  for (Index i = 0; i < all.fluid; ++i)
-    for (const int j : listed(near.fluid_near_fluid, all, i, 2 * h)) {
-      const Pull<double> there = term(pair_of<CubicSpline>(all, One{i}, One{j}, h));
-      const Pull<double> back = term(pair_of<CubicSpline>(all, One{j}, One{i}, h));
+  for (Index i = 0; i < near.all.fluid; ++i)
+    for (const int j : listed(near, i, 2 * h)) {
+      const Pull<double> there = term(pair_at(near, i, j)), back = term(pair_at(near, j, i));
       const double size = std::hypot(there.x, there.y);
       largest = std::max(largest, size);
       EXPECT_NEAR(there.x, -back.x, 1e-12 * size);
@@ -127,10 +148,10 @@ TEST(Terms, ActionEqualsReaction) {
 }
 
 TEST(Terms, PressureDifferenceIsNoForceInAUniformPressure) {
-  Neighbourhood near = disordered({.box = box}, {});
-  near.all.p = 12345;
-  for (const int j : listed(near.fluid_near_fluid, near.all, 40, 2 * h)) {
-    const Pull<double> pull = PressureDifference{}(pair_of<CubicSpline>(near.all, One{40}, One{j}, h));
+  Near near = disordered({.box = box}, {});
+  see(near, Scalars::Constant(near.all.fluid, 12345));
+  for (const int j : listed(near, 40, 2 * h)) {
+    const Pull<double> pull = PressureDifference{}(pair_at(near, 40, j));
     EXPECT_EQ(pull.x, 0);
     EXPECT_EQ(pull.y, 0);
   }
@@ -140,18 +161,18 @@ TEST(Terms, PressureDifferencePushesTowardsTheLowerPressure) {
   Pair<double> ij{};
   ij.x = spacing;  // i is to the right of j
   ij.slope = -1;
-  ij.rho_i = ij.rho_j = 1000;
+  ij.volume_i = ij.volume_j = 1e-3;
   ij.mass = 1;
   ij.p_j = 1;  // j presses
   EXPECT_GT(PressureDifference{}(ij).x, 0);
 }
 
 TEST(Terms, ViscosityTakesEnergyFromEveryPair) {
-  const Neighbourhood near = disordered({.box = box}, {});
+  const Near near = disordered({.box = box}, {});
   const LaminarViscosity laminar{.nu = 1e-6, .eta = 0.1 * h};
   const ArtificialViscosity artificial{.alpha = 0.01, .sound_speed = 1, .h = h};
-  for (const int j : listed(near.fluid_near_fluid, near.all, 40, 2 * h)) {
-    const auto ij = pair_of<CubicSpline>(near.all, One{40}, One{j}, h);
+  for (const int j : listed(near, 40, 2 * h)) {
+    const Pair<double> ij = pair_at(near, 40, j);
     const auto power = [&](const Pull<double>& pull) { return pull.x * ij.vx + pull.y * ij.vy; };
     EXPECT_LT(power(laminar(ij)), 0);
     EXPECT_LE(power(artificial(ij)), 0);
@@ -174,18 +195,16 @@ TEST(Terms, ArtificialViscosityLeavesPartingPairsAlone) {
 
 TEST(Ghosts, MirrorTheVelocityAtEachWall) {
   const std::vector<Wall> walls = {floor_at(0, no_slip({3, 0})), ceiling_at(height, free_slip())};
-  Neighbourhood near = disordered(channel, walls);
+  Near near = disordered(channel, walls);
   Particles& all = near.all;
-  all.vx.head(all.fluid) = 1;
-  all.vy.head(all.fluid) = 0.5;
-  near.images.refresh_fluid(all);
-  std::array<Scalars, 5> sums;
-  for (Scalars& sum : sums) sum.setZero(near.ghosts());
-  fill_ghosts<CubicSpline>(all, near.fluid_near_ghost, near.boundary.ghosts, walls, h, 1000, 0, sums);
+  all.vx = 1;
+  all.vy = 0.5;
+  see(near, Scalars::Zero(all.fluid));
+  fill_ghosts<CubicSpline>(near.seen, near.fluid_near_ghost, all.fluid, near.boundary.ghosts, walls, h, 1000, 0);
   for (Index k = 0; k < near.ghosts(); ++k) {
     const bool below = near.boundary.ghosts[k].x.y() < 0;
-    EXPECT_NEAR(all.vx[all.fluid + k], below ? 5 : 1, 1e-9);
-    EXPECT_NEAR(all.vy[all.fluid + k], -0.5, 1e-9);
+    EXPECT_NEAR(near.seen[all.fluid + k].vx, below ? 5 : 1, 1e-9);
+    EXPECT_NEAR(near.seen[all.fluid + k].vy, -0.5, 1e-9);
   }
 }
 
@@ -333,14 +352,13 @@ TEST(Repulsion, PushesOnlyFluidThatCameCloserAndEvenlyAlongTheWall) {
 }
 
 TEST(RestoreDensity, KeepsAConstantDensityAlsoAtASurface) {
-  Neighbourhood near = disordered({.box = box}, {});
-  near.all.rho.head(near.all.fluid) = 1000;
+  Near near = disordered({.box = box}, {});
+  near.all.rho = 1000;
   near.all.mass = 1000 * spacing * spacing;
-  std::array<Scalars, 2> sums;
-  for (Scalars& sum : sums) sum.setZero(near.all.fluid);
-  restore_density<CubicSpline>(near.all, near.fluid_near_fluid, h, sums);
-  EXPECT_NEAR(near.all.rho.head(near.all.fluid).minCoeff(), 1000, 1e-9);
-  EXPECT_NEAR(near.all.rho.head(near.all.fluid).maxCoeff(), 1000, 1e-9);
+  see(near, Scalars::Zero(near.all.fluid));
+  restore_density<CubicSpline>(near, h);
+  EXPECT_NEAR(near.all.rho.minCoeff(), 1000, 1e-9);
+  EXPECT_NEAR(near.all.rho.maxCoeff(), 1000, 1e-9);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct LinearHat {
   struct Within {
     Q q0, qX, qY, qXY;
 
+    constexpr Within() = default;
     constexpr Within(const Q& q00, const Q& q10, const Q& q01, const Q& q11)
         : q0(q00), qX(q10 - q00), qY(q01 - q00), qXY(q11 - q10 - qY) {}
     constexpr Q operator()(double X, double Y) const { return q0 + qX * X + (qY + qXY * X) * Y; }

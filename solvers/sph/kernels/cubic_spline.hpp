@@ -12,12 +12,12 @@ struct CubicSpline {
   template <class Real>
   static constexpr Real w(const Real& q) {
     const Real a = positive_part(Real(2 - q)), b = positive_part(Real(1 - q));
-    return sigma * (0.25 * a * a * a - b * b * b);
+    return Number<Real>(sigma) * (Number<Real>(0.25) * a * a * a - b * b * b);
   }
   template <class Real>
   static constexpr Real dw(const Real& q) {
     const Real a = positive_part(Real(2 - q)), b = positive_part(Real(1 - q));
-    return sigma * (-0.75 * a * a + 3 * b * b);
+    return Number<Real>(sigma) * (Number<Real>(-0.75) * a * a + 3 * b * b);
   }
 };
 static_assert(obeys_kernel_laws<CubicSpline>());

@@ -10,12 +10,19 @@ struct ArtificialViscosity {
   double h;            // m
 
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real closing = -positive_part(Real(-ij.approach()));
+  Real divisor(const Pair<Real>& ij) const {
     const double eta2 = 0.01 * h * h;  // keeps r² from zero (27)
-    const Real c =
-        ij.mass * alpha * sound_speed * h * closing * 2 * ij.slope / ((ij.rho_i + ij.rho_j) * (ij.r2 + eta2));
+    return (ij.rho_i + ij.rho_j) * (ij.r2 + Number<Real>(eta2));
+  }
+  template <class Real>
+  Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
+    const Real closing = -positive_part(Real(-ij.approach()));
+    const Real c = ij.mass * ij.slope * Number<Real>(2 * alpha * sound_speed * h) * closing * per_divisor;
     return {c * ij.x, c * ij.y};
+  }
+  template <class Real>
+  Pull<Real> operator()(const Pair<Real>& ij) const {
+    return pull(ij, Real(1 / divisor(ij)));
   }
 };
 

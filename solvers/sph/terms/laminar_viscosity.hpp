@@ -10,9 +10,17 @@ struct LaminarViscosity {
   double eta;  // m  0.1 h
 
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = ij.mass * 4 * nu * ij.r2 * ij.slope / ((ij.rho_i + ij.rho_j) * (ij.r2 + eta * eta));
+  Real divisor(const Pair<Real>& ij) const {
+    return (ij.rho_i + ij.rho_j) * (ij.r2 + Number<Real>(eta * eta));
+  }
+  template <class Real>
+  Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
+    const Real c = ij.mass * ij.slope * Number<Real>(4 * nu) * ij.r2 * per_divisor;
     return {c * ij.vx, c * ij.vy};
+  }
+  template <class Real>
+  Pull<Real> operator()(const Pair<Real>& ij) const {
+    return pull(ij, Real(1 / divisor(ij)));
   }
 };
 

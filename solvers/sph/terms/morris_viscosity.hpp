@@ -9,7 +9,7 @@ struct MorrisViscosity {
 
   template <class Real>
   Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = ij.mass * 2 * mu * ij.slope / (ij.rho_i * ij.rho_j);
+    const Real c = ij.mass * ij.slope * Number<Real>(2 * mu) * ij.volume_i * ij.volume_j;
     return {c * ij.vx, c * ij.vy};
   }
 };

@@ -8,7 +8,7 @@ namespace touchstone::sph {
 struct Pressure {
   template <class Real>
   Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = -ij.mass * (ij.p_i / (ij.rho_i * ij.rho_i) + ij.p_j / (ij.rho_j * ij.rho_j)) * ij.slope;
+    const Real c = -(ij.mass * ij.slope) * (ij.push_i + ij.push_j);
     return {c * ij.x, c * ij.y};
   }
 };

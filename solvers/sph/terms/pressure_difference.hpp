@@ -8,7 +8,7 @@ namespace touchstone::sph {
 struct PressureDifference {
   template <class Real>
   Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = ij.mass * (ij.p_i - ij.p_j) / (ij.rho_i * ij.rho_j) * ij.slope;
+    const Real c = ij.mass * ij.slope * (ij.p_i - ij.p_j) * ij.volume_i * ij.volume_j;
     return {c * ij.x, c * ij.y};
   }
 };

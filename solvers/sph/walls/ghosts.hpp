@@ -4,7 +4,6 @@
 
 #include "solvers/lattice.hpp"
 #include "solvers/sph/neighbours.hpp"
-#include "solvers/sph/pair.hpp"
 
 #include <utility>
 
@@ -61,30 +60,28 @@ inline BoundaryLayout lay_out_ghosts_and_walls(const Domain& domain, const std::
   return layout;
 }
 
-/// Gives each ghost the mean of the fluid around it, weighted by volume and kernel, and mirrors its velocity at the
-/// walls it is behind. A ghost that no fluid is near is at rest and without pressure.
-template <class Kernel>
-void fill_ghosts(Particles& all, const NeighbourLists& fluid_near, const std::vector<BoundaryLayout::Ghost>& ghosts,
-                 const std::vector<Wall>& walls, double h, double density, double time, std::array<Scalars, 5>& sums) {
-  const auto share = [&](Block g, Row j) -> std::array<Lanes, 5> {
-    const Lanes weight = all.mass / j(all.rho) * Kernel::w(distance(all, g, j) / h);
-    return {weight, weight * j(all.vx), weight * j(all.vy), weight * j(all.rho), weight * j(all.p)};
+/// Gives each ghost that fluid is near the mean of that fluid, weighted by volume and kernel, and mirrors its velocity
+/// at the walls it is behind. A ghost that is out of reach is at rest, at the density of fluid without pressure.
+template <class Kernel, int width, class Record>
+void fill_ghosts(std::vector<Record>& seen, const NeighbourLists<width>& fluid_near, Index fluid,
+                 const std::vector<BoundaryLayout::Ghost>& ghosts, const std::vector<Wall>& walls, double h,
+                 double density, double time) {
+  const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+    const auto r = distance(g, j);
+    using Real = std::remove_cvref_t<decltype(r)>;
+    const auto v = j.two(&Record::vx), state = j.two(&Record::rho);
+    const Real weight = j.two(&Record::volume)[0] * Kernel::w(Real(r * per_h));
+    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * state[0], weight * state[1]};
   };
-  sum_over_neighbours<5>(fluid_near, {sums[0].data(), sums[1].data(), sums[2].data(), sums[3].data(), sums[4].data()},
-                         share);
-
-  for (std::size_t k = 0; k < ghosts.size(); ++k) {
-    const Index g = all.fluid + static_cast<Index>(k), s = static_cast<Index>(k);
-    const bool alone = !(sums[0][s] > 0);
-    const double whole = alone ? 1 : sums[0][s];
-    Vec2 v(sums[1][s] / whole, sums[2][s] / whole);
+  sum_over_neighbours<5>(fluid_near, seen, share, [&](Index g, const std::array<double, 5>& sums) {
+    const bool alone = !(sums[0] > 0);  // what the lists hold is beyond the kernel
+    const double per = 1 / (alone ? 1 : sums[0]);
+    Vec2 v(sums[1] * per, sums[2] * per);
     if (!alone)
-      for (const int w : ghosts[k].behind) v = 2 * walls[w].at_wall(v, time) - v;
-    all.vx[g] = v.x();
-    all.vy[g] = v.y();
-    all.rho[g] = alone ? density : sums[3][s] / whole;
-    all.p[g] = alone ? 0 : sums[4][s] / whole;
-  }
+      for (const int w : ghosts[g - fluid].behind) v = 2 * walls[w].at_wall(v, time) - v;
+    seen[g].move(v.x(), v.y());
+    seen[g].be(alone ? density : sums[3] * per, sums[4] * per);
+  });
 }
 
 }  // namespace touchstone::sph

@@ -17,13 +17,17 @@ struct SoftRepulsion {
   double sound_speed;  // m/s
   double spacing;      // m
 
+  /// How far a particle of the wall can push [m].
+  static constexpr double reach(double spacing) { return 1.12 * spacing; }  // half one along the normal, one along it
+
   template <class Real>
   Pull<Real> operator()(const Pair<Real>& ij) const {
     const Real& normal = axis == 0 ? ij.x : ij.y;
     const Real& along = axis == 0 ? ij.y : ij.x;
     const Real r = square_root(Real(normal * normal)), off = square_root(Real(along * along));
-    const Real near = positive_part(Real(1 - r / (0.5 * spacing))), share = positive_part(Real(1 - off / spacing));
-    const Real c = 0.01 * sound_speed * sound_speed * near * (2.0 / 3) * share / (r * r);
+    const Real near = positive_part(Real(1 - r * Number<Real>(2 / spacing))),
+               share = positive_part(Real(1 - off * Number<Real>(1 / spacing)));
+    const Real c = Number<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * share / (r * r);
     return axis == 0 ? Pull<Real>{c * ij.x, Real{}} : Pull<Real>{Real{}, c * ij.y};
   }
 };

@@ -1,0 +1,78 @@
+#pragma once
+/// The background grid, its indices and its periodic seam.
+
+#include "solvers/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace touchstone::mpm {
+
+/// Cells that fill the box of a domain exactly. Cells and nodes are numbered row by row from the low corner. Across a
+/// periodic seam the last column of cells has its right corners in the first column of nodes.
+class Grid {
+ public:
+  /// Takes the whole number of cells nearest to size / wanted along each direction, so that opposite walls both lie on
+  /// nodes: 1.61 m in cells of 0.02 m becomes 81 or 80 cells of about 0.02 m, whichever way the half is rounded.
+  /// Throws std::invalid_argument if the wanted cell [m] is not positive or leaves no cell or too many.
+  Grid(const Domain& domain, double wanted_cell)
+      : box(domain.box),
+        periodic_x(domain.periodic_x),
+        columns(cells_along(box.size().x(), wanted_cell)),
+        rows(cells_along(box.size().y(), wanted_cell)),
+        cell(box.size().x() / columns, box.size().y() / rows) {}
+
+  const Box box;  // m
+  const bool periodic_x;
+  const int columns, rows;
+  const Vec2 cell;  // m  size of each
+
+  int cells() const { return columns * rows; }
+  int nodes() const { return node_columns() * (rows + 1); }
+  int node_columns() const { return periodic_x ? columns : columns + 1; }
+  int cell_at(int column, int row) const { return row * columns + column; }
+  int node_at(int column, int row) const { return row * node_columns() + column % node_columns(); }
+  /// Nodes of a cell, in the order of `LinearHat`.
+  std::array<int, 4> corners(int the_cell) const {
+    const int column = the_cell % columns, row = the_cell / columns;
+    return {node_at(column, row), node_at(column + 1, row), node_at(column, row + 1), node_at(column + 1, row + 1)};
+  }
+  /// Of a place within a cell [m].
+  Vec2 place(int the_cell, double X, double Y) const {
+    return box.low + Vec2((the_cell % columns + X) * cell.x(), (the_cell / columns + Y) * cell.y());
+  }
+
+  /// The nodes of a wall. Throws std::invalid_argument if it stands off the grid.
+  std::vector<int> nodes_on(const Wall& wall) const {
+    const double line = (wall.position - box.low[wall.axis]) / cell[wall.axis];
+    const int lines = wall.axis == 0 ? columns : rows;
+    const double off = std::abs(line - std::round(line));
+    if (!(off < 1e-6 && line > -0.5 && line < lines + 0.5))  // of a cell; more than rounding leaves
+      throw std::invalid_argument(
+          fmt::format("mpm: wall at {} = {:g} m, wanted on a grid line: {:g} + 0 to {} times {:g} m",
+                      wall.axis == 0 ? "x" : "y", wall.position, box.low[wall.axis], lines, cell[wall.axis]));
+    const int fixed = static_cast<int>(std::round(line));
+    std::vector<int> found;
+    if (wall.axis == 0)
+      for (int row = 0; row <= rows; ++row) found.push_back(node_at(fixed, row));
+    else
+      for (int column = 0; column < node_columns(); ++column) found.push_back(node_at(column, fixed));
+    return found;
+  }
+
+ private:
+  static int cells_along(double size, double wanted) {
+    constexpr double most = 20000;  // so that cells and nodes can be counted in an int
+    const double n = std::round(size / wanted);
+    if (!(wanted > 0 && n >= 1 && n <= most))
+      throw std::invalid_argument(
+          fmt::format("mpm: cell = {:g} m, wanted positive and 1 to {:g} times in {:g} m", wanted, most, size));
+    return static_cast<int>(n);
+  }
+};
+
+}  // namespace touchstone::mpm

@@ -1,0 +1,88 @@
+#pragma once
+/// Particles sorted into square cells: the linked-cell search of Sun et al., section 2.5.
+
+#include "solvers/sph/particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::sph {
+
+class Cells {
+ public:
+  /// Sorts those of `count` places that are wanted; a place that is not finite is refused by the caller.
+  template <class Wanted>
+  Cells(const Scalars& x, const Scalars& y, Index count, double side, Wanted wanted) : per_side_(1 / side) {
+    Vec2 high = measure(x, y, count, wanted);
+    columns_ = column(high.x()) + 1;
+    rows_ = row(high.y()) + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+    std::vector<int> cell(count, -1);
+    for (Index i = 0; i < count; ++i)
+      if (wanted(i)) ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    sort(x, y, cell);
+  }
+
+  /// The wanted particles, cell by cell, each cell in the order of the numbers.
+  const std::vector<int>& sorted() const { return sorted_; }
+
+  /// Writes those but `self` that are closer than `reach` to a place and accepted into `found`, in a fixed order, and
+  /// returns how many they are. `found` grows as needed.
+  template <class Accept>
+  std::size_t near(const Vec2& place, double reach, int self, Accept accept, std::vector<int>& found) const {
+    const int c = column(place.x()), r = row(place.y());
+    if (c < -1 || c > columns_) return 0;
+    std::size_t count = 0;
+    for (int k = std::max(r - 1, 0); k <= std::min(r + 1, rows_ - 1); ++k) {
+      const int begin = first_[at(std::max(c - 1, 0), k)], end = first_[at(std::min(c + 1, columns_ - 1), k) + 1];
+      if (found.size() < count + (end - begin)) found.resize(2 * (count + (end - begin)));
+      for (int s = begin; s < end; ++s) {
+        const double dx = place.x() - x_[s], dy = place.y() - y_[s];
+        const int j = sorted_[s];
+        found[count] = j;  // kept if it counts: no branch
+        count += static_cast<std::size_t>((dx * dx + dy * dy < reach * reach) & (j != self) & accept(j));
+      }
+    }
+    return count;
+  }
+
+ private:
+  template <class Wanted>
+  Vec2 measure(const Scalars& x, const Scalars& y, Index count, Wanted wanted) {
+    Vec2 low = Vec2::Constant(1e300), high = -low;
+    for (Index i = 0; i < count; ++i)
+      if (wanted(i)) {
+        low = low.cwiseMin(Vec2(x[i], y[i]));
+        high = high.cwiseMax(Vec2(x[i], y[i]));
+      }
+    low_ = low;
+    return high.cwiseMax(low);
+  }
+
+  void sort(const Scalars& x, const Scalars& y, const std::vector<int>& cell) {
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    sorted_.resize(first_.back());
+    x_.resize(first_.back());
+    y_.resize(first_.back());
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      if (cell[i] < 0) continue;
+      const int slot = next[cell[i]]++;
+      sorted_[slot] = static_cast<int>(i);
+      x_[slot] = x[static_cast<Index>(i)];
+      y_[slot] = y[static_cast<Index>(i)];
+    }
+  }
+
+  int column(double x) const { return static_cast<int>(std::floor((x - low_.x()) * per_side_)); }
+  int row(double y) const { return static_cast<int>(std::floor((y - low_.y()) * per_side_)); }
+  int at(int c, int r) const { return r * columns_ + c; }
+
+  double per_side_;  // 1/m
+  Vec2 low_;
+  int columns_, rows_;
+  std::vector<int> first_, sorted_;
+  std::vector<double> x_, y_;  // m  in the order of `sorted_`
+};
+
+}  // namespace touchstone::sph

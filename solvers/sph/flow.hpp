@@ -1,0 +1,44 @@
+#pragma once
+/// What both methods do alike around their sums over pairs.
+
+#include "solvers/forces/none.hpp"
+#include "solvers/laps.hpp"
+#include "solvers/sph/momentum.hpp"
+#include "solvers/sph/neighbourhood.hpp"
+#include "solvers/sph/settings.hpp"
+
+namespace touchstone::sph {
+
+/// Adds the body force per mass, the last part of (24).
+template <class Force>
+void add_force(const Force& body_force, Particles& all, double time, int threads) {
+  share_out(threads, all.fluid, [&, body_force](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const Vec2 force = body_force(Vec2(all.x[i], all.y[i]), time);
+      all.ax[i] += force.x();
+      all.ay[i] += force.y();
+    }
+  });
+}
+
+/// The ghosts as the fluid near them moves, and the images of all.
+template <class Kernel, class Record>
+void move_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, double density, double time) {
+  fill_ghosts<Kernel>(near.seen, near.fluid_near_ghost, near.all.fluid, near.boundary.ghosts, walls, h, density, time);
+  near.images.refresh_boundary(near.all, near.seen);
+}
+
+/// The rate of density by continuity (23), alone.
+template <class Kernel, class Record>
+void find_continuity(Neighbourhood<Record>& near, double h) {
+  Particles& all = near.all;
+  sum_over_neighbours<1>(
+      near.fluid_near_fluid, near.seen,
+      [mass = all.mass, h](const auto& i, const auto& j) {
+        const auto ij = pair_of<Kernel>(i, j, mass, h);
+        return std::array{ij.continuity()};
+      },
+      [&](Index i, const std::array<double, 1>& sums) { all.drho[i] = sums[0]; });
+}
+
+}  // namespace touchstone::sph

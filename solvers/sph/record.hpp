@@ -1,0 +1,83 @@
+#pragma once
+/// What a sum over pairs reads of a particle, side by side in memory, in the precision of the sums.
+
+#include "solvers/sph/lanes.hpp"
+
+#include <Eigen/Core>
+
+namespace touchstone::sph {
+
+/// Fields stand in twos that are loaded together. What a pair would divide by is divided by here, once per particle.
+template <class Number_>
+struct alignas(2 * sizeof(Number_)) Record {
+  using Number = Number_;
+  Number x, y;          // m
+  Number vx, vy;        // m/s
+  Number rho, p;        // kg/m³, Pa
+  Number volume, push;  // m³/kg  1 / rho; Pa m⁶/kg²  p / rho²
+
+  void stand_at(double at_x, double at_y) {
+    x = static_cast<Number>(at_x);
+    y = static_cast<Number>(at_y);
+  }
+  void be(double density, double pressure) {
+    const double per = 1 / density;
+    rho = static_cast<Number>(density);
+    p = static_cast<Number>(pressure);
+    volume = static_cast<Number>(per);
+    push = static_cast<Number>(pressure * per * per);
+  }
+  void move(double at_vx, double at_vy) {
+    vx = static_cast<Number>(at_vx);
+    vy = static_cast<Number>(at_vy);
+  }
+};
+
+/// One record per lane.
+template <class Record, int width = lanes<typename Record::Number>>
+struct Row {
+  using Real = Lanes<typename Record::Number, width>;
+  const Record* all;
+  const int* which;
+
+  /// A field and the one beside it.
+  template <class Owner>
+  std::array<Real, 2> two(typename Record::Number Owner::*first) const {
+    return gather_two<typename Record::Number, width>([&](int lane) { return &(all[which[lane]].*first); });
+  }
+};
+
+/// The same for a single record, for plain loops.
+template <class Record>
+struct One {
+  using Real = typename Record::Number;
+  const Record* all;
+  Eigen::Index which;
+
+  template <class Owner>
+  std::array<Real, 2> two(Real Owner::*first) const {
+    const Real* both = &(all[which].*first);
+    return {both[0], both[1]};
+  }
+};
+
+/// r_i - r_j [m].
+template <class I, class J>
+auto apart(const I& i, const J& j) {
+  using Record = std::remove_cvref_t<decltype(*j.all)>;
+  auto r = i.two(&Record::x);
+  const auto from = j.two(&Record::x);
+  r[0] -= from[0];
+  r[1] -= from[1];
+  return r;
+}
+
+/// |r_i - r_j| [m].
+template <class I, class J>
+auto distance(const I& i, const J& j) {
+  const auto r = apart(i, j);
+  using Real = typename J::Real;
+  return square_root(Real(r[0] * r[0] + r[1] * r[1]));
+}
+
+}  // namespace touchstone::sph

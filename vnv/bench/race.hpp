@@ -1,0 +1,72 @@
+#pragma once
+/// A solver timed in turn with something else that does the same work, as a run of a case.
+
+#include "vnv/bench/in_turn.hpp"
+#include "vnv/lap_clock.hpp"
+#include "vnv/run.hpp"
+
+namespace touchstone::bench {
+
+// What a race finds.
+inline const std::string faster = "time of the plain loop over that of the solver [-]";
+inline const std::string faster_rates = "right-hand side: time of the plain loop over that of the solver [-]";
+inline const std::string solver_time = "solver [ns per particle-step]";
+inline const std::string loop_time = "plain loop [ns per particle-step]";
+inline const std::string spread = "half distance of the quartiles of the ratio [%]";
+inline const std::string lap_cost = "a step with its sub-steps timed, over one without [-]";
+inline std::string time_of(SubStep part) {
+  return std::string(names_of_sub_steps[static_cast<std::size_t>(part)]) + " [ns per particle-step]";
+}
+
+inline void found(vnv::Run& run, std::string_view quantity, double value) {
+  run.found.push_back({"", 0, vnv::not_a_number, std::string(quantity), value});
+}
+
+/// A run whose cost is that of the median step.
+template <class Solver>
+vnv::Run run_of(const Solver& solver, double per_step) {
+  vnv::Run run;
+  run.summary = {.time_step = solver.time_step(), .end_time = solver.time(), .finished = true, .outcome = "finished"};
+  run.summary.cost.particles = solver.particles();
+  run.summary.cost.boundary_particles = solver.boundary_particles();
+  run.summary.cost.steps = solver.steps();
+  run.summary.cost.cpu = run.summary.cost.wall = per_step * static_cast<double>(solver.steps());
+  return run;
+}
+
+/// Sub-steps, as their shares of the median step.
+inline void found_laps(vnv::Run& run, const vnv::LapClock& laps, double per_particle_step) {
+  for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
+    if (const double share = laps.per_step(SubStep(k)) / laps.per_step(); share > 0)
+      found(run, time_of(SubStep(k)), 1e9 * share * per_particle_step);
+}
+
+/// A solver against a plain loop, after `lead` steps of both.
+template <class Solver, class Loop>
+vnv::Run race(Solver solver, Loop loop, long lead = 0, const Effort& effort = {}) {
+  for (long k = 0; k < lead; ++k) solver.step(), loop.step();
+  vnv::LapClock laps;
+  const Times times = time_in_turn({[&] { solver.step(); }, [&] { loop.step(); }, [&] { laps.step(solver); }}, effort);
+  vnv::Run run = run_of(solver, times.of(0));
+  const double each = times.of(0) / static_cast<double>(solver.particles());
+  found(run, faster, times.ratio(1, 0));
+  found(run, spread, 100 * times.spread(1, 0));
+  found(run, solver_time, 1e9 * each);
+  found(run, loop_time, 1e9 * times.of(1) / static_cast<double>(loop.particles().size()));
+  found(run, lap_cost, times.ratio(2, 0));
+  found_laps(run, laps, each);
+  return run;
+}
+
+/// The same, and the right-hand sides alone, of which the solver finds so many a step; without a lead.
+template <class Solver, class Loop>
+vnv::Run race_with_rates(Solver solver, Loop loop, int per_step, const Effort& effort = {}) {
+  vnv::Run run = race(solver, loop, 0, effort);
+  vnv::LapClock laps;
+  const Times times = time_in_turn({[&] { laps.step(solver); }, [&] { loop.find_rates(); }}, effort);
+  const double share = (laps.per_step(SubStep::pairs) + laps.per_step(SubStep::rates)) / laps.per_step();
+  found(run, faster_rates, times.ratio(1, 0) / share * per_step);
+  return run;
+}
+
+}  // namespace touchstone::bench

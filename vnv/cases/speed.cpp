@@ -1,0 +1,172 @@
+/// How fast the solvers are: each timed in turn with a plain loop that does the same work, so that the machine and its
+/// other business cancel.
+
+#include "vnv/bench/flows.hpp"
+#include "vnv/bench/mls_mpm.hpp"
+#include "vnv/bench/plain_musl.hpp"
+#include "vnv/bench/plain_sph.hpp"
+#include "vnv/bench/race.hpp"
+#include "vnv/channel.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::bench;
+
+namespace {
+
+const Author goal = baseline("goal set against the plain loop of vnv/bench");
+const Author set_goal = baseline("goal set");
+
+Rung timed(std::string name, double spacing, double cell = not_a_number) {
+  return {.name = std::move(name), .spacing = spacing, .cell = cell, .report = 1, .nightly = 1};
+}
+
+Run race_mpm_in_channel(const Rung& rung, const Schedule&) {
+  return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step),
+              PlainMusl(plain(bench::channel()), rung.cell, rung.spacing, channel_step));
+}
+
+auto dam_mpm(const Vec2& tank, const Rung& rung) {
+  return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+      dam(tank), {.cell = rung.cell, .spacing = rung.spacing, .time_step = dam_mpm_step});
+}
+
+/// From 0.1 s on, when a third of the column's top has sunk.
+Run race_mpm_in_dam(const Rung& rung, const Schedule&) {
+  return race(dam_mpm(dam_tank, rung), PlainMusl(plain(dam()), rung.cell, rung.spacing, dam_mpm_step), 2000);
+}
+
+Run race_sph_in_channel(const Rung& rung, const Schedule&) {
+  return race_with_rates(channel::printed_solver(bench::channel(), rung, channel_step),
+                         PlainSph(plain(bench::channel()), rung.spacing, channel_step), 2);
+}
+
+Run race_sph_in_dam(const Rung& rung, const Schedule&) {
+  const double h = 1.2 * rung.spacing;
+  return race_with_rates(
+      sph::printed<sph::CubicSpline>(
+          dam(), {.spacing = rung.spacing, .smoothing_length = h, .time_step = dam_sph_step},
+          sph::momentum(sph::Pressure{},
+                        sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = dam().fluid.sound_speed(), .h = h})),
+      PlainSph(plain(dam()), rung.spacing, dam_sph_step), 2);
+}
+
+// The column in tanks as many times as large as the paper's as the rung's name says.
+const std::string empty_share = "empty share of the tank [%]";
+const std::string slower = "time per step over that in the paper's tank [-]";
+
+Vec2 tank_of(const Rung& rung) {
+  const double times = std::stod(rung.name);
+  return times <= 10 ? Vec2(times * dam_tank.x(), dam_tank.y()) : Vec2(times / 10 * dam_tank.x(), 10 * dam_tank.y());
+}
+
+Run compare_tanks(const Rung& rung, const Schedule&) {
+  auto small = dam_mpm(dam_tank, rung), large = dam_mpm(tank_of(rung), rung);
+  const Times times = time_in_turn({[&] { large.step(); }, [&] { small.step(); }});
+  Run run = run_of(large, times.of(0));
+  found(run, slower, times.ratio(0, 1));
+  found(run, spread, 100 * times.spread(0, 1));
+  found(run, empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(rung).prod()));
+  return run;
+}
+
+std::optional<double> found_in(const Run& run, std::string_view quantity) {
+  for (const Error& e : run.found)
+    if (e.quantity == quantity) return e.value;
+  return std::nullopt;
+}
+
+/// Where a step's time goes, for each rung that was raced.
+void tabulate_sub_steps(const Results& results, Record& record) {
+  Table table{"sub_steps",
+              "Where the time of a step goes",
+              "Nanoseconds per particle-step, medians of rounds in turn.",
+              {"method", "model", "whole step", "plain loop"},
+              {}};
+  table.columns.insert(table.columns.end(), names_of_sub_steps.begin(), names_of_sub_steps.end());
+  for (const Run& run : results.runs) {
+    if (!found_in(run, loop_time)) continue;
+    std::vector<Cell> row = {results.method.name, run.summary.rung, *found_in(run, solver_time),
+                             *found_in(run, loop_time)};
+    for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
+      row.push_back(found_in(run, time_of(SubStep(k))).value_or(0));
+    table.rows.push_back(std::move(row));
+  }
+  record.tables.push_back(std::move(table));
+}
+
+void draw_empty_background(const Results& results, Record& record) {
+  Curve curve{"empty_background", results.method.name, Role::ours, {}, {}, false};
+  for (const Run& run : results.runs)
+    if (const auto share = found_in(run, empty_share)) {
+      curve.x.push_back(*share);
+      curve.y.push_back(run.summary.cost.per_step());
+    }
+  if (curve.x.empty()) return;
+  record.figures.push_back(
+      {"empty_background",
+       "CPU time per step over the empty share of the background grid",
+       "The same column of 14400 particles in tanks 1, 10 and 100 times as large. Sun et al. name the empty background as "
+       "a cost of MPM in the dam break.",
+       {.label = "empty share of the grid [%]", .low = 80, .high = 100},
+       {.label = "T_p [ms]", .scale = 1e3, .low = 0}});
+  record.curves.push_back(std::move(curve));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Speed",
+      .description =
+          "Steps of a solver are timed in turn with those of a plain textbook loop for the same particles, kept in "
+          "vnv/bench: medians of CPU time over rounds, one core. Ratios hold on any machine; times are today's.",
+      .times = {1},
+      .measurements = {},
+      .methods =
+          {{
+               .name = "mpm",
+               .description = channel::mpm_words + channel::moving_words +
+                              " Timed in Poiseuille flow against the same method with loops over particles and nodes.",
+               .run = race_mpm_in_channel,
+               .rungs = {timed("M1", channel_cell, channel_cell), timed("M2", channel_cell / 2, channel_cell),
+                         timed("M3", channel_cell / 3, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
+               .claims = {at_least(faster, 2, goal).on("M1"), at_least(faster, 2, goal).on("M2"),
+                          at_least(faster, 4, goal).on("M4"),
+                          at_most(lap_cost, 1.02, baseline("timing sub-steps shall not change them")).on("M4")},
+           },
+           {
+               .name = "mpm_dam_break",
+               .description = "The same in the dam break, from 0.1 s on. The plain loop keeps the whole stress.",
+               .run = race_mpm_in_dam,
+               .rungs = {timed("M4", dam_cell / 4, dam_cell)},
+               .claims = {at_least(faster, 2.5, goal)},
+           },
+           {
+               .name = "mpm_empty_background",
+               .description = "The column of the dam break in tanks 1, 10 and 100 times as large as the paper's.",
+               .run = compare_tanks,
+               .rungs = {timed("1", dam_cell / 4, dam_cell), timed("10", dam_cell / 4, dam_cell),
+                         timed("100", dam_cell / 4, dam_cell)},
+               .claims = {between(slower, 0.9, 1.1, set_goal)},
+           },
+           {
+               .name = "sph",
+               .description = channel::sph_printed_words + channel::conservative_words +
+                              " Timed in Poiseuille flow against full neighbour lists in a scalar loop.",
+               .run = race_sph_in_channel,
+               .rungs = {timed("S2", channel_cell / 2)},
+               .claims = {at_least(faster_rates, 2.5, goal)},
+           },
+           {
+               .name = "sph_dam_break",
+               .description =
+                   "The same in the dam break, without laminar viscosity; the plain loop has the column without walls.",
+               .run = race_sph_in_dam,
+               .rungs = {timed("S4", dam_cell / 4)},
+               .claims = {at_least(faster_rates, 2.5, goal)},
+           }},
+      .plots = {tabulate_sub_steps, draw_empty_background},
+      .timed = true,
+  };
+}
