@@ -20,9 +20,14 @@ Outcomes outcomes_of(const Run& run, const Record& record, const Pick& error) {
           .per_particle_step = run.summary.cost.per_particle_step()};
 }
 
+bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 double change_in_percent(double of_whole, double without) { return 100 * (without / of_whole - 1); }
 
-std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes& all, const Outcomes& one) {
+std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes& all, const Outcomes& one,
+                         bool has_more) {
   const bool is_whole = run.summary.rung == whole;
   std::vector<Cell> row = {results.method.name, run.summary.rung};
   const auto add = [&](double scale, double Outcomes::*value) {
@@ -32,7 +37,7 @@ std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes&
   add(1, &Outcomes::error);
   add(1 / us, &Outcomes::critical_step);
   add(1e9, &Outcomes::per_particle_step);
-  row.push_back(is_whole ? "" : needed_for(all, one));
+  row.push_back(is_whole ? "" : has_more ? needed_for(one, all) : needed_for(all, one));
   return row;
 }
 
@@ -58,7 +63,7 @@ Method ablation(Method method, const Rung& rung, std::vector<Variant> variants) 
   return method;
 }
 
-Plot ablation_table(std::string quantity, double time) {
+Plot ablation_table(std::string quantity, double time, std::vector<std::string> with_more) {
   return [=](const Results& results, Record& record) {
     Table table{"ablation",
                 "What each ingredient is needed for",
@@ -70,8 +75,8 @@ Plot ablation_table(std::string quantity, double time) {
                 {}};
     const Pick error = error_of(quantity, time);
     for (const Run& run : results.runs)
-      table.rows.push_back(
-          row_of(results, run, outcomes_of(results.runs.front(), record, error), outcomes_of(run, record, error)));
+      table.rows.push_back(row_of(results, run, outcomes_of(results.runs.front(), record, error),
+                                  outcomes_of(run, record, error), is_one_of(with_more, run.summary.rung)));
     record.tables.push_back(std::move(table));
   };
 }

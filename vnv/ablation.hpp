@@ -37,20 +37,19 @@ inline const std::string critical_step_found = "critical time step [us]";
 template <class Factory>
 Run run_and_search(Factory solver_with, double time_step, const Schedule& when, const StepSearch& search) {
   Run run = record(solver_with(time_step), when);
-  const StopWatch searching;
   try {
     run.found = {{"", 0, not_a_number, critical_step_found, critical_step(solver_with, search).low / us}};
   } catch (const std::invalid_argument&) {
     // unstable at the lower end: there is none to tell
   }
-  run.summary.cost.harness += searching.seconds();
   return run;
 }
 
 /// A method whose rungs are its variants, all at the resolution of `rung`.
 Method ablation(Method method, const Rung& rung, std::vector<Variant> variants);
 
-/// A row for each variant: error, critical step and cost, their changes, and what it lacks is needed for.
-Plot ablation_table(std::string quantity, double time);
+/// A row for each variant: error, critical step and cost, their changes, and what is missing is needed for. The
+/// variants `with_more` have an ingredient that the whole method has not: there it is the whole method that lacks it.
+Plot ablation_table(std::string quantity, double time, std::vector<std::string> with_more = {});
 
 }  // namespace touchstone::vnv

@@ -53,12 +53,13 @@ void set_time(WorkPoint& point, double cpu) { point.cpu = point.cpu_lowest = poi
 
 }  // namespace
 
-std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effort) {
+std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, const std::array<double, 2>& acoustic,
+                                     Effort effort) {
   std::vector<Rung> rungs;
   for (const int n : cells)
     for (const int points_across : {1, 2}) {
-      const double cell = H / n, acoustic = points_across == 1 ? 1.11 : 1.41;  // found by bisection, as `critical_step`
-      const double longest = longest_step(cell, {.acoustic = acoustic});
+      const double cell = H / n;
+      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1]});
       for (const double step : steps_below(longest))
         rungs.push_back(affordable({.name = fmt::format("{} cells, {} per cell", n, points_across * points_across),
                                     .spacing = cell / points_across,

@@ -62,21 +62,21 @@ const auto artificial = [](double h) {
   return sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h};
 };
 
-/// The printed method with these terms, each a function of the smoothing length.
-template <class... Terms>
+/// The printed method with these terms, each a function of the smoothing length, and without what `Left` names.
+template <class Left = sph::Without<>, class... Terms>
 Variant printed_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 2 * dt, [=](const Rung& rung, double step) {
     const double h = 1.2 * rung.spacing;
-    return sph::printed<sph::CubicSpline>(scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = step},
-                                          sph::momentum(terms(h)...));
+    return sph::printed<sph::CubicSpline, sph::PredictorCorrector, double, Left>(
+        scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = step}, sph::momentum(terms(h)...));
   });
 }
 
-/// The regularised method with these terms.
-template <class... Terms>
+/// The regularised method with these terms, and without what `Left` names.
+template <class Left = sph::Without<>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
-    return sph::transport_velocity<sph::QuinticSpline>(
+    return sph::transport_velocity<sph::QuinticSpline, sph::KickDriftKick, double, Left>(
         scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = step}, sph::momentum(terms...));
   });
 }
@@ -115,6 +115,10 @@ Case vnv::the_case() {
                             printed_variant("without artificial viscosity", pressure, laminar),
                             printed_variant("without laminar viscosity", pressure, artificial),
                             printed_variant("without pressure", laminar, artificial),
+                            printed_variant<sph::Without<sph::Restoration>>("without restored density", pressure,
+                                                                            laminar, artificial),
+                            printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", pressure,
+                                                                          laminar, artificial),
                             printed_variant("differences of pressure", difference, laminar, artificial)}),
                   ablation({.name = "sph_regularised",
                             .description = sph_regularised_words,
@@ -123,6 +127,12 @@ Case vnv::the_case() {
                            {regularised_variant(whole, sph::PressureDifference{}, morris),
                             regularised_variant("without pressure", morris),
                             regularised_variant("without laminar viscosity", sph::PressureDifference{}),
+                            regularised_variant<sph::Without<sph::VolumeKeeping>>("without kept volume",
+                                                                                  sph::PressureDifference{}, morris),
+                            regularised_variant<sph::Without<sph::Spreading>>("without spreading of particles",
+                                                                              sph::PressureDifference{}, morris),
+                            regularised_variant<sph::Without<sph::MomentumOfDrift>>("without momentum of the drift",
+                                                                                    sph::PressureDifference{}, morris),
                             regularised_variant("conservative pressure", sph::Pressure{}, morris)})},
       .plots = {ablation_table(l2, end)},
   };
