@@ -56,6 +56,7 @@ Method ablation(Method method, const Rung& rung, std::vector<Variant> variants) 
   for (const Variant& variant : variants) {
     method.rungs.push_back(rung);
     method.rungs.back().name = variant.name;
+    method.rungs.back().may_diverge = variant.name != whole;
   }
   method.run = [variants](const Rung& one, const Schedule& when) {
     return std::ranges::find(variants, one.name, &Variant::name)->run(one, when);

@@ -34,6 +34,8 @@ TEST(Ablation, RunsTheVariantThatTheRungNames) {
   ASSERT_EQ(method.rungs.size(), 2u);
   EXPECT_EQ(method.rungs[1].name, "without glue");
   EXPECT_EQ(method.rungs[1].report, 1);
+  EXPECT_FALSE(method.rungs[0].may_diverge);
+  EXPECT_TRUE(method.rungs[1].may_diverge);
   EXPECT_EQ(method.run(method.rungs[1], {}).summary.end_time, 2);
 }
 

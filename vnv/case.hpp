@@ -22,6 +22,7 @@ struct Rung {
   double acceptance = 0;            // s
   double report = 0;                // s
   double nightly = 0;               // s
+  bool may_diverge = false;         // a run that is made to see whether it does
 
   double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {

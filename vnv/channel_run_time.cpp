@@ -59,7 +59,7 @@ std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, const std::a
   for (const int n : cells)
     for (const int points_across : {1, 2}) {
       const double cell = H / n;
-      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1]});
+      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1], .share = 0.9});
       for (const double step : steps_below(longest))
         rungs.push_back(affordable({.name = fmt::format("{} cells, {} per cell", n, points_across * points_across),
                                     .spacing = cell / points_across,

@@ -64,7 +64,7 @@ Variant mpm_variant(std::string name, const FluidLaw& fluid) {
   });
 }
 
-const auto pressure = [](double) { return sph::Pressure{}; };
+const auto mean_pressure = [](double) { return sph::Pressure{}; };
 const auto artificial = [](double h) {
   return sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = inviscid.sound_speed(), .h = h};
 };
@@ -101,23 +101,24 @@ Case vnv::the_case() {
       .times = {0.5},
       .watch = {.every = 0.0025, .see = [](const Samples& s) { return front.look(s); }},
       .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); }},
-      .methods = {ablation({.name = "mpm",
-                            .description =
-                                "Material point method as printed, linear hats, cells of 0.02 m, 4 points in each.",
-                            .claims = {near_the_experiment}},
-                           {.spacing = cell / 2, .cell = cell, .report = 0.5, .nightly = 0.5},
-                           {mpm_variant<mpm::PrescribedMotion>(whole, inviscid),
-                            mpm_variant<mpm::VelocityReset>("walls reset the velocity", inviscid),
-                            mpm_variant<mpm::PrescribedMotion>(viscosity_of_water, viscous)}),
-                  ablation(
-                      {.name = "sph",
-                       .description = "Smoothed particle hydrodynamics as printed, spacing 0.02 m.",
-                       .claims = {near_the_experiment}},
-                      {.spacing = cell, .report = 0.5, .nightly = 0.5},
-                      {sph_variant(whole, pressure, artificial), sph_variant("without artificial viscosity", pressure),
-                       sph_variant<sph::Without<sph::Restoration>>("without restored density", pressure, artificial),
-                       sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", pressure, artificial),
-                       sph_variant(viscosity_of_water, pressure, artificial, laminar)})},
+      .methods =
+          {ablation({.name = "mpm",
+                     .description = "Material point method as printed, linear hats, cells of 0.02 m, 4 points in each.",
+                     .claims = {near_the_experiment}},
+                    {.spacing = cell / 2, .cell = cell, .report = 0.5, .nightly = 0.5},
+                    {mpm_variant<mpm::PrescribedMotion>(whole, inviscid),
+                     mpm_variant<mpm::VelocityReset>("walls reset the velocity", inviscid),
+                     mpm_variant<mpm::PrescribedMotion>(viscosity_of_water, viscous)}),
+           ablation(
+               {.name = "sph",
+                .description = "Smoothed particle hydrodynamics as printed, spacing 0.02 m.",
+                .claims = {near_the_experiment}},
+               {.spacing = cell, .report = 0.5, .nightly = 0.5},
+               {sph_variant(whole, mean_pressure, artificial),
+                sph_variant("without artificial viscosity", mean_pressure),
+                sph_variant<sph::Without<sph::Restoration>>("without restored density", mean_pressure, artificial),
+                sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure, artificial),
+                sph_variant(viscosity_of_water, mean_pressure, artificial, laminar)})},
       .plots = {ablation_table(front.rms, 0.5, {viscosity_of_water})},
   };
 }

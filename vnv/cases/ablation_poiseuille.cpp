@@ -81,7 +81,7 @@ Variant regularised_variant(std::string name, Terms... terms) {
   });
 }
 
-const auto pressure = [](double) { return sph::Pressure{}; };
+const auto mean_pressure = [](double) { return sph::Pressure{}; };
 const auto difference = [](double) { return sph::PressureDifference{}; };
 const sph::MorrisViscosity morris{.mu = water.viscosity};
 
@@ -111,13 +111,13 @@ Case vnv::the_case() {
                             .description = sph_printed_words + conservative_words,
                             .claims = {at_most(l2, 4.39, literature("Sun et al., table 3, S1")).on(whole)}},
                            coarse,
-                           {printed_variant(whole, pressure, laminar, artificial),
-                            printed_variant("without artificial viscosity", pressure, laminar),
-                            printed_variant("without laminar viscosity", pressure, artificial),
+                           {printed_variant(whole, mean_pressure, laminar, artificial),
+                            printed_variant("without artificial viscosity", mean_pressure, laminar),
+                            printed_variant("without laminar viscosity", mean_pressure, artificial),
                             printed_variant("without pressure", laminar, artificial),
-                            printed_variant<sph::Without<sph::Restoration>>("without restored density", pressure,
+                            printed_variant<sph::Without<sph::Restoration>>("without restored density", mean_pressure,
                                                                             laminar, artificial),
-                            printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", pressure,
+                            printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure,
                                                                           laminar, artificial),
                             printed_variant("differences of pressure", difference, laminar, artificial)}),
                   ablation({.name = "sph_regularised",

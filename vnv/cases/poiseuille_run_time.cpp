@@ -53,7 +53,7 @@ Case vnv::the_case() {
   declared.title = "Poiseuille flow: error against run time";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "
-      "and over time steps, from the paper's 5 us up to eight tenths of what it can bear. A method is worth what its "
+      "and over time steps, from the paper's 5 us up to nearly the longest that it can bear. A method is worth what its "
       "error costs.";
   return declared;
 }
