@@ -17,7 +17,7 @@ constexpr int width = 800, plot_height = 440, key_row = 20, sample_width = 48;  
 constexpr double letter_width = 6.7;                                            // px
 constexpr double overestimate = 0.15;                                           // of the width of a letter, by gnuplot
 constexpr std::size_t most_letters = 80;                                        // letters
-constexpr std::size_t few_points = 12;   // up to here a line shows its points too
+constexpr std::size_t few_points = 24;   // up to here a line shows its points too
 constexpr std::size_t many_points = 60;  // from here on points are drawn smaller
 
 // Okabe & Ito (2008), "Color universal design", without black, kept for truth, and yellow, too pale on white.
@@ -58,7 +58,7 @@ Look look(const Series& s) {
     case Role::guide:
       return {"#8A8A8A", 1, pick(dashes, s.member + 1), 1.2, 0.7};
     case Role::best:
-      return {"#000000", 6, "1", 2, 1.5};
+      return {"#000000", 6, "1", 2, 1.3};
     case Role::ours:
       break;
   }

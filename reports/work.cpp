@@ -49,7 +49,7 @@ std::vector<WorkPoint> beaten(const std::vector<WorkPoint>& points) {
   for (const std::string& series : vnv::ranking(points, 1)) {
     const std::vector<WorkPoint> own = vnv::of_series(points, series), front = vnv::pareto_front(own, vnv::worthwhile);
     std::ranges::copy_if(own, std::back_inserter(left),
-                         [&](const WorkPoint& p) { return std::ranges::find(front, p) == front.end(); });
+                         [&](const WorkPoint& p) { return p.error > 0 && std::ranges::find(front, p) == front.end(); });
   }
   return left;
 }

@@ -112,5 +112,26 @@ TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   EXPECT_EQ(rows[0].basis, "wide");
 }
 
+TEST(Assess, LetsARunDivergeThatIsMadeToSeeWhetherItDoes) {
+  Case declared = second_order();
+  declared.methods[0].run = [](const Rung&, const Schedule&) {
+    return vnv::Run{.summary = {.outcome = "diverged at step 3"}};
+  };
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 2);
+  for (Rung& rung : declared.methods[0].rungs) rung.may_diverge = true;
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 0);
+}
+
+TEST(Assess, JudgesWhatWasFoundOverAllRunsAndKeepsItOutOfTheErrors) {
+  Case declared = second_order();
+  declared.findings = {[](const Results& results, const Record&) -> std::vector<Error> {
+    return {{"", not_a_number, 1, "runs [-]", static_cast<double>(results.runs.size())}};
+  }};
+  declared.methods[0].claims = {at_most("runs [-]", 1, theory(""))};
+  const Record record = assessed(declared);
+  EXPECT_EQ(count(record, Outcome::fails), 1);
+  EXPECT_TRUE(std::ranges::none_of(record.errors, [](const Error& e) { return e.quantity == "runs [-]"; }));
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

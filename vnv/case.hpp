@@ -15,13 +15,14 @@ std::string_view name_of(Suite suite);
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Rung {
-  std::string name;                 // "M2"
+  std::string name{};               // "M2"
   double spacing;                   // m  of the particles at the start
   double cell = not_a_number;       // m  of the background grid; none in SPH
   double time_step = not_a_number;  // s  else that of the method
   double acceptance = 0;            // s
   double report = 0;                // s
   double nightly = 0;               // s
+  bool may_diverge = false;         // a run that is made to see whether it does
 
   double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {
@@ -45,8 +46,8 @@ struct Tolerance {
 struct Method {
   std::string name{};         // "mpm"
   std::string description{};  // which equations, which walls, which time step; what print leaves open
-  std::function<Run(const Rung&, const Schedule&)> run;
-  std::vector<Rung> rungs;
+  std::function<Run(const Rung&, const Schedule&)> run{};
+  std::vector<Rung> rungs{};
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
   Tolerance tolerance{};

@@ -3,8 +3,10 @@
 /// tables.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/mpm/affine.hpp"
 #include "solvers/mpm/mpm.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/sph/integrators/adams_bashforth.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/printed.hpp"
@@ -71,46 +73,55 @@ inline std::vector<Ladder> sph_ladders(const std::vector<std::string>& rungs) { 
 // The three solvers of a channel, and their runs.
 
 /// The material point method as printed, with one of the wall treatments of solvers/mpm/walls/.
-template <class WallTreatment, class SceneOfChannel>
+template <class WallTreatment, class Number = double, class SceneOfChannel>
 auto mpm_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
-  return mpm::solver<mpm::LinearHat, WallTreatment>(
+  return mpm::solver<mpm::LinearHat, WallTreatment, Number>(
       scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
 }
 
 /// Smoothed particle hydrodynamics as printed, with one of the pressure terms of solvers/sph/terms/.
-template <class PressureTerm = sph::Pressure, class SceneOfChannel>
+template <class PressureTerm = sph::Pressure, class Integrator = sph::PredictorCorrector, class SceneOfChannel>
 auto printed_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
   const double h = 1.2 * rung.spacing;
-  return sph::printed<sph::CubicSpline>(
+  return sph::printed<sph::CubicSpline, Integrator>(
       scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
       sph::momentum(PressureTerm{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
                     sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
 }
 
 /// The regularised method: quintic spline, transport velocity, mirrored wall velocities.
-template <class SceneOfChannel>
+template <class Integrator = sph::KickDriftKick, class Real = double, class SceneOfChannel>
 auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
-  return sph::transport_velocity<sph::QuinticSpline>(
+  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real>(
       scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = time_step},
       sph::momentum(sph::PressureDifference{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
 }
 
-template <class WallTreatment, class SceneOfChannel>
+template <class WallTreatment, class Number = double, class SceneOfChannel>
 auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(mpm_solver<WallTreatment>(scene, rung, rung.step_or(time_step)), when);
+    return record(mpm_solver<WallTreatment, Number>(scene, rung, rung.step_or(time_step)), when);
   };
 }
-template <class PressureTerm = sph::Pressure, class SceneOfChannel>
+template <class PressureTerm = sph::Pressure, class Integrator = sph::PredictorCorrector, class SceneOfChannel>
 auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(printed_solver<PressureTerm>(scene, rung, rung.step_or(time_step)), when);
+    return record(printed_solver<PressureTerm, Integrator>(scene, rung, rung.step_or(time_step)), when);
   };
 }
-template <class SceneOfChannel>
+template <class Integrator = sph::KickDriftKick, class Real = double, class SceneOfChannel>
 auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = 2 * dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(transport_solver(scene, rung, rung.step_or(time_step)), when);
+    return record(transport_solver<Integrator, Real>(scene, rung, rung.step_or(time_step)), when);
+  };
+}
+
+/// The affine material point method with quadratic B-splines.
+template <class SceneOfChannel>
+auto mpm_affine(const SceneOfChannel& scene, double time_step = dt) {
+  return [=](const Rung& rung, const Schedule& when) {
+    return record(
+        mpm::affine(scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = rung.step_or(time_step)}), when);
   };
 }
 
@@ -122,6 +133,11 @@ inline const std::string moving_words = "Here it moves with the wall: v = V, a =
 inline const std::string reset_words =
     "Here its velocity is reset, a = (V - v) / dt, which the particles feel. Expected order 1 in Linf; in L2, where only "
     "the cells at the wall are wrong, 1.5.";
+inline const std::string affine_words =
+    "Material point method with quadratic B-splines and affine particle velocities (APIC, Jiang et al. 2015), the stress "
+    "given to the nodes as in MLS-MPM (Hu et al. 2018), explicit Euler, walls by mirrored cells. Particles take their "
+    "velocity from the nodes, which damps a little each step: the longest stable step is the most accurate.";
+inline const std::string float_words = " Particles in single precision.";
 inline const std::string sph_printed_words =
     "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2: cubic spline with h = 1.2 spacings, continuity "
     "density, laminar viscosity (26), artificial viscosity (27), density restored every 30 steps, ghosts and repulsive "

@@ -17,6 +17,17 @@ Rung affordable(Rung rung, double particles, double longest, const Effort& effor
   return rung;
 }
 
+/// A thousand steps of the paper's models with 800 and 3200 particles, to compare the cost of a step.
+Rung thousand_steps(std::string name, double spacing, double cell = not_a_number) {
+  const double end = 1000 * dt;
+  return {.name = std::move(name) + ", 1000 steps",
+          .spacing = spacing,
+          .cell = cell,
+          .time_step = dt,
+          .report = end,
+          .nightly = end};
+}
+
 /// The longest step, half of it, and that of the paper where it is shorter.
 std::vector<double> steps_below(double longest) {
   std::vector<double> steps = {longest, longest / 2};
@@ -42,12 +53,13 @@ void set_time(WorkPoint& point, double cpu) { point.cpu = point.cpu_lowest = poi
 
 }  // namespace
 
-std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effort) {
+std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, const std::array<double, 2>& acoustic,
+                                     Effort effort) {
   std::vector<Rung> rungs;
   for (const int n : cells)
     for (const int points_across : {1, 2}) {
-      const double cell = H / n, acoustic = points_across == 1 ? 1.11 : 1.41;  // found by bisection, as `critical_step`
-      const double longest = longest_step(cell, {.acoustic = acoustic});
+      const double cell = H / n;
+      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1], .share = 0.9});
       for (const double step : steps_below(longest))
         rungs.push_back(affordable({.name = fmt::format("{} cells, {} per cell", n, points_across * points_across),
                                     .spacing = cell / points_across,
@@ -55,6 +67,8 @@ std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effor
                                     .time_step = step},
                                    L * H / (cell * cell) * points_across * points_across, longest, effort));
     }
+  rungs.push_back(thousand_steps("M1", H / 40, H / 40));
+  rungs.push_back(thousand_steps("M2", H / 80, H / 40));
   return rungs;
 }
 
@@ -67,6 +81,8 @@ std::vector<Rung> sph_run_time_rungs(const std::vector<int>& particles, double s
       rungs.push_back(affordable({.name = fmt::format("{} across", n), .spacing = H / n, .time_step = step},
                                  L / H * n * n, longest, effort));
   }
+  rungs.push_back(thousand_steps("S1", H / 40));
+  rungs.push_back(thousand_steps("S2", H / 80));
   return rungs;
 }
 

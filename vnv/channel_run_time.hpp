@@ -7,6 +7,7 @@
 #include "vnv/channel.hpp"
 #include "vnv/run_time.hpp"
 
+#include <array>
 #include <map>
 
 namespace touchstone::vnv::channel {
@@ -23,8 +24,10 @@ struct Effort {
   double report, nightly;
 };
 
-/// Rungs of the material point method: `cells` across the gap, 1 and 4 points in each.
-std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, Effort effort);
+/// Rungs of the material point method: `cells` across the gap, 1 and 4 points in each, and the critical steps of both
+/// as cells over sound speed.
+std::vector<Rung> mpm_run_time_rungs(const std::vector<int>& cells, const std::array<double, 2>& acoustic,
+                                     Effort effort);
 
 /// Rungs of smoothed particle hydrodynamics: `particles` across the gap, smoothing length in spacings.
 std::vector<Rung> sph_run_time_rungs(const std::vector<int>& particles, double smoothing, StepLimits limits,
@@ -43,12 +46,13 @@ std::vector<WorkPoint> peers_in_poiseuille_flow();
 template <class SceneOfChannel>
 std::vector<Method> run_time_methods(const SceneOfChannel& scene,
                                      const std::map<std::string, std::vector<Claim>>& claims) {
-  const std::vector<Rung> mpm =
-      mpm_run_time_rungs({4, 6, 8, 10, 12, 16, 20, 28, 40, 80}, {.report = 1.2e8, .nightly = 1e9});
-  const std::vector<int> across = {10, 14, 20, 28, 40, 80};
-  const Effort sph{.report = 2e7, .nightly = 2e8};
-  const std::vector<Rung> printed = sph_run_time_rungs(across, 1.2, {.acoustic = 0.73}, sph),
-                          regularised = sph_run_time_rungs(across, 1, {.acoustic = 2.22}, sph);
+  const std::vector<int> cells = {4, 6, 8, 10, 12, 16, 20, 28, 40, 80}, across = {10, 14, 20, 28, 40, 80};
+  const Effort of_mpm{.report = 1.2e8, .nightly = 1e9}, of_sph{.report = 2e7, .nightly = 2e8};
+  const std::vector<Rung> mpm = mpm_run_time_rungs(cells, {1.11, 1.41}, of_mpm),
+                          affine = mpm_run_time_rungs(cells, {0.9, 0.9}, of_mpm),
+                          printed = sph_run_time_rungs(across, 1.2, {.acoustic = 0.73, .share = 0.4}, of_sph),
+                          regularised = sph_run_time_rungs(across, 1, {.acoustic = 2.22}, of_sph),
+                          one_evaluation = sph_run_time_rungs(across, 1, {.acoustic = 0.8}, of_sph);
   return {{
               .name = "mpm",
               .description = mpm_words + moving_words,
@@ -66,6 +70,22 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
               .relative_cost = 30,
           },
           {
+              .name = "mpm_float",
+              .description = mpm_words + moving_words + float_words,
+              .run = mpm_with<mpm::PrescribedMotion, float>(scene),
+              .rungs = mpm,
+              .claims = claims.at("mpm_float"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "mpm_affine",
+              .description = affine_words,
+              .run = mpm_affine(scene),
+              .rungs = affine,
+              .claims = claims.at("mpm_affine"),
+              .relative_cost = 30,
+          },
+          {
               .name = "sph",
               .description = sph_printed_words + conservative_words,
               .run = sph_as_printed(scene),
@@ -79,6 +99,23 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
               .run = sph_as_printed<sph::PressureDifference>(scene),
               .rungs = printed,
               .claims = claims.at("sph_difference"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "sph_regularised_float",
+              .description = sph_regularised_words + " Sums over pairs in single precision.",
+              .run = sph_with_transport_velocity<sph::KickDriftKick, float>(scene),
+              .rungs = regularised,
+              .claims = claims.at("sph_regularised_float"),
+              .relative_cost = 30,
+          },
+          {
+              .name = "sph_one_evaluation",
+              .description = sph_regularised_words +
+                             " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.",
+              .run = sph_with_transport_velocity<sph::AdamsBashforth>(scene),
+              .rungs = one_evaluation,
+              .claims = claims.at("sph_one_evaluation"),
               .relative_cost = 30,
           },
           {

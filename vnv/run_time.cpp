@@ -20,17 +20,17 @@ std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, cons
                                    const Record& record) {
   std::vector<WorkPoint> points;
   for (const Run& run : results.runs) {
-    const std::optional<double> error = error_of(diagram.quantity, time)(record, run);
-    if (!run.summary.finished || !error) continue;
+    if (!run.summary.finished) continue;
     const Cost& cost = run.summary.cost;
-    const double share = time / run.summary.end_time;
+    const std::optional<double> error = error_of(diagram.quantity, time)(record, run);
+    const double share = error ? time / run.summary.end_time : not_a_number;  // a shorter run tells the cost of a step
     points.push_back({.diagram = diagram.id,
                       .series = results.method.name,
                       .family = family_of(results.method.name),
                       .run = run.summary.rung,
                       .particles = static_cast<double>(cost.particles),
                       .per_step = cost.per_step(),
-                      .error = *error,
+                      .error = error.value_or(not_a_number),
                       .cpu = share * cost.cpu,
                       .cpu_lowest = share * cost.cpu_lowest,
                       .cpu_highest = share * cost.cpu_highest});

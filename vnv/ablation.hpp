@@ -1,0 +1,55 @@
+#pragma once
+/// What a method needs in a scene: each variant lacks one ingredient, or has another in its place, by type; its error,
+/// its largest stable step and its cost are set beside those of the whole method.
+
+#include "vnv/case.hpp"
+#include "vnv/stability/critical_step.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// A method, whole or without one ingredient.
+struct Variant {
+  std::string name;  // "without artificial viscosity"; that of the whole method is `whole`
+  std::function<Run(const Rung&, const Schedule&)> run;
+};
+inline const std::string whole = "whole";
+
+/// What a variant came to.
+struct Outcomes {
+  bool finished = true;
+  double error = not_a_number;
+  double critical_step = not_a_number;      // s
+  double per_particle_step = not_a_number;  // s  CPU time
+};
+
+/// "accuracy", "stability", "accuracy and stability" or "neither": what the ingredient that a variant lacks is needed
+/// for. Needed for accuracy: without it the error grows by more than a tenth. Needed for stability: without it the run
+/// does not end, or the critical step falls by more than a twentieth.
+std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
+
+inline const std::string critical_step_found = "critical time step [us]";
+
+/// A run of a variant and, in the same process but not on its account, its critical step.
+template <class Factory>
+Run run_and_search(Factory solver_with, double time_step, const Schedule& when, const StepSearch& search) {
+  Run run = record(solver_with(time_step), when);
+  try {
+    run.found = {{"", 0, not_a_number, critical_step_found, critical_step(solver_with, search).low / us}};
+  } catch (const std::invalid_argument&) {
+    // unstable at the lower end: there is none to tell
+  }
+  return run;
+}
+
+/// A method whose rungs are its variants, all at the resolution of `rung`.
+Method ablation(Method method, const Rung& rung, std::vector<Variant> variants);
+
+/// A row for each variant: error, critical step and cost, their changes, and what is missing is needed for. The
+/// variants `with_more` have an ingredient that the whole method has not: there it is the whole method that lacks it.
+Plot ablation_table(std::string quantity, double time, std::vector<std::string> with_more = {});
+
+}  // namespace touchstone::vnv
