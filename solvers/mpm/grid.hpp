@@ -46,8 +46,8 @@ class Grid {
     return box.low + Vec2((the_cell % columns + X) * cell.x(), (the_cell / columns + Y) * cell.y());
   }
 
-  /// The nodes of a wall. Throws std::invalid_argument if it stands off the grid.
-  std::vector<int> nodes_on(const Wall& wall) const {
+  /// The grid line of a wall, counted from the low edge. Throws std::invalid_argument if it stands off the grid.
+  int line_of(const Wall& wall) const {
     const double line = (wall.position - box.low[wall.axis]) / cell[wall.axis];
     const int lines = wall.axis == 0 ? columns : rows;
     const double off = std::abs(line - std::round(line));
@@ -55,7 +55,12 @@ class Grid {
       throw std::invalid_argument(
           fmt::format("mpm: wall at {} = {:g} m, wanted on a grid line: {:g} + 0 to {} times {:g} m",
                       wall.axis == 0 ? "x" : "y", wall.position, box.low[wall.axis], lines, cell[wall.axis]));
-    const int fixed = static_cast<int>(std::round(line));
+    return static_cast<int>(std::round(line));
+  }
+
+  /// The nodes of a wall. Throws as `line_of`.
+  std::vector<int> nodes_on(const Wall& wall) const {
+    const int fixed = line_of(wall);
     std::vector<int> found;
     if (wall.axis == 0)
       for (int row = 0; row <= rows; ++row) found.push_back(node_at(fixed, row));

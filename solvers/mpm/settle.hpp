@@ -21,9 +21,8 @@ int cell_along(Number& within, int at, int cells, bool periodic) {
 
 /// Settles a particle that may have left its cell: returns the cell it is in now, with its place within that one.
 /// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
-template <class FluidLaw, class Number>
-int settle(Particles<FluidLaw, Number>& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid,
-           long step, double time) {
+template <class Particles, class FluidLaw>
+int settle(Particles& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step, double time) {
   const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
   const auto fail = [&](std::string quantity, double value, std::string wanted) {
     throw Diverged({.step = step,

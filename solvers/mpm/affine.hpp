@@ -1,0 +1,130 @@
+#pragma once
+/// The material point method with quadratic B-splines and affine particle velocities, for weakly compressible fluids:
+/// APIC (Jiang et al., ACM Trans. Graph. 34 (2015) 51) with the stress given to the nodes as in MLS-MPM (Hu et al., ACM
+/// Trans. Graph. 37 (2018) 150), explicit Euler.
+///
+/// Particles take their velocity from the nodes and remember no other: a wave of wave number k is damped by
+/// (k cell)^4 / 40 a step, in the limit of many particles. So the error of a viscous flow grows as the step gets
+/// shorter: use the longest stable one.
+
+#include "solvers/laps.hpp"
+#include "solvers/mpm/affine_mirrors.hpp"
+#include "solvers/mpm/affine_transfer.hpp"
+#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/node_motion.hpp"
+#include "solvers/mpm/settle.hpp"
+#include "solvers/samples.hpp"
+
+namespace touchstone::mpm {
+
+/// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double.
+template <class Number, class FluidLaw, class Force>
+class Affine {
+ public:
+  /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
+  /// than the filled box, a filled box that reaches out of the domain, or a wall off the grid.
+  Affine(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+      : scene_(scene),
+        dt_(settings.time_step),
+        threads_(settings.threads),
+        grid_(scene.domain, settings.cell),
+        particles_(
+            affine_at_rest<Number>(lattice(scene.filled, settings.spacing, scene.domain.box), grid_, scene.fluid)),
+        nodes_(grid_, lanes_of<Number>),
+        mirrors_(scene.walls, grid_) {
+    require_positive("mpm", "time step [s]", dt_);
+    require_positive("mpm", "threads", threads_);
+    list_near();
+  }
+
+  /// One step. Throws Diverged.
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    push_particles();  // v_p + dt b(x_p), where b is not the same everywhere
+    scatter(particles_, threads_,
+            nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)), stress
+    lap(SubStep::scatter);
+    nodes_.collect(dt_ * common_acceleration(scene_.body_force), threads_);  // + dt b m_i
+    mirrors_.fold(nodes_, time() + dt_);                                     // images behind walls give too
+    nodes_.find_velocities(threads_);                                        // v_i = (m v)_i / m_i
+    mirrors_.unfold(nodes_, time() + dt_);
+    lap(SubStep::grid);
+    gather(nodes_, grid_, scene_.fluid, dt_, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
+    lap(SubStep::gather);
+    ++steps_;
+    keep_order();
+    lap(SubStep::sorting);
+  }
+
+  double time() const { return static_cast<double>(steps_) * dt_; }  // s
+  long steps() const { return steps_; }
+  double time_step() const { return dt_; }  // s
+  Eigen::Index particles() const { return particles_.count; }
+  Eigen::Index boundary_particles() const { return 0; }
+  Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
+
+  /// The particles in the order in which they were seeded.
+  Samples samples() const {
+    const Eigen::Index n = particles();
+    Samples s{time(), Vectors(2, n), Vectors(2, n), Scalars::Constant(n, particles_.mass), Scalars(n), Scalars(n)};
+    particles_.order.for_each([&](int cell, int slot) {
+      const int p = particles_.number[slot];
+      s.x.col(p) = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
+      s.v.col(p) = Vec2(particles_.x.v[slot], particles_.y.v[slot]);
+      s.density[p] = scene_.fluid.density / (1 + static_cast<double>(particles_.expansion[slot]));
+      s.pressure[p] = scene_.fluid.pressure(s.density[p]);
+    });
+    return s;
+  }
+
+ private:
+  void push_particles() {
+    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), dt_);
+  }
+
+  /// Carries the particles that left their cell to the one they are in; looks only where `gather` saw cause to.
+  void keep_order() {
+    for (std::size_t block = 0; block < calm_.size(); ++block)
+      if (!calm_[block]) settle_block(static_cast<int>(block));
+    if (!particles_.order.is_stale()) return;
+    particles_.order.list_occupied();
+    list_near();
+  }
+
+  void settle_block(int index) {
+    auto& order = particles_.order;
+    for (int lane = 0; lane < lanes_of<Number>; ++lane)
+      for (int k = 0; k < order.blocks()[index].count[lane];) {
+        const auto& block = order.blocks()[index];
+        const int cell = order.cell(block, lane);
+        const int to = settle(particles_, block.slot(lane, k), cell, grid_, scene_.fluid, steps_, time());
+        if (to == cell)
+          ++k;
+        else
+          order.carry(particles_, cell, k, to);  // which puts another in its place
+      }
+  }
+
+  void list_near() {
+    nodes_.list_near(particles_.order);
+    mirrors_.list_near(nodes_);
+  }
+
+  Scene<FluidLaw, Force> scene_;
+  double dt_;
+  int threads_;
+  Grid grid_;
+  AffineParticles<Number> particles_;
+  CentreNodes nodes_;
+  Mirrors mirrors_;
+  std::vector<char> calm_;  // of each block, within a step
+  long steps_ = 0;
+};
+
+/// A simulation of a scene: `mpm::affine(channel, {.cell = ...})`.
+template <class Number = double, class FluidLaw, class Force>
+auto affine(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
+  return Affine<Number, FluidLaw, Force>(scene, settings);
+}
+
+}  // namespace touchstone::mpm
