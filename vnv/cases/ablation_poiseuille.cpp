@@ -96,7 +96,8 @@ Case vnv::the_case() {
       .description =
           "Each method runs Poiseuille flow from rest to 0.5 s at 20 particles or cells across the gap, whole and "
           "without one ingredient after the other. The drive is stirred by a ten-thousandth, so that an unstable "
-          "variant shows itself; what keeps particles in order over many seconds has no time to show its worth. The critical step is found by bisection, 2000 steps a trial.",
+          "variant shows itself; what keeps particles in order over many seconds has no time to show its worth. The "
+          "critical step is found by bisection, 2000 steps a trial.",
       .times = {end},
       .measurements = {norms_of("v_x, per particle", by_particles, exact)},
       .methods = {ablation(
