@@ -25,16 +25,20 @@ class CellOrder {
     int first = 0;    // slot of the first particle of its first cell
     int capacity = 0;
     std::array<int, width> count{};  // particles of each cell
+    int least = 0, most = 0;         // of these
 
     int slot(int lane, int k) const { return first + k * width + lane; }
-    int least() const { return *std::min_element(count.begin(), count.end()); }
-    int most() const { return *std::max_element(count.begin(), count.end()); }
+    void add(int lane, int particles) {
+      count[lane] += particles;
+      least = *std::min_element(count.begin(), count.end());
+      most = *std::max_element(count.begin(), count.end());
+    }
   };
 
   /// Makes room for particles of which `cell_of` names the cell of each, cells numbered row by row.
   CellOrder(int columns, int rows, const std::vector<int>& cell_of)
       : columns_(columns), index_of_((columns + width - 1) / width * rows, -1) {
-    for (int cell : cell_of) ++block_of(cell).count[lane_of(cell)];
+    for (int cell : cell_of) block_of(cell).add(lane_of(cell), 1);
     list_occupied();
     find_room();
   }
@@ -65,7 +69,7 @@ class CellOrder {
 
   void list_occupied() {
     for (const Block& block : blocks_) index_of_[number_of(block)] = -1;
-    std::erase_if(blocks_, [](const Block& block) { return block.most() == 0; });
+    std::erase_if(blocks_, [](const Block& block) { return block.most == 0; });
     std::sort(blocks_.begin(), blocks_.end(),
               [&](const Block& a, const Block& b) { return number_of(a) < number_of(b); });
     rows_.clear();
@@ -83,12 +87,14 @@ class CellOrder {
   void carry(Particles& particles, int from, int k, int to) {
     const int place = free_slot(particles, to);
     Block& source = block_of(from);
-    const int left = source.slot(lane_of(from), k), last = source.slot(lane_of(from), --source.count[lane_of(from)]);
+    const int lane = lane_of(from);
+    source.add(lane, -1);
+    const int left = source.slot(lane, k), last = source.slot(lane, source.count[lane]);
     particles.copy(left, place);
     if (last != left) particles.copy(last, left);
     particles.clear(last);
-    ++block_of(to).count[lane_of(to)];
-    stale_ = stale_ || source.most() == 0;
+    block_of(to).add(lane_of(to), 1);
+    stale_ = stale_ || source.most == 0;
   }
 
  private:
@@ -131,7 +137,7 @@ class CellOrder {
   template <class Particles>
   void lay_out_anew(Particles& particles) {
     std::vector<Move> moves;
-    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most() * width});
+    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most * width});
     find_room();
     for (std::size_t i = 0; i < moves.size(); ++i) moves[i].to = blocks_[i].first;
     particles.rearrange(moves, slots_);
@@ -142,7 +148,7 @@ class CellOrder {
     used_ = 0;
     for (Block& block : blocks_) {
       block.first = used_;
-      block.capacity = block.most() + block.most() / 8 + 1;
+      block.capacity = block.most + block.most / 8 + 1;
       used_ += block.capacity * width;
     }
     slots_ = used_ + used_ / 16 + 64 * width;  // the rest is for blocks that come or grow

@@ -8,16 +8,20 @@ template <class Real>
 struct CellMass {
   Real one{}, X{}, Y{}, XX{}, YY{}, XY{}, XXY{}, XYY{}, XXYY{};
 
-  void add(const Real& x, const Real& y) {
+  static CellMass at(const Real& x, const Real& y) {
     const Real xy = x * y;
-    X += x;
-    Y += y;
-    XX += x * x;
-    YY += y * y;
-    XY += xy;
-    XXY += x * xy;
-    XYY += xy * y;
-    XXYY += xy * xy;
+    return {Real{}, x, y, x * x, y * y, xy, x * xy, xy * y, xy * xy};
+  }
+  CellMass& operator+=(const CellMass& other) {
+    X += other.X;
+    Y += other.Y;
+    XX += other.XX;
+    YY += other.YY;
+    XY += other.XY;
+    XXY += other.XXY;
+    XYY += other.XYY;
+    XXYY += other.XXYY;
+    return *this;
   }
 };
 template <int part, class Real>
@@ -31,11 +35,13 @@ template <class Real>
 struct Moments {
   Real one{}, X{}, Y{}, XY{};
 
-  void add(const Real& q, const Real& x, const Real& y, const Real& xy) {
-    one += q;
-    X += x * q;
-    Y += y * q;
-    XY += xy * q;
+  static Moments of(const Real& q, const Real& x, const Real& y, const Real& xy) { return {q, x * q, y * q, xy * q}; }
+  Moments& operator+=(const Moments& other) {
+    one += other.one;
+    X += other.X;
+    Y += other.Y;
+    XY += other.XY;
+    return *this;
   }
   template <class Number>
   void set(int lane, const Moments<Number>& of_lane) {
@@ -50,42 +56,53 @@ Moments<Lanes> widened(const Moments<Real>& m) {
   return {widened<part>(m.one), widened<part>(m.X), widened<part>(m.Y), widened<part>(m.XY)};
 }
 
-/// Sums over the particles of the cells of a block, one cell a lane, per mass of a particle. Each has a loop of its
-/// own, so that its sums stay in registers.
-template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
-CellMass<Real> mass_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
-  CellMass<Real> sums;
-  for (std::size_t lane = 0; lane < block.count.size(); ++lane) sums.one[lane] = static_cast<Number>(block.count[lane]);
-  const int end = block.slot(0, block.most());
-  for (int slot = block.first; slot < end; slot += lanes_of<Number>)
-    sums.add(load<Real>(&particles.X[slot]), load<Real>(&particles.Y[slot]));
+/// Sums over the particles of a cell of their momenta, per mass of a particle [m/s].
+template <class Real>
+struct Momentum {
+  Moments<Real> x, y;
+
+  Momentum& operator+=(const Momentum& other) {
+    x += other.x;
+    y += other.y;
+    return *this;
+  }
+};
+
+/// What `terms_at(slot)` says of the particles of a block, summed, one cell a lane.
+template <class Number, class Block, class TermsAt>
+auto sum_over(const Block& block, const TermsAt& terms_at) {
+  auto sums = terms_at(block.first);
+  const int end = block.slot(0, block.most);
+  for (int slot = block.first + lanes_of<Number>; slot < end; slot += lanes_of<Number>) sums += terms_at(slot);
   return sums;
 }
 
-template <class Real>
-struct Momentum {
-  Moments<Real> x, y;  // m/s
-};
+// Each of these has a loop of its own, so that its sums stay in registers.
+
+template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
+CellMass<Real> mass_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+  auto sums = sum_over<Number>(block, [&](int slot) {
+    return CellMass<Real>::at(load<Real>(&particles.X[slot]), load<Real>(&particles.Y[slot]));
+  });
+  sums.one = converted<Real>(block.count.data());
+  return sums;
+}
 
 template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
 Momentum<Real> momentum_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
-  Momentum<Real> sums;
-  const int end = block.slot(0, block.most());
-  for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
+  return sum_over<Number>(block, [&](int slot) {
     const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]), XY = X * Y;
-    sums.x.add(load<Real>(&particles.vx[slot]), X, Y, XY);
-    sums.y.add(load<Real>(&particles.vy[slot]), X, Y, XY);
-  }
-  return sums;
+    return Momentum<Real>{Moments<Real>::of(load<Real>(&particles.vx[slot]), X, Y, XY),
+                          Moments<Real>::of(load<Real>(&particles.vy[slot]), X, Y, XY)};
+  });
 }
 
 template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
 auto stress_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
-  typename Stress<FluidLaw, Number>::template Sums<Real> sums;
-  const int end = block.slot(0, block.most());
-  for (int slot = block.first; slot < end; slot += lanes_of<Number>)
-    sums.add(particles.stress, slot, load<Real>(&particles.X[slot]), load<Real>(&particles.Y[slot]));
-  return sums;
+  return sum_over<Number>(block, [&](int slot) {
+    return particles.stress.template terms_at<Real>(slot, load<Real>(&particles.X[slot]),
+                                                    load<Real>(&particles.Y[slot]));
+  });
 }
 
 }  // namespace touchstone::mpm

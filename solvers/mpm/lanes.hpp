@@ -3,6 +3,7 @@
 /// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
 /// depends on what lies in the lanes beside it.
 
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -68,6 +69,15 @@ Real fill(double number) {
   return with_indices<lanes_of<NumberIn<Real>>>([&](auto... i) { return Real{(static_cast<void>(i), n)...}; });
 }
 
+/// Whole numbers from an address on.
+template <class Real>
+Real converted(const int* from) {
+  using Whole [[gnu::vector_size(sizeof(int) * lanes_of<NumberIn<Real>>)]] = int;
+  Whole numbers;
+  std::memcpy(&numbers, from, sizeof numbers);
+  return __builtin_convertvector(numbers, Real);
+}
+
 /// One lane to the right: the last of `before`, then all but the last of `these`.
 inline Lanes shifted(const Lanes& before, const Lanes& these) {
   return with_indices<lanes>(
@@ -97,7 +107,8 @@ Real joined(const PartOf& part_of) {
   } else {
     using Half [[gnu::vector_size(register_bytes / 2)]] = float;
     const Half low = __builtin_convertvector(part_of(0), Half), high = __builtin_convertvector(part_of(lanes), Half);
-    return with_indices<2 * lanes>([&](auto... i) -> Real { return __builtin_shufflevector(low, high, decltype(i)::value...); });
+    return with_indices<2 * lanes>(
+        [&](auto... i) -> Real { return __builtin_shufflevector(low, high, decltype(i)::value...); });
   }
 }
 

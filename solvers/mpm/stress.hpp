@@ -33,9 +33,11 @@ template <class Real>
 struct Sum {
   Real one{}, moment{};
 
-  void add(const Real& q, const Real& coordinate) {
-    one += q;
-    moment += coordinate * q;
+  static Sum of(const Real& q, const Real& coordinate) { return {q, coordinate * q}; }
+  Sum& operator+=(const Sum& other) {
+    one += other.one;
+    moment += other.moment;
+    return *this;
   }
 };
 template <int part, class Real>
@@ -60,10 +62,10 @@ class Stress {
   struct Sums {
     Sum<Real> along_x, along_y;  // of the pressure, with Y and with X
 
-    void add(const Stress& stress, int slot, const Real& X, const Real& Y) {
-      const Real p = load<Real>(&stress.pressure_[slot]);
-      along_x.add(p, Y);
-      along_y.add(p, X);
+    Sums& operator+=(const Sums& other) {
+      along_x += other.along_x;
+      along_y += other.along_y;
+      return *this;
     }
     template <int part>
     Sums<Lanes> as_doubles() const {
@@ -77,6 +79,12 @@ class Stress {
               Shape::template slopes_along_Y<Real>(per_cell.y() * along_y.one, per_cell.y() * along_y.moment)};
     }
   };
+
+  template <class Real>
+  Sums<Real> terms_at(int slot, const Real& X, const Real& Y) const {
+    const Real p = load<Real>(&pressure_[slot]);
+    return {Sum<Real>::of(p, Y), Sum<Real>::of(p, X)};
+  }
 
   /// (33), of the particles from `slot` on that `Store` writes.
   template <class Real, class Store>
@@ -104,12 +112,12 @@ class Stress<FluidLaw, Number> {
   struct Sums {
     Sum<Real> xx, xy_Y, xy_X, yy;  // those along x with Y, those along y with X
 
-    void add(const Stress& stress, int slot, const Real& X, const Real& Y) {
-      const Real xy = load<Real>(&stress.xy_[slot]);
-      xx.add(load<Real>(&stress.xx_[slot]), Y);
-      xy_Y.add(xy, Y);
-      xy_X.add(xy, X);
-      yy.add(load<Real>(&stress.yy_[slot]), X);
+    Sums& operator+=(const Sums& other) {
+      xx += other.xx;
+      xy_Y += other.xy_Y;
+      xy_X += other.xy_X;
+      yy += other.yy;
+      return *this;
     }
     template <int part>
     Sums<Lanes> as_doubles() const {
@@ -127,6 +135,13 @@ class Stress<FluidLaw, Number> {
       return {along(xx, xy_X), along(xy_Y, yy)};
     }
   };
+
+  template <class Real>
+  Sums<Real> terms_at(int slot, const Real& X, const Real& Y) const {
+    const Real xy = load<Real>(&xy_[slot]);
+    return {Sum<Real>::of(load<Real>(&xx_[slot]), Y), Sum<Real>::of(xy, Y), Sum<Real>::of(xy, X),
+            Sum<Real>::of(load<Real>(&yy_[slot]), X)};
+  }
 
   /// (32) and (33): 2 mu eps - (2/3) mu tr(eps) I - P I.
   template <class Real, class Store>

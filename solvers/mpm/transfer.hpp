@@ -18,11 +18,17 @@
 namespace touchstone::mpm {
 
 /// What a row of cells gives to its nodes, block by block from left to right. The nodes between two blocks belong to
-/// both: what the one on the left gives them waits for the one on the right.
+/// both: what the one on the left gives them waits for the one on the right. Nothing waits at the end of a row, where
+/// cells are missing or `finish` has been called.
 template <Given first, Given last>
 class GivenByRow {
  public:
-  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
+  explicit GivenByRow(Nodes& nodes) : nodes_(nodes) {}
+
+  void begin(int row) {
+    low_ = row * nodes_.stride;
+    high_ = low_ + nodes_.stride;
+  }
 
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
@@ -41,35 +47,36 @@ class GivenByRow {
     Lanes low{}, high{};
   };
   Nodes& nodes_;
-  int low_, high_;
+  int low_ = 0, high_ = 0;
   std::array<Waiting, last - first + 1> waiting_;
 };
 
-/// Calls work(begin, end) for the rows of blocks, shared out between threads so that each has as many blocks.
+/// Calls work(rows begin, rows end), iterators of where each row begins, so that each thread has about as many blocks.
 template <int width, class Work>
-void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
+void share_out_rows(const CellOrder<width>& order, int threads, const Work& work) {
   const std::vector<int>& rows = order.rows();
-  share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) {
-    for (auto row = std::lower_bound(rows.begin(), rows.end(), begin); row + 1 < rows.end() && *row < end; ++row)
-      work(row[0], row[1]);
-  });
+  const auto row_of = [&](Eigen::Index block) { return std::lower_bound(rows.begin(), rows.end(), block); };
+  share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
 }
 
 /// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seam.
 template <Given first, Given last, int width, class Give>
 void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
   const auto& blocks = order.blocks();
-  for_rows(order, threads, [&](int begin, int end) {
-    const int row = blocks[begin].row;
-    const bool seam = nodes.at_seam(blocks[end - 1].column + width);
-    if (seam) nodes.open_seam(row);
-    GivenByRow<first, last> to(nodes, row);
-    for (int i = begin; i < end; ++i) {
-      give(i, to);
-      const int next = blocks[i].column + width;
-      if (next < nodes.stride && (i + 1 == end || blocks[i + 1].column > next)) to.finish(next);
+  share_out_rows(order, threads, [&](auto row, auto rows_end) {
+    GivenByRow<first, last> to(nodes);
+    for (; row < rows_end; ++row) {
+      const int begin = row[0], end = row[1];
+      const bool seam = nodes.at_seam(blocks[end - 1].column + width);
+      if (seam) nodes.open_seam(blocks[begin].row);
+      to.begin(blocks[begin].row);
+      for (int i = begin; i < end; ++i) {
+        give(i, to);
+        const int next = blocks[i].column + width;
+        if (next < nodes.stride && (i + 1 == end || blocks[i + 1].column > next)) to.finish(next);
+      }
+      if (seam) nodes.close_seam(blocks[begin].row, first, last);
     }
-    if (seam) nodes.close_seam(row, first, last);
   });
 }
 
@@ -89,8 +96,8 @@ Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const
       const int slot = block.slot(lane, k);
       const Number X = particles.X[slot], Y = particles.Y[slot];
       const Vec2 b = force(grid.place(particles.order.cell(block, lane), X, Y), time);
-      x.add(static_cast<Number>(b.x()), X, Y, X * Y);
-      y.add(static_cast<Number>(b.y()), X, Y, X * Y);
+      x += Moments<Number>::of(static_cast<Number>(b.x()), X, Y, X * Y);
+      y += Moments<Number>::of(static_cast<Number>(b.y()), X, Y, X * Y);
     }
     sums.x.set(lane, x);
     sums.y.set(lane, y);
@@ -261,13 +268,10 @@ template <class Real, class Block, class Body>
 bool for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
   Truth<Real> each = Real{} == Real{};
-  const int least = block.least(), most = block.most();
-  for (int k = 0; k < least; ++k) each &= body(block.first + k * width, Everywhere{});
-  if (most > least) {
-    Real count{};
-    for (int lane = 0; lane < width; ++lane) count[lane] = static_cast<NumberIn<Real>>(block.count[lane]);
-    for (int k = least; k < most; ++k) each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
-  }
+  for (int k = 0; k < block.least; ++k) each &= body(block.first + k * width, Everywhere{});
+  const Real count = converted<Real>(block.count.data());
+  for (int k = block.least; k < block.most; ++k)
+    each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
   return all<Real>(each);
 }
 
@@ -279,24 +283,20 @@ void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt
   using Real = LanesOf<Number>;
   const auto& blocks = particles.order.blocks();
   calm.resize(blocks.size());
-  for_rows(
-      particles.order, threads, [&](int begin, int end) __attribute__((flatten)) {
+  share_out_rows(
+      particles.order, threads, [&](auto row, auto rows_end) __attribute__((flatten)) {
         const FluidLaw fluid = law;  // a copy, known not to change while particles are written
         const Vec2 per_cell = grid.cell.cwiseInverse();
-        const double step = dt;
-        for (int i = begin; i < end; ++i) {
-          const auto block = blocks[i];
+        for (int i = *row; i < *rows_end; ++i) {
+          const auto& block = blocks[i];
           const int node = block.row * nodes.stride + block.column;
           const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
-          const bool dense = for_all<Real>(block, [&](int slot, const auto& write) {
-            return strain<Real>(particles, slot, v, per_cell, step, fluid, write);
+          const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride);
+          const FieldPair<Shape, Real> change(nodes.change, node, nodes.stride);
+          calm[i] = for_all<Real>(block, [&](int slot, const auto& write) {
+            const auto dense = strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
+            return dense & move<Real>(particles, slot, displacement, change, write);
           });
-          const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride),
-              change(nodes.change, node, nodes.stride);
-          const bool inside = for_all<Real>(block, [&](int slot, const auto& write) {
-            return move<Real>(particles, slot, displacement, change, write);
-          });
-          calm[i] = dense && inside;
         }
       });
 }

@@ -13,10 +13,12 @@ namespace touchstone::sph {
 template <class Force>
 void add_force(const Force& body_force, Particles& all, double time, int threads) {
   share_out(threads, all.fluid, [&, body_force](Index begin, Index end) {
+    const double *const x = all.x.data(), *const y = all.y.data();
+    double *const ax = all.ax.data(), *const ay = all.ay.data();
     for (Index i = begin; i < end; ++i) {
-      const Vec2 force = body_force(Vec2(all.x[i], all.y[i]), time);
-      all.ax[i] += force.x();
-      all.ay[i] += force.y();
+      const Vec2 force = body_force(Vec2(x[i], y[i]), time);
+      ax[i] += force.x();
+      ay[i] += force.y();
     }
   });
 }
@@ -38,7 +40,7 @@ void find_continuity(Neighbourhood<Record>& near, double h) {
         const auto ij = pair_of<Kernel>(i, j, mass, h);
         return std::array{ij.continuity()};
       },
-      [&](Index i, const std::array<double, 1>& sums) { all.drho[i] = sums[0]; });
+      [drho = all.drho.data()](Index i, const std::array<double, 1>& sums) { drho[i] = sums[0]; });
 }
 
 }  // namespace touchstone::sph

@@ -10,9 +10,11 @@
 
 namespace touchstone::sph {
 
-/// How far the lists reach [m]: the kernel, the push of a wall (0 where there is none), and a skin beyond both.
+/// How far the lists reach [m]: the kernel, the push of a wall (0 where there is none), and a skin beyond both, which
+/// is chosen anew with the lists.
 struct Reach {
   double kernel, wall, skin;
+  double least_skin = skin, greatest_skin = skin;
 };
 
 template <class Record_>
@@ -35,9 +37,9 @@ class Neighbourhood {
                 BoundaryLayout layout, int threads = 1)
       : boundary(std::move(layout)), domain_(domain), density_(density), reach_(reach), threads_(threads) {
     const double period = domain.box.size().x();
-    if (domain.periodic_x && reach.kernel + reach.skin > period)
-      throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
-                                              reach.kernel + reach.skin, period));
+    if (const double farthest = reach.kernel + reach.greatest_skin; domain.periodic_x && farthest > period)
+      throw std::invalid_argument(
+          fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m", farthest, period));
     const Lattice cells = lattice(filled, spacing, domain.box);
     place(cells.places());
     all.mass = density * cells.volume();
@@ -59,6 +61,7 @@ class Neighbourhood {
   void follow(long step, double time, double dt) {
     if (lists_hold(dt)) return;
     refuse_strays(step, time);
+    choose_skin(dt);
     list_anew();
   }
 
@@ -80,11 +83,13 @@ class Neighbourhood {
   template <class FluidLaw>
   void see_fluid(const FluidLaw& fluid) {
     share_out(threads_, all.fluid, [&, law = fluid](Index begin, Index end) {
+      const double *const x = all.x.data(), *const y = all.y.data(), *const vx = all.vx.data(),
+                          *const vy = all.vy.data(), *const rho = all.rho.data();
       Record* const record = seen.data();
       for (Index i = begin; i < end; ++i) {
-        record[i].stand_at(all.x[i], all.y[i]);
-        record[i].move(all.vx[i], all.vy[i]);
-        record[i].be(all.rho[i], law.pressure(all.rho[i]));
+        record[i].stand_at(x[i], y[i]);
+        record[i].move(vx[i], vy[i]);
+        record[i].be(rho[i], law.pressure(rho[i]));
       }
     });
     images.refresh_fluid(all, seen);
@@ -133,15 +138,24 @@ class Neighbourhood {
     const double farthest = margin * margin * reach_.skin * reach_.skin / 4;
     std::atomic<bool> hold = true;
     share_out(threads_, all.fluid, [&](Index begin, Index end) {
+      const double *const x = all.x.data(), *const y = all.y.data(), *const vx = all.vx.data(),
+                          *const vy = all.vy.data(), *const from_x = listed_x_.data(), *const from_y = listed_y_.data();
       long beyond = 0;
       for (Index i = begin; i < end; ++i) {
-        const double x = std::abs(all.x[i] - listed_x_[i]) + dt * std::abs(all.vx[i]),
-                     y = std::abs(all.y[i] - listed_y_[i]) + dt * std::abs(all.vy[i]);
-        beyond |= x * x + y * y <= farthest ? 0 : 1;  // 1 for what is not a number
+        const double way_x = std::abs(x[i] - from_x[i]) + dt * std::abs(vx[i]),
+                     way_y = std::abs(y[i] - from_y[i]) + dt * std::abs(vy[i]);
+        beyond |= way_x * way_x + way_y * way_y <= farthest ? 0 : 1;  // 1 for what is not a number
       }
       if (beyond) hold = false;
     });
     return hold;
+  }
+
+  /// A wide skin makes lists long, a narrow one makes them short-lived. Their cost is least where skin² is the reach
+  /// times the way of a step times what listing costs in passes over the pairs, about 5.
+  void choose_skin(double dt) {
+    const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
+    reach_.skin = std::clamp(std::sqrt(5 * reach_.kernel * fastest * dt), reach_.least_skin, reach_.greatest_skin);
   }
 
   double wrapped(double x) const {

@@ -89,7 +89,9 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
 /// The sums of one block. Everything is inlined here, or vectors would travel through memory.
 template <std::size_t K, int width, class Record, class Term>
 [[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Record* all, const Term& term) {
-  std::array<Lanes<typename Record::Number, width>, K> total{};
+  using Sum = Lanes<typename Record::Number, width>;
+  std::array<Sum, K> total;
+  for (Sum& sum : total) sum = Sum{};
   const Row<Record, width> i{all, rows.data()};
   for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
     const auto share = term(i, Row<Record, width>{all, row});

@@ -21,7 +21,9 @@ class Printed {
         near_(scene.domain, scene.filled, scene.fluid.density, settings.spacing,
               {.kernel = Kernel::support * settings.smoothing_length,
                .wall = repels ? SoftRepulsion<0>::reach(settings.spacing) : 0,
-               .skin = skin * settings.spacing},
+               .skin = skin * settings.spacing,
+               .least_skin = skin * settings.spacing,
+               .greatest_skin = 5 * skin * settings.spacing},
               lay_out_ghosts_and_walls(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
               settings.threads) {
     near_.carry(0, Integrator::past_fields);
@@ -54,7 +56,7 @@ class Printed {
   friend PredictorCorrector;  // starts others
 
   static constexpr long steps_between_restorations = 30;
-  static constexpr double skin = 0.3;  // spacings; lists last some hundred steps in a channel, a few in a splash
+  static constexpr double skin = 0.1;  // spacings; lists last a hundred steps in a channel, a few in a splash
   static constexpr bool repels = Left::template keeps<Repulsion>;
 
   Particles& state() { return near_.all; }
@@ -107,10 +109,10 @@ class Printed {
           const auto pull = terms.template on<Kernel>(ij, h);
           return std::array{ij.continuity(), pull.x, pull.y};
         },
-        [&](Index i, const std::array<double, 3>& sums) {
-          all.drho[i] = sums[0];
-          all.ax[i] = sums[1];
-          all.ay[i] = sums[2];
+        [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
+          drho[i] = sums[0];
+          ax[i] = sums[1];
+          ay[i] = sums[2];
         });
   }
   void sum_momentum() {
@@ -122,9 +124,9 @@ class Printed {
           const auto pull = terms.template on<Kernel>(ij, h);
           return std::array{pull.x, pull.y};
         },
-        [&](Index i, const std::array<double, 2>& sums) {
-          all.ax[i] = sums[0];
-          all.ay[i] = sums[1];
+        [ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 2>& sums) {
+          ax[i] = sums[0];
+          ay[i] = sums[1];
         });
   }
 

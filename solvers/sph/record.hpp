@@ -7,19 +7,40 @@
 
 namespace touchstone::sph {
 
+/// Where a particle stands.
+template <class Number>
+struct Place {
+  Number x, y;  // m
+
+  void stand_at(double at_x, double at_y) {
+    x = at_x;
+    y = at_y;
+  }
+};
+
+/// Single precision keeps its digits for the distance between neighbours: what rounding takes off a place is kept
+/// beside it.
+template <>
+struct Place<float> {
+  float x, y;            // m
+  float rest_x, rest_y;  // m
+
+  void stand_at(double at_x, double at_y) {
+    x = static_cast<float>(at_x);
+    y = static_cast<float>(at_y);
+    rest_x = static_cast<float>(at_x - double{x});
+    rest_y = static_cast<float>(at_y - double{y});
+  }
+};
+
 /// Fields stand in twos that are loaded together. What a pair would divide by is divided by here, once per particle.
 template <class Number_>
-struct alignas(2 * sizeof(Number_)) Record {
+struct alignas(2 * sizeof(Number_)) Record : Place<Number_> {
   using Number = Number_;
-  Number x, y;          // m
   Number vx, vy;        // m/s
   Number rho, p;        // kg/m³, Pa
   Number volume, push;  // m³/kg  1 / rho; Pa m⁶/kg²  p / rho²
 
-  void stand_at(double at_x, double at_y) {
-    x = static_cast<Number>(at_x);
-    y = static_cast<Number>(at_y);
-  }
   void be(double density, double pressure) {
     const double per = 1 / density;
     rho = static_cast<Number>(density);
@@ -69,6 +90,11 @@ auto apart(const I& i, const J& j) {
   const auto from = j.two(&Record::x);
   r[0] -= from[0];
   r[1] -= from[1];
+  if constexpr (std::is_same_v<typename Record::Number, float>) {
+    const auto rest = i.two(&Record::rest_x), less = j.two(&Record::rest_x);
+    r[0] += rest[0] - less[0];
+    r[1] += rest[1] - less[1];
+  }
   return r;
 }
 

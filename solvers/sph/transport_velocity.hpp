@@ -29,7 +29,11 @@ class TransportVelocity {
         settings_(checked(settings)),
         terms_(terms),
         near_(scene.domain, scene.filled, scene.fluid.density, settings.spacing,
-              {.kernel = Kernel::support * settings.smoothing_length, .wall = 0, .skin = skin * settings.spacing},
+              {.kernel = Kernel::support * settings.smoothing_length,
+               .wall = 0,
+               .skin = skin * settings.spacing,
+               .least_skin = skin * settings.spacing,
+               .greatest_skin = 3 * skin * settings.spacing},
               lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
               settings.threads) {
     near_.carry(spreads ? 2 : 0, Integrator::past_fields);
@@ -63,7 +67,7 @@ class TransportVelocity {
   friend Integrator;
   friend PredictorCorrector;  // starts others
 
-  static constexpr double skin = 0.2;              // spacings
+  static constexpr double skin = 0.1;              // spacings
   static constexpr double background_share = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
   static constexpr bool spreads = Left::template keeps<Spreading>;
   static constexpr bool drift_has_momentum = spreads && Left::template keeps<MomentumOfDrift>;
@@ -116,15 +120,22 @@ class TransportVelocity {
   /// Fluid, ghosts and images as the last motion left them.
   template <class Laps>
   void look_around(double time, const Laps& lap) {
-    if constexpr (drift_has_momentum)
-      for (Index i = 0; i < near_.all.fluid; ++i) {
-        near_.seen[i].mx = static_cast<Real>(near_.all.rho[i] * wx()[i]);
-        near_.seen[i].my = static_cast<Real>(near_.all.rho[i] * wy()[i]);
-      }
+    if constexpr (drift_has_momentum) see_drift();
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
     move_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, scene_.fluid.density, time);
     lap(SubStep::boundaries);
+  }
+
+  void see_drift() {
+    share_out(threads(), near_.all.fluid, [&](Index begin, Index end) {
+      const double *const rho = near_.all.rho.data(), *const drift_x = wx().data(), *const drift_y = wy().data();
+      Seen* const seen = near_.seen.data();
+      for (Index i = begin; i < end; ++i) {
+        seen[i].mx = static_cast<Real>(rho[i] * drift_x[i]);
+        seen[i].my = static_cast<Real>(rho[i] * drift_y[i]);
+      }
+    });
   }
 
   template <class Laps>
@@ -155,13 +166,14 @@ class TransportVelocity {
             return std::array{thicker, pull.x, pull.y};
           }
         },
-        [&](Index i, const auto& sums) {
-          if constexpr (with_density) all.drho[i] = sums[0];
-          all.ax[i] = sums[1];
-          all.ay[i] = sums[2];
+        [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data(), drift_x = spreads ? wx().data() : nullptr,
+         drift_y = spreads ? wy().data() : nullptr, half_step](Index i, const auto& sums) {
+          if constexpr (with_density) drho[i] = sums[0];
+          ax[i] = sums[1];
+          ay[i] = sums[2];
           if constexpr (spreads) {
-            wx()[i] = half_step * sums[3];
-            wy()[i] = half_step * sums[4];
+            drift_x[i] = half_step * sums[3];
+            drift_y[i] = half_step * sums[4];
           }
         });
   }

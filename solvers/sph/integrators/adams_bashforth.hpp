@@ -32,19 +32,19 @@ class AdamsBashforth {
   static void advance(Flow& flow, double dt) {
     Particles& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      advance(all.x, all.vx, all.ax, all.past[0], all.past[3], begin, end, dt);
-      advance(all.y, all.vy, all.ay, all.past[1], all.past[4], begin, end, dt);
+      for (std::size_t k = 0; k < 2; ++k) {
+        double *const x = (k == 0 ? all.x : all.y).data(), *const v = (k == 0 ? all.vx : all.vy).data();
+        const double* const a = (k == 0 ? all.ax : all.ay).data();
+        const double *const last = all.past[k].data(), *const before = all.past[k + 3].data();
+        for (Index i = begin; i < end; ++i) {
+          const double old = v[i];
+          v[i] = old + dt / 12 * (23 * a[i] - 16 * last[i] + 5 * before[i]);
+          x[i] += dt / 2 * (old + v[i]);
+        }
+      }
       const auto part = Eigen::seqN(begin, end - begin);
       all.rho(part) += dt / 12 * (23 * all.drho(part) - 16 * all.past[2](part) + 5 * all.past[5](part));
     });
-  }
-  static void advance(Scalars& x, Scalars& v, const Scalars& a, const Scalars& last, const Scalars& before, Index begin,
-                      Index end, double dt) {
-    for (Index i = begin; i < end; ++i) {
-      const double old = v[i];
-      v[i] = old + dt / 12 * (23 * a[i] - 16 * last[i] + 5 * before[i]);
-      x[i] += dt / 2 * (old + v[i]);
-    }
   }
 
   /// The rates become those of the last step, and those of the last step those of the step before.

@@ -1,0 +1,98 @@
+#include "solvers/sph/integrators/adams_bashforth.hpp"
+#include "solvers/sph/integrators/kick_drift_kick.hpp"
+#include "solvers/sph/integrators/predictor_corrector.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::sph {
+namespace {
+
+/// A standing sound wave in one particle: density [kg/m³] and velocity [m/s] turn into each other, with one radian a
+/// second, while the particle moves along with the velocity.
+class Wave {
+ public:
+  Wave() {
+    all_.fluid = 1;
+    for (Scalars* field : {&all_.x, &all_.y}) field->setZero(1);
+    all_.each_field([](Scalars& field) { field.setZero(1); });
+    all_.past.assign(6, Scalars::Zero(1));
+    all_.rho = 1;
+  }
+  Particles& state() { return all_; }
+  int threads() const { return 1; }
+  void find_density_rate(double, NoLaps) {
+    all_.drho = -all_.vx;
+    ++evaluations_;
+  }
+  void find_accelerations(double, NoLaps) {
+    all_.ax = all_.rho;
+    ++evaluations_;
+  }
+  void find_rates(double, NoLaps) {
+    all_.drho = -all_.vx;
+    all_.ax = all_.rho;
+    ++evaluations_;
+  }
+  int evaluations() const { return evaluations_; }
+
+ private:
+  Particles all_;
+  int evaluations_ = 0;
+};
+
+template <class Integrator>
+Wave after(double end, int steps) {
+  Wave wave;
+  Integrator integrator;
+  const double dt = end / steps;
+  for (int k = 0; k < steps; ++k) integrator.step(wave, k * dt, dt, NoLaps{});
+  return wave;
+}
+
+/// rho = cos t, v = sin t, x = 1 - cos t.
+template <class Integrator>
+double error(int steps) {
+  Wave wave = after<Integrator>(2, steps);
+  const Particles& all = wave.state();
+  return std::abs(all.rho[0] - std::cos(2)) + std::abs(all.vx[0] - std::sin(2)) + std::abs(all.x[0] - 1 + std::cos(2));
+}
+
+template <class Integrator>
+double order() {
+  return std::log2(error<Integrator>(800) / error<Integrator>(1600));
+}
+
+/// Largest density after many steps of a phase.
+template <class Integrator>
+double loudness(double phase) {
+  constexpr int steps = 4000;
+  return std::abs(after<Integrator>(phase * steps, steps).state().rho[0]);
+}
+
+TEST(Integrators, AreOfSecondOrder) {
+  EXPECT_NEAR(order<PredictorCorrector>(), 2, 0.05);
+  EXPECT_NEAR(order<AdamsBashforth>(), 2, 0.05);
+  EXPECT_NEAR(order<KickDriftKick>(), 2, 0.05);
+}
+
+TEST(Integrators, AdamsBashforthEvaluatesOnceAStepOnceItHasStarted) {
+  EXPECT_EQ(after<AdamsBashforth>(1, 100).evaluations(), 102);
+  EXPECT_EQ(after<PredictorCorrector>(1, 100).evaluations(), 200);
+  EXPECT_EQ(after<KickDriftKick>(1, 100).evaluations(), 201);
+}
+
+TEST(Integrators, AreStableUpToThePhaseTheyPromise) {
+  EXPECT_LT(loudness<AdamsBashforth>(0.71), 1);
+  EXPECT_FALSE(loudness<AdamsBashforth>(0.74) < 10);  // or no number
+  EXPECT_LT(loudness<KickDriftKick>(1.95), 10);
+  EXPECT_FALSE(loudness<KickDriftKick>(2.05) < 10);
+}
+
+TEST(Integrators, PredictorCorrectorGrowsByAnEighthOfThePhaseToTheFourth) {
+  Wave wave = after<PredictorCorrector>(0.1 * 4000, 4000);
+  const double energy = std::pow(wave.state().rho[0], 2) + std::pow(wave.state().vx[0], 2);
+  EXPECT_NEAR(std::log(energy) / 2 / 4000, std::pow(0.1, 4) / 8, 0.02 * std::pow(0.1, 4) / 8);
+}
+
+}  // namespace
+}  // namespace touchstone::sph
