@@ -16,6 +16,8 @@ using vnv::TimeToError;
 using vnv::WorkPoint;
 using Points = std::vector<WorkPoint>;
 
+const std::string cheapest_here = "cheapest SPH here";
+
 template <class Fits>
 Points those(const Points& points, const Fits& fits) {
   Points chosen;
@@ -29,7 +31,7 @@ struct Comparison {
   Points dear, cheap;
 };
 
-/// The published pair, if it says how long a step took; then each SPH of ours with all MPM of ours.
+/// The published pair, if it says how long a step took; then all SPH of ours with all MPM of ours, and each SPH alone.
 std::vector<Comparison> comparisons(const Points& points) {
   const auto mpm = [](const WorkPoint& p) { return p.family == "MPM"; };
   const Points published = those(points, [](const WorkPoint& p) { return p.elsewhere && p.per_step > 0; });
@@ -37,6 +39,7 @@ std::vector<Comparison> comparisons(const Points& points) {
   const Points cheap = those(ours, mpm);
   std::vector<Comparison> all;
   if (!published.empty()) all.push_back({"Sun et al.", those(published, std::not_fn(mpm)), those(published, mpm)});
+  all.push_back({cheapest_here, those(ours, std::not_fn(mpm)), cheap});
   std::set<std::string> known;
   for (const WorkPoint& p : ours)
     if (!mpm(p) && known.insert(p.series).second) all.push_back({p.series, vnv::of_series(ours, p.series), cheap});
@@ -81,21 +84,26 @@ std::string text_of(const vnv::Cell& cell) {
   return number ? fmt::format("{:.3g}", *number) : std::get<std::string>(cell);
 }
 
-/// "Sun et al. 10.9, sph 12".
+/// "Sun et al.: 10.9; cheapest SPH here: 12": the pairs that speak for many.
 std::string listed(const std::vector<Comparison>& pairs, const std::vector<vnv::Cell>& row) {
   std::string list;
-  for (std::size_t k = 0; k < pairs.size(); ++k) list += (k ? "; " : "") + pairs[k].name + ": " + text_of(row[k + 2]);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (pairs[k].dear.front().elsewhere || pairs[k].name == cheapest_here)
+      list += (list.empty() ? "" : "; ") + pairs[k].name + ": " + text_of(row[k + 2]);
   return list;
 }
 
-std::string sentence(const std::vector<Comparison>& pairs, const std::vector<std::vector<vnv::Cell>>& by_number,
-                     const std::vector<std::vector<vnv::Cell>>& by_error) {
+using Rows = std::vector<std::vector<vnv::Cell>>;
+
+std::string sentence(const std::vector<Comparison>& pairs, const Rows& by_number, const Rows& by_error) {
   std::string words;
   if (!by_number.empty())
     words += fmt::format(" At equal particle number ({}) a step of SPH costs so many times one of MPM: {}.",
                          std::get<std::string>(by_number.front()[1]), listed(pairs, by_number.front()));
   for (const auto& row : by_error)
-    words += fmt::format(" At equal error ({}): {}.", std::get<std::string>(row[1]), listed(pairs, row));
+    words += fmt::format(" {} an error of {}: {}.",
+                         &row == &by_error.front() ? "A run of SPH costs so many times one of MPM to" : "To",
+                         std::get<std::string>(row[1]), listed(pairs, row));
   return words;
 }
 
@@ -107,7 +115,7 @@ vnv::Table price_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
       diagram.id + "_ratios", "Equal particle number and equal error, side by side", "", {"at equal", "of"}, {}};
   if (pairs.empty()) return table;
   for (const Comparison& pair : pairs) table.columns.push_back("SPH over MPM, " + pair.name);
-  std::vector<std::vector<vnv::Cell>> by_number, by_error;
+  Rows by_number, by_error;
   for (const double particles : common_numbers(pairs)) {
     by_number.push_back({"particle number, a step", fmt::format("{:g} particles", particles)});
     for (const Comparison& pair : pairs) by_number.back().push_back(step_ratio(pair, particles));

@@ -82,15 +82,17 @@ TEST(PriceRatios, SetEqualParticleNumberBesideEqualError) {
   std::vector<vnv::WorkPoint> points = records.records[0].work;
   points.insert(points.end(), records.records[1].work.begin(), records.records[1].work.end());
   const vnv::Table table = price_ratios(diagram, points);
-  EXPECT_EQ(table.columns,
-            (std::vector<std::string>{"at equal", "of", "SPH over MPM, Sun et al.", "SPH over MPM, sph"}));
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"at equal", "of", "SPH over MPM, Sun et al.",
+                                                     "SPH over MPM, cheapest SPH here", "SPH over MPM, sph"}));
   ASSERT_EQ(table.rows.size(), 3u);
   EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][2]), 11);
   EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][3]), 10);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][4]), 10);
   EXPECT_EQ(std::get<std::string>(table.rows[1][3]), "10");
   EXPECT_EQ(std::get<std::string>(table.rows[2][2]), "neither reaches it");
-  EXPECT_TRUE(contains(table.caption,
-                       "(800 particles) a step of SPH costs so many times one of MPM: Sun et al.: 11; sph: 10."));
+  EXPECT_TRUE(
+      contains(table.caption,
+               "(800 particles) a step of SPH costs so many times one of MPM: Sun et al.: 11; cheapest SPH here: 10."));
 }
 
 TEST(PriceRatios, SayWhoDoesNotReachAnError) {
