@@ -141,15 +141,15 @@ TEST(Affine, RerunsBitByBitOnAnyNumberOfThreads) {
   auto between = plates_settings;
   auto first_dam = affine(dam(), settings);
   auto first_plates = affine<float>(plates(), between);
-  run(first_dam, 150);
-  run(first_plates, 50);
+  run(first_dam, 80);
+  run(first_plates, 30);
   for (int threads : {1, 2, 3}) {
     settings.threads = between.threads = threads;
     auto again = affine(dam(), settings);
-    run(again, 150);
+    run(again, 80);
     expect_same_bits(again.samples(), first_dam.samples());
     auto again_plates = affine<float>(plates(), between);
-    run(again_plates, 50);
+    run(again_plates, 30);
     expect_same_bits(again_plates.samples(), first_plates.samples());
   }
 }

@@ -38,31 +38,35 @@ class GivenToRow {
   std::array<Shares<Lanes>, 2> waiting_{};  // for the nodes at the cells, and right of them
 };
 
+/// What a block of cells gives to its rows of nodes.
+template <class Number, class Block>
+[[gnu::flatten]] void give(const AffineParticles<Number>& particles, const Block& block,
+                           std::array<GivenToRow, 3>& to) {
+  const auto mass = mass_of(particles, block);
+  const auto x = momentum_of(particles, particles.x, block), y = momentum_of(particles, particles.y, block);
+  const auto give_part = [&]<int part>(std::integral_constant<int, part>) {
+    const auto m = at_nodes(widened<part>(mass)), p = at_nodes(widened<part>(x)), q = at_nodes(widened<part>(y));
+    const auto share = [&](int a, int b) { return Shares<Lanes>{m[a][b], p[a][b], q[a][b]}; };
+    for (int b = 0; b < 3; ++b) to[b].give(block.column + part * lanes, {share(0, b), share(1, b), share(2, b)});
+  };
+  with_indices<lanes_of<Number> / lanes>([&](auto... part) { (give_part(part), ...); });
+}
+
 /// Masses and momenta of the nodes, as they are given by the rows of cells.
 template <class Number>
 void scatter(const AffineParticles<Number>& particles, int threads, CentreNodes& nodes) {
-  constexpr int width = lanes_of<Number>;
   const auto& blocks = particles.order.blocks();
-  for_rows(particles.order, threads, [&](int begin, int end) {
-    const int row = blocks[begin].row;
-    std::array<GivenToRow, 3> to{GivenToRow(nodes, row, 0), GivenToRow(nodes, row, 1), GivenToRow(nodes, row, 2)};
-    const auto give_block = [&](const auto& block) __attribute__((flatten)) {
-      const auto mass = mass_of(particles, block);
-      const auto x = momentum_of(particles, particles.x, block), y = momentum_of(particles, particles.y, block);
-      const auto give = [&]<int part>(std::integral_constant<int, part>) {
-        const auto m = at_nodes(widened<part>(mass)), p = at_nodes(widened<part>(x)), q = at_nodes(widened<part>(y));
-        for (int b = 0; b < 3; ++b)
-          to[b].give(block.column + part * lanes,
-                     {Shares<Lanes>{m[0][b], p[0][b], q[0][b]}, Shares<Lanes>{m[1][b], p[1][b], q[1][b]},
-                      Shares<Lanes>{m[2][b], p[2][b], q[2][b]}});
-      };
-      with_indices<width / lanes>([&](auto... part) { (give(part), ...); });
-    };
-    for (int i = begin; i < end; ++i) {
-      give_block(blocks[i]);
-      const int next = blocks[i].column + width;
-      if (i + 1 == end || blocks[i + 1].column > next)
-        for (GivenToRow& row_of_nodes : to) row_of_nodes.give(next, {});
+  share_out_rows(particles.order, threads, [&](auto row, auto rows_end) {
+    for (; row < rows_end; ++row) {
+      const int begin = row[0], end = row[1], cells = blocks[begin].row;
+      std::array<GivenToRow, 3> to{GivenToRow(nodes, cells, 0), GivenToRow(nodes, cells, 1),
+                                   GivenToRow(nodes, cells, 2)};
+      for (int i = begin; i < end; ++i) {
+        give(particles, blocks[i], to);
+        const int next = blocks[i].column + lanes_of<Number>;
+        if (i + 1 == end || blocks[i + 1].column > next)
+          for (GivenToRow& row_of_nodes : to) row_of_nodes.give(next, {});
+      }
     }
   });
 }
@@ -177,8 +181,8 @@ void gather(const CentreNodes& nodes, const Grid& grid, const FluidLaw& law, dou
       return take<Real>(particles, slot, x, y, per_cell, dt, fluid, write);
     });
   };
-  for_rows(particles.order, threads, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) gather_block(i);
+  share_out(threads, static_cast<Eigen::Index>(blocks.size()), [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) gather_block(static_cast<int>(i));
   });
 }
 
