@@ -50,7 +50,7 @@ inline void found_laps(vnv::Run& run, const vnv::LapClock& laps, double per_part
 template <class Solver, class Loop>
 vnv::Run race(Solver solver, Loop loop, long lead = 0, const Effort& effort = {}) {
   for (long k = 0; k < lead; ++k) solver.step(), loop.step();
-  vnv::LapClock laps;
+  vnv::LapClock laps(16);
   const Times times = time_in_turn({[&] { solver.step(); }, [&] { loop.step(); }, [&] { laps.step(solver); }}, effort);
   vnv::Run run = run_of(solver, times.of(0));
   const double each = times.of(0) / static_cast<double>(solver.particles());

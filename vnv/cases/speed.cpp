@@ -210,7 +210,9 @@ std::vector<Method> on_one_core() {
                         timed("M3", channel_cell / 3, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
               .claims = {at_least(faster, 2, goal).on("M1"), at_least(faster, 2, goal).on("M2"),
                          at_least(faster, 4, goal).on("M4"),
-                         at_most(lap_cost, 1.02, baseline("timing sub-steps shall not change them")).on("M4")},
+                         at_most(lap_cost, 1.05,
+                                 baseline("timing sub-steps, in one step of 16, shall cost nothing; noise is 3 %"))
+                             .on("M4")},
           },
           {
               .name = "mpm_single",
