@@ -20,19 +20,26 @@ struct Move {
 template <int width>
 class CellOrder {
  public:
-  struct Block {
+  class Block {
+   public:
+    Block(int its_row, int its_column) : row(its_row), column(its_column) {}
+
     int row, column;  // of its first cell
     int first = 0;    // slot of the first particle of its first cell
     int capacity = 0;
     std::array<int, width> count{};  // particles of each cell
-    int least = 0, most = 0;         // of these
 
     int slot(int lane, int k) const { return first + k * width + lane; }
+    int least() const { return least_; }  // particles in a cell
+    int most() const { return most_; }
     void add(int lane, int particles) {
       count[lane] += particles;
-      least = *std::min_element(count.begin(), count.end());
-      most = *std::max_element(count.begin(), count.end());
+      least_ = *std::min_element(count.begin(), count.end());
+      most_ = *std::max_element(count.begin(), count.end());
     }
+
+   private:
+    int least_ = 0, most_ = 0;
   };
 
   /// Makes room for particles of which `cell_of` names the cell of each, cells numbered row by row.
@@ -69,7 +76,7 @@ class CellOrder {
 
   void list_occupied() {
     for (const Block& block : blocks_) index_of_[number_of(block)] = -1;
-    std::erase_if(blocks_, [](const Block& block) { return block.most == 0; });
+    std::erase_if(blocks_, [](const Block& block) { return block.most() == 0; });
     std::sort(blocks_.begin(), blocks_.end(),
               [&](const Block& a, const Block& b) { return number_of(a) < number_of(b); });
     rows_.clear();
@@ -94,7 +101,7 @@ class CellOrder {
     if (last != left) particles.copy(last, left);
     particles.clear(last);
     block_of(to).add(lane_of(to), 1);
-    stale_ = stale_ || source.most == 0;
+    stale_ = stale_ || source.most() == 0;
   }
 
  private:
@@ -109,7 +116,7 @@ class CellOrder {
     if (index < 0) {
       index = static_cast<int>(blocks_.size());
       const int column = cell % columns_;
-      blocks_.push_back({.row = cell / columns_, .column = column - column % width});
+      blocks_.emplace_back(cell / columns_, column - column % width);
       stale_ = true;
     }
     return blocks_[index];
@@ -137,7 +144,7 @@ class CellOrder {
   template <class Particles>
   void lay_out_anew(Particles& particles) {
     std::vector<Move> moves;
-    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most * width});
+    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most() * width});
     find_room();
     for (std::size_t i = 0; i < moves.size(); ++i) moves[i].to = blocks_[i].first;
     particles.rearrange(moves, slots_);
@@ -148,7 +155,7 @@ class CellOrder {
     used_ = 0;
     for (Block& block : blocks_) {
       block.first = used_;
-      block.capacity = block.most + block.most / 8 + 1;
+      block.capacity = block.most() + block.most() / 8 + 1;
       used_ += block.capacity * width;
     }
     slots_ = used_ + used_ / 16 + 64 * width;  // the rest is for blocks that come or grow

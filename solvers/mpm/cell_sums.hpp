@@ -72,7 +72,7 @@ struct Momentum {
 template <class Number, class Block, class TermsAt>
 auto sum_over(const Block& block, const TermsAt& terms_at) {
   auto sums = terms_at(block.first);
-  const int end = block.slot(0, block.most);
+  const int end = block.slot(0, block.most());
   for (int slot = block.first + lanes_of<Number>; slot < end; slot += lanes_of<Number>) sums += terms_at(slot);
   return sums;
 }

@@ -50,8 +50,8 @@ class Mpm {
   /// One MUSL step. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    scatter<Shape>(particles_, grid_, scene_.body_force, time(), threads_, masses_,
-                   nodes_);  // m_i, (m v)_i, (12), (13)
+    // m_i, (m v)_i, (12), (13)
+    scatter<Shape>(particles_, grid_, scene_.body_force, time(), threads_, masses_, nodes_);
     lap(SubStep::scatter);
     accelerate(nodes_, scene_.body_force, grid_.cell, dt_, threads_);      // (10), (11), (14)
     wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt_);  // (14) at walls

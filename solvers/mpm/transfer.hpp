@@ -17,19 +17,17 @@
 
 namespace touchstone::mpm {
 
-/// What a row of cells gives to its nodes, block by block from left to right. The nodes between two blocks belong to
-/// both: what the one on the left gives them waits for the one on the right. Nothing waits at the end of a row, where
-/// cells are missing or `finish` has been called.
+/// What rows of cells give to their nodes, block by block from left to right. The nodes between two blocks belong to
+/// both: what the one on the left gives them waits for the one on the right.
 template <Given first, Given last>
-class GivenByRow {
+class GivenByRows {
  public:
-  explicit GivenByRow(Nodes& nodes) : nodes_(nodes) {}
+  explicit GivenByRows(Nodes& nodes) : nodes_(nodes) {}
 
   void begin(int row) {
     low_ = row * nodes_.stride;
     high_ = low_ + nodes_.stride;
   }
-
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
     Waiting& waiting = waiting_[what - first];
@@ -37,9 +35,13 @@ class GivenByRow {
     store(corners[2] + shifted(waiting.high, corners[3]), &nodes_.from_below[what][high_ + column]);
     waiting = {corners[1], corners[3]};
   }
-  /// Gives what waits to the nodes from `column` on, where no block follows.
+  /// Gives what waits to the nodes from `column` on, where no block follows; a row that ends within a block leaves
+  /// nothing to give.
   void finish(int column) {
-    with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
+    if (column == nodes_.stride)
+      waiting_.fill({});
+    else
+      with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
   }
 
  private:
@@ -51,7 +53,7 @@ class GivenByRow {
   std::array<Waiting, last - first + 1> waiting_;
 };
 
-/// Calls work(rows begin, rows end), iterators of where each row begins, so that each thread has about as many blocks.
+/// Calls work(begin, end) with iterators of where rows of blocks begin, so that each thread has about as many blocks.
 template <int width, class Work>
 void share_out_rows(const CellOrder<width>& order, int threads, const Work& work) {
   const std::vector<int>& rows = order.rows();
@@ -59,24 +61,34 @@ void share_out_rows(const CellOrder<width>& order, int threads, const Work& work
   share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
 }
 
+/// Calls work(begin, end) for the blocks of each row.
+template <int width, class Work>
+void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
+  share_out_rows(
+      order, threads, [&](auto row, auto end) __attribute__((flatten)) {
+        for (; row < end; ++row) work(row[0], row[1]);
+      });
+}
+
 /// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seam.
 template <Given first, Given last, int width, class Give>
 void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
   const auto& blocks = order.blocks();
-  share_out_rows(order, threads, [&](auto row, auto rows_end) {
-    GivenByRow<first, last> to(nodes);
-    for (; row < rows_end; ++row) {
-      const int begin = row[0], end = row[1];
-      const bool seam = nodes.at_seam(blocks[end - 1].column + width);
-      if (seam) nodes.open_seam(blocks[begin].row);
-      to.begin(blocks[begin].row);
-      for (int i = begin; i < end; ++i) {
-        give(i, to);
-        const int next = blocks[i].column + width;
-        if (next < nodes.stride && (i + 1 == end || blocks[i + 1].column > next)) to.finish(next);
-      }
-      if (seam) nodes.close_seam(blocks[begin].row, first, last);
+  const auto scatter_row = [&](int begin, int end, auto& to) {
+    const int row = blocks[begin].row;
+    const bool seam = nodes.at_seam(blocks[end - 1].column + width);
+    if (seam) nodes.open_seam(row);
+    to.begin(row);
+    for (int i = begin; i < end; ++i) {
+      give(i, to);
+      const int next = blocks[i].column + width;
+      if (i + 1 == end || blocks[i + 1].column > next) to.finish(next);
     }
+    if (seam) nodes.close_seam(row, first, last);
+  };
+  share_out_rows(order, threads, [&](auto row, auto rows_end) {
+    GivenByRows<first, last> to(nodes);
+    for (; row < rows_end; ++row) scatter_row(row[0], row[1], to);
   });
 }
 
@@ -85,8 +97,8 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
 template <class Force>
 concept Local = is_present<Force> && !std::same_as<Force, Uniform>;
 
-/// Sums over the particles of the cells of a block of a local body force (13) [m/s²].
-template <class Real, class FluidLaw, class Number, class Block, class Force>
+/// Sums over the particles of the cells of a block of a body force (13) [m/s²].
+template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
 Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
                              const Force& force, double time) {
   Momentum<Real> sums;
@@ -104,17 +116,44 @@ Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const
   }
   return sums;
 }
+template <class Number, class FluidLaw, class Block, class Force>
+requires(!Local<Force>) NoForce
+    body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const Force&, double) {
+  return {};
+}
 
 template <class Shape>
 std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
   return Shape::template at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
 }
 
-inline void add(const std::array<Lanes, 4>& what, std::array<Lanes, 4>& to) {
-  for (int corner = 0; corner < 4; ++corner) to[corner] += what[corner];
+template <class Shape, int part, class Real>
+void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
+  const auto x = at_corners<Shape>(widened<part>(sums.x)), y = at_corners<Shape>(widened<part>(sums.y));
+  for (int corner = 0; corner < 4; ++corner) {
+    forces.x[corner] += x[corner];
+    forces.y[corner] += y[corner];
+  }
+}
+template <class Shape, int part>
+void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
+
+/// Gives the corners of a part of a block their masses, momenta and forces (12), (13); returns what its cells weigh.
+template <class Shape, int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
+CellMass<Lanes> give(int column, const Mass& mass_sums, const Velocity& v, const StressSums& stress,
+                     const BodyForce& body_force, const Vec2& per_cell, To& to) {
+  const CellMass<Lanes> m = widened<part>(mass_sums);
+  to.template give<mass>(column, at_corners<Shape>(Moments<Lanes>{m.one, m.X, m.Y, m.XY}));
+  to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
+  to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
+  CornerForces<Lanes> forces = stress.template as_doubles<part>().template forces<Shape>(per_cell);
+  add_body_force<Shape, part>(body_force, forces);
+  to.template give<force_x>(column, forces.x);
+  to.template give<force_y>(column, forces.y);
+  return m;
 }
 
-/// Masses, momenta and forces (12), (13) of the nodes; keeps what each cell weighs for `scatter_changes`.
+/// Masses, momenta and forces of the nodes; keeps what each cell weighs for `scatter_changes`.
 template <class Shape, class FluidLaw, class Number, class Force>
 void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
              int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
@@ -122,29 +161,17 @@ void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, con
   constexpr int parts = lanes_of<Number> / lanes;
   masses.resize(blocks.size() * parts);
   const Vec2 per_cell = grid.cell.cwiseInverse();
-  scatter_rows<mass, force_y>(
-      particles.order, threads, nodes, [&](int i, auto& to) __attribute__((flatten)) {
-        const auto m = mass_of(particles, blocks[i]);
-        const auto v = momentum_of(particles, blocks[i]);
-        const auto stress = stress_of(particles, blocks[i]);
-        const auto give = [&]<int part>(std::integral_constant<int, part>) {
-          const int column = blocks[i].column + part * lanes;
-          const CellMass<Lanes> of_part = masses[i * parts + part] = widened<part>(m);
-          to.template give<mass>(column,
-                                 at_corners<Shape>(Moments<Lanes>{of_part.one, of_part.X, of_part.Y, of_part.XY}));
-          to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
-          to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
-          auto force_on = stress.template as_doubles<part>().template forces<Shape>(per_cell);
-          if constexpr (Local<Force>) {
-            const auto b = body_force_of<LanesOf<Number>>(particles, blocks[i], grid, force, time);
-            add(at_corners<Shape>(widened<part>(b.x)), force_on.x);
-            add(at_corners<Shape>(widened<part>(b.y)), force_on.y);
-          }
-          to.template give<force_x>(column, force_on.x);
-          to.template give<force_y>(column, force_on.y);
-        };
-        with_indices<parts>([&](auto... part) { (give(part), ...); });
-      });
+  const auto give_block = [&](int i, auto& to) __attribute__((flatten)) {
+    const auto m = mass_of(particles, blocks[i]);
+    const auto v = momentum_of(particles, blocks[i]);
+    const auto stress = stress_of(particles, blocks[i]);
+    const auto b = body_force_of(particles, blocks[i], grid, force, time);
+    with_indices<parts>([&](auto... part) {
+      ((masses[i * parts + part] = give<Shape, part>(blocks[i].column + part * lanes, m, v, stress, b, per_cell, to)),
+       ...);
+    });
+  };
+  scatter_rows<mass, force_y>(particles.order, threads, nodes, give_block);
 }
 
 /// A field of the nodes within the cells right of and above `node` and those that follow.
@@ -268,9 +295,9 @@ template <class Real, class Block, class Body>
 bool for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
   Truth<Real> each = Real{} == Real{};
-  for (int k = 0; k < block.least; ++k) each &= body(block.first + k * width, Everywhere{});
+  for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
   const Real count = converted<Real>(block.count.data());
-  for (int k = block.least; k < block.most; ++k)
+  for (int k = block.least(); k < block.most(); ++k)
     each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
   return all<Real>(each);
 }
@@ -283,17 +310,16 @@ void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt
   using Real = LanesOf<Number>;
   const auto& blocks = particles.order.blocks();
   calm.resize(blocks.size());
-  share_out_rows(
-      particles.order, threads, [&](auto row, auto rows_end) __attribute__((flatten)) {
+  for_rows(
+      particles.order, threads, [&](int begin, int end) __attribute__((flatten)) {
         const FluidLaw fluid = law;  // a copy, known not to change while particles are written
         const Vec2 per_cell = grid.cell.cwiseInverse();
-        for (int i = *row; i < *rows_end; ++i) {
-          const auto& block = blocks[i];
-          const int node = block.row * nodes.stride + block.column;
+        for (int i = begin; i < end; ++i) {
+          const int node = blocks[i].row * nodes.stride + blocks[i].column;
           const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
           const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride);
           const FieldPair<Shape, Real> change(nodes.change, node, nodes.stride);
-          calm[i] = for_all<Real>(block, [&](int slot, const auto& write) {
+          calm[i] = for_all<Real>(blocks[i], [&](int slot, const auto& write) {
             const auto dense = strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
             return dense & move<Real>(particles, slot, displacement, change, write);
           });
