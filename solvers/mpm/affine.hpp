@@ -3,9 +3,13 @@
 /// APIC (Jiang et al., ACM Trans. Graph. 34 (2015) 51) with the stress given to the nodes as in MLS-MPM (Hu et al., ACM
 /// Trans. Graph. 37 (2018) 150), explicit Euler.
 ///
-/// Particles take their velocity from the nodes and remember no other: a wave of wave number k is damped by
-/// (k cell)^4 / 40 a step, in the limit of many particles. So the error of a viscous flow grows as the step gets
-/// shorter: use the longest stable one.
+/// Particles take their velocity from the nodes and remember no other: with many particles a wave of wave number k is
+/// damped by (k cell)^4 / 40 a step. So the error of a viscous flow grows as the step gets shorter, and at a fixed
+/// ratio of step to cell it is of third order. Measured in L2 with 4 particles per cell: Poiseuille flow at 1 s in 10,
+/// 20, 40 and 80 cells 23.4, 3.80, 0.52 and 0.068 %, Couette flow at 0.1 s 9.4, 1.39, 0.18 and 0.022 %, with sound
+/// crossing 0.8 cells a step; with 0.2 cells a step, in 10, 20 and 40 cells, 55, 13.2, 1.95 % and 25, 5.1, 0.71 %. Use
+/// the longest stable step: 0.8 cells last; 1.2 last for thousands of steps from an even lattice, but not always
+/// longer.
 
 #include "solvers/laps.hpp"
 #include "solvers/mpm/affine_mirrors.hpp"
@@ -40,9 +44,8 @@ class Affine {
   /// One step. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    push_particles();  // v_p + dt b(x_p), where b is not the same everywhere
-    scatter(particles_, threads_,
-            nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)), stress
+    push_particles();                       // v_p + dt b(x_p), where b is not the same everywhere
+    scatter(particles_, threads_, nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)) + ...
     lap(SubStep::scatter);
     nodes_.collect(dt_ * common_acceleration(scene_.body_force), threads_);  // + dt b m_i
     mirrors_.fold(nodes_, time() + dt_);                                     // images behind walls give too
