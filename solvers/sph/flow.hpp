@@ -36,8 +36,8 @@ void find_continuity(Neighbourhood<Record>& near, double h) {
   Particles& all = near.all;
   sum_over_neighbours<1>(
       near.fluid_near_fluid, near.seen,
-      [mass = all.mass, h](const auto& i, const auto& j) {
-        const auto ij = pair_of<Kernel>(i, j, mass, h);
+      [mass = all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
+        const auto ij = pair_of(i, j, mass, slope);
         return std::array{ij.continuity()};
       },
       [drho = all.drho.data()](Index i, const std::array<double, 1>& sums) { drho[i] = sums[0]; });

@@ -27,11 +27,18 @@ std::array<Real, count> reciprocals(const std::array<Real, count>& of) {
   return per;
 }
 
-/// The slope of the kernel at a distance whose reciprocal is known [m⁻⁴].
-template <class Kernel, class Real>
-Real slope_of(const Real& r, const Real& per_r, double h) {
-  return Kernel::dw(Real(r * Number<Real>(1 / h))) * Number<Real>(1 / (h * h * h)) * per_r;
-}
+/// The slope of a kernel [m⁻⁴] at a distance whose reciprocal is known.
+template <class Kernel>
+struct Slope {
+  explicit Slope(double h) : per_h(1 / h), per_h3(per_h * per_h * per_h) {}
+
+  template <class Real>
+  Real operator()(const Real& r, const Real& per_r) const {
+    return Kernel::dw(Real(r * Number<Real>(per_h))) * Number<Real>(per_h3) * per_r;
+  }
+
+  double per_h, per_h3;  // 1/m, 1/m³  once for all pairs
+};
 
 template <class... Terms>
 struct Momentum {
@@ -39,12 +46,12 @@ struct Momentum {
 
   /// The pull of all terms on a pair, whose slope is found on the way.
   template <class Kernel, class Real>
-  Pull<Real> on(Pair<Real>& ij, double h) const {
+  Pull<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
     std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r};
     std::size_t last = 0;
     std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, last), ...); }, terms);
     const auto per = reciprocals(divisors);
-    ij.slope = slope_of<Kernel>(ij.r, per[0], h);
+    ij.slope = slope(ij.r, per[0]);
     Pull<Real> sum;
     last = 0;
     std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, last)), ...); }, terms);
@@ -98,10 +105,10 @@ auto pair_of(const I& i, const J& j, double mass) {
 
 /// The same with the slope of the kernel.
 template <class Kernel, class I, class J>
-auto pair_of(const I& i, const J& j, double mass, double h) {
+auto pair_of(const I& i, const J& j, double mass, const Slope<Kernel>& slope) {
   auto ij = pair_of(i, j, mass);
   using Real = typename J::Real;
-  ij.slope = slope_of<Kernel>(ij.r, Real(1 / ij.r), h);
+  ij.slope = slope(ij.r, Real(1 / ij.r));
   return ij;
 }
 

@@ -104,9 +104,10 @@ class Printed {
     Particles& all = near_.all;
     sum_over_neighbours<3>(
         near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, h = settings_.smoothing_length](const auto& i, const auto& j) {
+        [terms = terms_, mass = all.mass, slope = Slope<Kernel>(settings_.smoothing_length)](const auto& i,
+                                                                                             const auto& j) {
           auto ij = pair_of(i, j, mass);
-          const auto pull = terms.template on<Kernel>(ij, h);
+          const auto pull = terms.on(ij, slope);
           return std::array{ij.continuity(), pull.x, pull.y};
         },
         [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
@@ -119,9 +120,10 @@ class Printed {
     Particles& all = near_.all;
     sum_over_neighbours<2>(
         near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, h = settings_.smoothing_length](const auto& i, const auto& j) {
+        [terms = terms_, mass = all.mass, slope = Slope<Kernel>(settings_.smoothing_length)](const auto& i,
+                                                                                             const auto& j) {
           auto ij = pair_of(i, j, mass);
-          const auto pull = terms.template on<Kernel>(ij, h);
+          const auto pull = terms.on(ij, slope);
           return std::array{pull.x, pull.y};
         },
         [ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 2>& sums) {

@@ -85,7 +85,7 @@ std::multiset<int> sorted(const std::vector<int>& numbers) { return {numbers.beg
 
 /// Particles i and j by the plain formula, for the loop that runs several of them.
 Pair<double> pair_at(const Near& near, Index i, Index j) {
-  return pair_of<CubicSpline>(Single{near.seen.data(), i}, Single{near.seen.data(), j}, near.all.mass, h);
+  return pair_of(Single{near.seen.data(), i}, Single{near.seen.data(), j}, near.all.mass, Slope<CubicSpline>(h));
 }
 
 TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
@@ -112,7 +112,7 @@ TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
       near.fluid_near_fluid, near.seen,
       [&](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, all.mass);
-        const auto pull = pull_of.on<CubicSpline>(ij, h);
+        const auto pull = pull_of.on(ij, Slope<CubicSpline>(h));
         return std::array{pull.x, pull.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { ax[i] = sums[0], ay[i] = sums[1]; });

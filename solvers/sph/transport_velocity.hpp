@@ -152,11 +152,11 @@ class TransportVelocity {
     const double c = scene_.fluid.sound_speed(), half_step = time_step() / 2;
     sum_over_neighbours<(spreads ? 5 : 3)>(
         near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, h = settings_.smoothing_length,
+        [terms = terms_, mass = all.mass, slope = Slope<Kernel>(settings_.smoothing_length),
          background = static_cast<Real>(background_share * scene_.fluid.density * c * c)](const auto& i,
                                                                                           const auto& j) {
           auto ij = pair_of(i, j, mass);
-          auto pull = terms.template on<Kernel>(ij, h);
+          auto pull = terms.on(ij, slope);
           const auto thicker = ij.continuity();
           if constexpr (spreads) {
             const auto share = ij.mass * ij.slope * (ij.volume_i * ij.volume_i + ij.volume_j * ij.volume_j);

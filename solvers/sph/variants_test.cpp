@@ -118,7 +118,7 @@ Vectors accelerations() {
       lists, seen,
       [&, terms = all_terms()](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, all.mass);
-        const auto pull = terms.template on<CubicSpline>(ij, h);
+        const auto pull = terms.on(ij, Slope<CubicSpline>(h));
         return std::array{pull.x, pull.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { a.col(i) = Vec2(sums[0], sums[1]); });
