@@ -14,7 +14,7 @@ template <class Number, class Block, class Real = LanesOf<Number>>
 ThreeByThree<Real> mass_of(const AffineParticles<Number>& particles, const Block& block) {
   const Real one = converted<Real>(block.count.data());
   Real X{}, XX{}, Y{}, XY{}, XXY{}, YY{}, XYY{}, XXYY{};
-  const int end = block.slot(0, block.most);
+  const int end = block.slot(0, block.most());
   for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
     const Real x = load<Real>(&particles.X[slot]), y = load<Real>(&particles.Y[slot]), xx = x * x, yy = y * y;
     X += x;
@@ -38,7 +38,7 @@ template <class Number, class Block, class Real = LanesOf<Number>>
 ThreeByThree<Real> momentum_of(const AffineParticles<Number>& particles,
                                const typename AffineParticles<Number>::Component& component, const Block& block) {
   ThreeByThree<Real> sums{};
-  const int end = block.slot(0, block.most);
+  const int end = block.slot(0, block.most());
   for (int slot = block.first; slot < end; slot += lanes_of<Number>) {
     const QuadraticBSpline::Basis<Real> X(load<Real>(&particles.X[slot])), Y(load<Real>(&particles.Y[slot]));
     const Real v = load<Real>(&component.v[slot]), along_x = load<Real>(&component.along_x[slot]),
