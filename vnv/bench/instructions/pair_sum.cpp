@@ -39,9 +39,9 @@ template <class Terms>
 [[gnu::noinline]] void sum(const Fluid& fluid, const Terms& list, Sums& accelerations) {
   sum_over_neighbours<2>(
       fluid.fluid_near_fluid, fluid.seen,
-      [terms = list, mass = fluid.all.mass](const auto& i, const auto& j) {
+      [terms = list, mass = fluid.all.mass, slope = Slope<CubicSpline>(h)](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, mass);
-        const auto pull = terms.template on<CubicSpline>(ij, h);
+        const auto pull = terms.on(ij, slope);
         return std::array{pull.x, pull.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { accelerations[i] = sums; });
