@@ -112,6 +112,14 @@ TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   EXPECT_EQ(rows[0].basis, "wide");
 }
 
+TEST(Baselines, OfWhatIsZeroButForRoundingLeaveRoomForRounding) {
+  Record record = assessed(second_order());
+  record.errors[0].value = 2e-15;
+  const Baseline row = baselines_from(record, {.relative = 0.02}).front();
+  EXPECT_LT(row.lower, -1e-14);
+  EXPECT_GT(row.upper, 1e-14);
+}
+
 TEST(Assess, LetsARunDivergeThatIsMadeToSeeWhetherItDoes) {
   Case declared = second_order();
   declared.methods[0].run = [](const Rung&, const Schedule&) {
