@@ -93,12 +93,12 @@ auto pair_of(const I& i, const J& j, double mass) {
   const auto v_i = i.two(&Record::vx), v_j = j.two(&Record::vx);
   ij.vx = v_i[0] - v_j[0];
   ij.vy = v_i[1] - v_j[1];
-  const auto state_i = i.two(&Record::rho), state_j = j.two(&Record::rho);
-  ij.rho_i = state_i[0], ij.p_i = state_i[1];
-  ij.rho_j = state_j[0], ij.p_j = state_j[1];
-  const auto derived_i = i.two(&Record::volume), derived_j = j.two(&Record::volume);
-  ij.volume_i = derived_i[0], ij.push_i = derived_i[1];
-  ij.volume_j = derived_j[0], ij.push_j = derived_j[1];
+  const auto rho_push_i = i.two(&Record::rho), rho_push_j = j.two(&Record::rho);
+  ij.rho_i = rho_push_i[0], ij.push_i = rho_push_i[1];
+  ij.rho_j = rho_push_j[0], ij.push_j = rho_push_j[1];
+  const auto volume_p_i = i.two(&Record::volume), volume_p_j = j.two(&Record::volume);
+  ij.volume_i = volume_p_i[0], ij.p_i = volume_p_i[1];
+  ij.volume_j = volume_p_j[0], ij.p_j = volume_p_j[1];
   ij.mass = static_cast<Number<Real>>(mass);
   return ij;
 }

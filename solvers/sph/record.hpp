@@ -33,13 +33,14 @@ struct Place<float> {
   }
 };
 
-/// Fields stand in twos that are loaded together. What a pair would divide by is divided by here, once per particle.
+/// Fields stand in twos that are loaded together: what the printed terms need of a state in one, what those of pressure
+/// differences need in another. What a pair would divide by is divided by here, once per particle.
 template <class Number_>
 struct alignas(2 * sizeof(Number_)) Record : Place<Number_> {
   using Number = Number_;
-  Number vx, vy;        // m/s
-  Number rho, p;        // kg/m³, Pa
-  Number volume, push;  // m³/kg  1 / rho; Pa m⁶/kg²  p / rho²
+  Number vx, vy;     // m/s
+  Number rho, push;  // kg/m³; Pa m⁶/kg²  p / rho²
+  Number volume, p;  // m³/kg  1 / rho; Pa
 
   void be(double density, double pressure) {
     const double per = 1 / density;

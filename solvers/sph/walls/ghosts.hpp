@@ -69,9 +69,9 @@ void fill_ghosts(std::vector<Record>& seen, const NeighbourLists<width>& fluid_n
   const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
     const auto r = distance(g, j);
     using Real = std::remove_cvref_t<decltype(r)>;
-    const auto v = j.two(&Record::vx), state = j.two(&Record::rho);
-    const Real weight = j.two(&Record::volume)[0] * Kernel::w(Real(r * per_h));
-    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * state[0], weight * state[1]};
+    const auto v = j.two(&Record::vx), volume_p = j.two(&Record::volume);
+    const Real rho = j.two(&Record::rho)[0], weight = volume_p[0] * Kernel::w(Real(r * per_h));
+    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * rho, weight * volume_p[1]};
   };
   sum_over_neighbours<5>(fluid_near, seen, share, [&](Index g, const std::array<double, 5>& sums) {
     const bool alone = !(sums[0] > 0);  // what the lists hold is beyond the kernel
