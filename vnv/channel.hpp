@@ -193,7 +193,7 @@ inline std::vector<Rung> printed_rungs() {
   return {{.name = "S1", .spacing = H / 40, .acceptance = 0.2, .report = 1, .nightly = 10},
           {.name = "S2", .spacing = H / 80, .acceptance = 0.05, .report = 1, .nightly = 1},
           {.name = "S3", .spacing = H / 120, .report = 1, .nightly = 1},
-          {.name = "S4", .spacing = H / 160, .report = 1, .nightly = 1}};
+          {.name = "S4", .spacing = H / 160, .nightly = 1}};
 }
 inline std::vector<Rung> difference_rungs() {
   return {{.name = "S1", .spacing = H / 40, .acceptance = 0.2, .report = 1, .nightly = 1},
