@@ -16,8 +16,9 @@
 #include "solvers/mpm/affine_transfer.hpp"
 #include "solvers/mpm/mpm.hpp"
 #include "solvers/mpm/node_motion.hpp"
+#include "solvers/mpm/samples_of.hpp"
+#include "solvers/mpm/seed.hpp"
 #include "solvers/mpm/settle.hpp"
-#include "solvers/samples.hpp"
 
 namespace touchstone::mpm {
 
@@ -32,8 +33,8 @@ class Affine {
         dt_(settings.time_step),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
-        particles_(
-            affine_at_rest<Number>(lattice(scene.filled, settings.spacing, scene.domain.box), grid_, scene.fluid)),
+        particles_(at_rest<AffineParticles<Number>>(lattice(scene.filled, settings.spacing, scene.domain.box), grid_,
+                                                    scene.fluid)),
         nodes_(grid_, lanes_of<Number>),
         mirrors_(scene.walls, grid_) {
     require_positive("mpm", "time step [s]", dt_);
@@ -55,7 +56,7 @@ class Affine {
     gather(nodes_, grid_, scene_.fluid, dt_, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
     lap(SubStep::gather);
     ++steps_;
-    keep_order();
+    if (keep_order(particles_, calm_, grid_, scene_.fluid, steps_, time())) list_near();
     lap(SubStep::sorting);
   }
 
@@ -67,45 +68,11 @@ class Affine {
   Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
 
   /// The particles in the order in which they were seeded.
-  Samples samples() const {
-    const Eigen::Index n = particles();
-    Samples s{time(), Vectors(2, n), Vectors(2, n), Scalars::Constant(n, particles_.mass), Scalars(n), Scalars(n)};
-    particles_.order.for_each([&](int cell, int slot) {
-      const int p = particles_.number[slot];
-      s.x.col(p) = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
-      s.v.col(p) = Vec2(particles_.x.v[slot], particles_.y.v[slot]);
-      s.density[p] = scene_.fluid.density / (1 + static_cast<double>(particles_.expansion[slot]));
-      s.pressure[p] = scene_.fluid.pressure(s.density[p]);
-    });
-    return s;
-  }
+  Samples samples() const { return samples_of(particles_, grid_, scene_.fluid, time()); }
 
  private:
   void push_particles() {
     if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), dt_);
-  }
-
-  /// Carries the particles that left their cell to the one they are in; looks only where `gather` saw cause to.
-  void keep_order() {
-    for (std::size_t block = 0; block < calm_.size(); ++block)
-      if (!calm_[block]) settle_block(static_cast<int>(block));
-    if (!particles_.order.is_stale()) return;
-    particles_.order.list_occupied();
-    list_near();
-  }
-
-  void settle_block(int index) {
-    auto& order = particles_.order;
-    for (int lane = 0; lane < lanes_of<Number>; ++lane)
-      for (int k = 0; k < order.blocks()[index].count[lane];) {
-        const auto& block = order.blocks()[index];
-        const int cell = order.cell(block, lane);
-        const int to = settle(particles_, block.slot(lane, k), cell, grid_, scene_.fluid, steps_, time());
-        if (to == cell)
-          ++k;
-        else
-          order.carry(particles_, cell, k, to);  // which puts another in its place
-      }
   }
 
   void list_near() {

@@ -1,6 +1,8 @@
 #pragma once
-#include "solvers/lattice.hpp"
-#include "solvers/mpm/seed.hpp"
+#include "solvers/fields.hpp"
+#include "solvers/mpm/cell_order.hpp"
+#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/lanes.hpp"
 
 namespace touchstone::mpm {
 
@@ -10,8 +12,10 @@ namespace touchstone::mpm {
 /// What a particle gives to a node is its velocity and four times the lever of the node times `along_x` and `along_y`:
 /// a quarter of what the affine velocity C gains over a cell, less what the stress takes from it in a step,
 /// (C - 4 dt / cell² stress / density) cell / 4. Neither C nor the stress is needed by itself.
-template <class Number = double>
+template <class Number_ = double>
 struct AffineParticles {
+  using Number = Number_;
+
   struct Component {
     Field<Number> v;                 // m/s
     Field<Number> along_x, along_y;  // m/s  per cell, over four
@@ -39,6 +43,8 @@ struct AffineParticles {
         number(cells.slots()),
         order(std::move(cells)) {}
 
+  Vec2 velocity(int slot) const { return {x.v[slot], y.v[slot]}; }  // m/s
+
   void copy(int from, int to) {
     for_fields([=](auto& field) { field[to] = field[from]; });
   }
@@ -62,23 +68,5 @@ struct AffineParticles {
     f(number);
   }
 };
-
-/// Particles at rest at the points of a lattice, in the order of their cells.
-template <class Number, class FluidLaw>
-AffineParticles<Number> affine_at_rest(const Lattice& points, const Grid& grid, const FluidLaw& fluid) {
-  const Vectors places = points.places();
-  const std::vector<int> cells = cells_of(places, grid);
-  AffineParticles<Number> particles(places.cols(), fluid.density * points.volume(),
-                                    CellOrder<lanes_of<Number>>(grid.columns, grid.rows, cells));
-  std::vector<int> taken(grid.cells(), 0);
-  for (int p = 0; p < particles.count; ++p) {
-    const int slot = particles.order.slot(cells[p], taken[cells[p]]++);
-    const Eigen::Array2d within = (places.col(p) - grid.place(cells[p], 0, 0)).array() / grid.cell.array();
-    particles.X[slot] = static_cast<Number>(within.x());
-    particles.Y[slot] = static_cast<Number>(within.y());
-    particles.number[slot] = p;
-  }
-  return particles;
-}
 
 }  // namespace touchstone::mpm

@@ -181,7 +181,7 @@ struct Alone {
   static constexpr double time_step = 1e-3;  // s
   const Grid grid{{.box = {.high = {1.2, 0.5}}}, 0.1};
   const Tait fluid{.density = 1000, .bulk_modulus = 1e-200};
-  AffineParticles<> particles = affine_at_rest<double>(lattice({{0.2, 0.1}, {1, 0.4}}, 0.03), grid, fluid);
+  AffineParticles<> particles = at_rest<AffineParticles<>>(lattice({{0.2, 0.1}, {1, 0.4}}, 0.03), grid, fluid);
   CentreNodes nodes{grid, lanes};
   std::vector<char> calm{};
 

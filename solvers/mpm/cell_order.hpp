@@ -17,9 +17,11 @@ struct Move {
 /// hole. A block that is full moves to a place with more room; when there is none, all are laid out anew. The work is
 /// that of the particles that move and, when blocks come or go, that of all blocks that hold particles: cells without
 /// cost nothing.
-template <int width>
+template <int width_>
 class CellOrder {
  public:
+  static constexpr int width = width_;  // cells in a block
+
   class Block {
    public:
     Block(int its_row, int its_column) : row(its_row), column(its_column) {}

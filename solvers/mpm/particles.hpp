@@ -12,8 +12,10 @@ inline constexpr double least_density = 0.2, most_density = 5;
 /// A place is kept within its cell, which the order knows, so that a wrap across the seam loses no digit. All particles
 /// of a scene have the same mass; it cancels from (10) to (17) and is left out of them. A slot without a particle holds
 /// a particle at rest in the corner of its cell: but for its mass it adds nothing to any sum.
-template <class FluidLaw, class Number = double>
+template <class FluidLaw, class Number_ = double>
 struct Particles {
+  using Number = Number_;
+
   Eigen::Index count;
   double mass;              // kg/m   of each
   Field<Number> X, Y;       // -      place within the cell, 0 to 1
@@ -35,6 +37,8 @@ struct Particles {
         stress(cells.slots()),
         number(cells.slots()),
         order(std::move(cells)) {}
+
+  Vec2 velocity(int slot) const { return {vx[slot], vy[slot]}; }  // m/s
 
   void copy(int from, int to) {
     for_fields([=](auto& field) { field[to] = field[from]; });

@@ -1,9 +1,9 @@
 #pragma once
 #include "solvers/lattice.hpp"
 #include "solvers/mpm/grid.hpp"
-#include "solvers/mpm/particles.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace touchstone::mpm {
 
@@ -19,18 +19,17 @@ inline std::vector<int> cells_of(const Vectors& places, const Grid& grid) {
 }
 
 /// Particles at rest at the points of a lattice, in the order of their cells.
-template <class Number = double, class FluidLaw>
-Particles<FluidLaw, Number> at_rest(const Lattice& points, const Grid& grid, const FluidLaw& fluid) {
+template <class Particles, class FluidLaw>
+Particles at_rest(const Lattice& points, const Grid& grid, const FluidLaw& fluid) {
   const Vectors places = points.places();
   const std::vector<int> cells = cells_of(places, grid);
-  Particles<FluidLaw, Number> particles(places.cols(), fluid.density * points.volume(),
-                                        {grid.columns, grid.rows, cells});
+  Particles particles(places.cols(), fluid.density * points.volume(), {grid.columns, grid.rows, cells});
   std::vector<int> taken(grid.cells(), 0);
   for (int p = 0; p < particles.count; ++p) {
     const int slot = particles.order.slot(cells[p], taken[cells[p]]++);
     const Eigen::Array2d within = (places.col(p) - grid.place(cells[p], 0, 0)).array() / grid.cell.array();
-    particles.X[slot] = static_cast<Number>(within.x());
-    particles.Y[slot] = static_cast<Number>(within.y());
+    particles.X[slot] = static_cast<typename Particles::Number>(within.x());
+    particles.Y[slot] = static_cast<typename Particles::Number>(within.y());
     particles.number[slot] = p;
   }
   return particles;
