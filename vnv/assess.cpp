@@ -147,11 +147,13 @@ void miss_lost_values(const Baselines& baselines, Record& record) {
   }
 }
 
+const std::string end_of_run = "run to the end";
+
 /// Every run is claimed to end where it was meant to, unless that is the question.
 void judge_ends(const Method& method, Record& record) {
   for (const RunSummary& run : record.runs) {
     if (std::ranges::find(method.rungs, run.rung, &Rung::name)->may_diverge) continue;
-    const Claim ends = at_least("run to the end [-]", 1, theory("a stable method answers"));
+    const Claim ends = at_least(end_of_run + " [-]", 1, theory("a stable method answers"));
     Verdict v =
         judge(ends, {record.case_name, record.method, run.rung, run.spacing, run.end_time}, run.finished ? 1 : 0);
     if (!run.finished)
@@ -206,6 +208,10 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
   for (const Plot& plot : declared.plots) plot(results, record);
   describe_environment(record);
   return record;
+}
+
+bool claims_more_than_ends(const Record& record) {
+  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run; });
 }
 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {

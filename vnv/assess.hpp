@@ -15,6 +15,9 @@ Record record_of(const std::string& case_name, const Case& declared, const Metho
 Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
               const std::optional<Baselines>& baselines);
 
+/// Whether anything was claimed of a method but that its runs end.
+bool claims_more_than_ends(const Record& record);
+
 /// The rows by which a record's values become baselines.
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance);
 

@@ -104,6 +104,15 @@ TEST(Assess, RunsToATimeThatTheCaseDoesNotName) {
   EXPECT_EQ(record.runs[1].end_time, 0.7);
 }
 
+TEST(Assess, TellsAClaimFromTheEndOfARun) {
+  Case declared = second_order();
+  const Record only_ends = assessed(declared);
+  EXPECT_FALSE(only_ends.verdicts.empty());
+  EXPECT_FALSE(claims_more_than_ends(only_ends));
+  declared.claims = {at_most("L2 v_x [%]", 1, theory(""))};
+  EXPECT_TRUE(claims_more_than_ends(assessed(declared)));
+}
+
 TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   const std::vector<Baseline> rows = baselines_from(assessed(second_order()), {.relative = 0.1, .basis = "wide"});
   ASSERT_EQ(rows.size(), 2u);
