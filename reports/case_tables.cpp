@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -52,7 +53,10 @@ std::string table_html(const vnv::Table& table) {
 // One column per quantity and time, one row per run.
 using Column = std::pair<std::string, std::string>;
 
-Column column_of(const vnv::Error& error) { return {error.quantity, printed(error.time)}; }
+/// The time is empty for what belongs to a whole run.
+Column column_of(const vnv::Error& error) {
+  return {error.quantity, std::isnan(error.time) ? "" : printed(error.time) + "\u202fs"};
+}
 
 std::vector<Column> error_columns(const CaseRecords& records) {
   std::vector<Column> columns;
@@ -67,7 +71,7 @@ std::vector<Column> error_columns(const CaseRecords& records) {
 Row error_head(const std::vector<Column>& columns) {
   Row head{{"method"}, {"rung"}, {"spacing [mm]", "number"}};
   for (const auto& [quantity, time] : columns)
-    head.push_back({fmt::format("{}<br><small>{}\u202fs</small>", typeset(quantity), time), "number"});
+    head.push_back({fmt::format("{}<br><small>{}</small>", typeset(quantity), time), "number"});
   return head;
 }
 

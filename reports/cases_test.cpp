@@ -1,4 +1,5 @@
 #include "reports/cases.hpp"
+#include "reports/case_tables.hpp"
 
 #include "reports/testing.hpp"
 
@@ -88,6 +89,14 @@ TEST_F(Cases, WithOneTableUnderTwoHeadingsAreRefused) {
   put(mpm);
   put(sph);
   EXPECT_TRUE(contains(refusal(), "table 'norms'")) << refusal();
+}
+
+TEST(ErrorsTable, GivesNoTimeToWhatBelongsToAWholeRun) {
+  vnv::Record record = sample_record();
+  record.errors = {{"M1", 1e-3, std::nan(""), "critical time step [us]", 42.5}};
+  const std::string html = errors_html({"poiseuille", {record}});
+  EXPECT_NE(html.find("42.5"), std::string::npos);
+  EXPECT_EQ(html.find("nan"), std::string::npos) << html;
 }
 
 TEST(Tally, CountsEveryOutcome) {
