@@ -29,7 +29,7 @@ double change_in_percent(double of_whole, double without) { return 100 * (withou
 std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes& all, const Outcomes& one,
                          bool has_more) {
   const bool is_whole = run.summary.rung == whole;
-  std::vector<Cell> row = {results.method.name, run.summary.rung};
+  std::vector<Cell> row = {results.method.name, run.summary.rung, run.summary.end_time};
   const auto add = [&](double scale, double Outcomes::*value) {
     row.push_back(scale * one.*value);
     row.push_back(is_whole ? Cell("") : Cell(change_in_percent(all.*value, one.*value)));
@@ -64,17 +64,17 @@ Method ablation(Method method, const Rung& rung, std::vector<Variant> variants) 
   return method;
 }
 
-Plot ablation_table(std::string quantity, double time, std::vector<std::string> with_more) {
+Plot ablation_table(std::string quantity, std::vector<std::string> with_more) {
   return [=](const Results& results, Record& record) {
     Table table{"ablation",
                 "What each ingredient is needed for",
                 "Each variant lacks one ingredient of the whole method, or has another in its place. An ingredient is "
                 "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "
-                "not end or the critical step falls by more than a twentieth.",
-                {"method", "variant", quantity, "change [%]", "critical step [us]", "change [%]",
+                "not end or the critical step falls by more than a twentieth. Errors are those at the end of the run.",
+                {"method", "variant", "end [s]", quantity, "change [%]", "critical step [us]", "change [%]",
                  "ns per particle-step", "change [%]", "needed for"},
                 {}};
-    const Pick error = error_of(quantity, time);
+    const Pick error = error_of(quantity, results.runs.front().summary.end_time);
     for (const Run& run : results.runs)
       table.rows.push_back(row_of(results, run, outcomes_of(results.runs.front(), record, error),
                                   outcomes_of(run, record, error), is_one_of(with_more, run.summary.rung)));

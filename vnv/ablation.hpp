@@ -54,8 +54,9 @@ Run run_and_search(Factory solver_with, double time_step, const Schedule& when, 
 /// A method whose rungs are its variants, all at the resolution of `rung`.
 Method ablation(Method method, const Rung& rung, std::vector<Variant> variants);
 
-/// A row for each variant: error, critical step and cost, their changes, and what is missing is needed for. The
-/// variants `with_more` have an ingredient that the whole method has not: there it is the whole method that lacks it.
-Plot ablation_table(std::string quantity, double time, std::vector<std::string> with_more = {});
+/// A row for each variant: error at the end of the whole method's run, critical step and cost, their changes, and what
+/// that which is missing is needed for. The variants `with_more` have an ingredient that the whole method has not:
+/// there it is the whole method that lacks it.
+Plot ablation_table(std::string quantity, std::vector<std::string> with_more = {});
 
 }  // namespace touchstone::vnv

@@ -89,10 +89,11 @@ auto printed_solver(const SceneOfChannel& scene, const Rung& rung, double time_s
                     sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
 }
 
-/// The regularised method: quintic spline, transport velocity, mirrored wall velocities.
+/// The regularised method: quintic spline, transport velocity, mirrored wall velocities. What the drift carries of
+/// momentum changes nothing in a channel, in 10 s, and is left out (`ablation_poiseuille`).
 template <class Integrator = sph::KickDriftKick, class Real = double, class SceneOfChannel>
 auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
-  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real>(
+  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real, sph::Without<sph::MomentumOfDrift>>(
       scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = time_step},
       sph::momentum(sph::PressureDifference{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
 }
@@ -151,7 +152,7 @@ inline const std::string difference_words =
     "The minus that (24) and (28) print between the pressures is kept, with the sign in front mended: a difference of "
     "pressures, which does not conserve momentum pair by pair but is no force where the pressure is uniform.";
 inline const std::string sph_regularised_words =
-    "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013) and its momentum, quintic spline with "
+    "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with "
     "h = 1 spacing, continuity density, pressure differences, viscosity of Morris, Fox & Zhu (1997), wall velocities mirrored "
     "(Adami, Hu & Adams 2012), kick-drift-kick with twice the paper's time step.";
 

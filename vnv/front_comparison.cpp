@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <string_view>
 
 namespace touchstone::vnv {
 namespace {
@@ -110,6 +109,8 @@ double minimum(const Function& function, const Window& range) {
   return in_a_valley ? brent_minimum(function, at[k - 1], at[k], at[k + 1]) : at[k];
 }
 
+}  // namespace
+
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window) {
   const auto points = inside(whose, front, window, 2, "slope");
   double at_zero, slope, c00, c01, c11, residual;
@@ -117,8 +118,6 @@ double slope_of(std::string_view whose, const FrontHistory& front, const Window&
                  &residual);
   return slope;
 }
-
-}  // namespace
 
 FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& measured, const Window& rms_window,
                                const Window& slope_window, const Window& shifts) {

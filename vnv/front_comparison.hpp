@@ -2,6 +2,7 @@
 /// A computed dam-break front against a measured one, and whether the two differ by more than is known.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::vnv {
@@ -39,6 +40,9 @@ struct FrontComparison {
 /// it.
 FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& measured, const Window& rms_window,
                                const Window& slope_window, const Window& shifts);
+
+/// The slope dL/dT of a least-squares line through a front's points in a window. Throws as `compare_fronts`.
+double slope_of(std::string_view whose, const FrontHistory& front, const Window& window);
 
 /// What an error means beside the uncertainties of numbers, inputs and data.
 struct Agreement {

@@ -202,6 +202,8 @@ int run(int count, char** arguments) {
     write_ctest_file(the_case(), arguments[0], ctest_file, records);
     return EXIT_SUCCESS;
   }
+  if (!records.empty() && !std::filesystem::is_directory(records))
+    throw std::invalid_argument(fmt::format("--records {}: wanted a folder that exists", records));
   const Case declared = the_case();
   if (list) {
     for (const Method& method : declared.methods) {

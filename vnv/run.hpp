@@ -106,7 +106,7 @@ Run record(Solver solver, const Schedule& when) {
         ++looks;
       }
       if (when.times[kept] <= target + dt / 2) {
-        run.samples.push_back(samples);
+        run.samples.push_back(std::move(samples));
         ++kept;
       }
     }

@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace touchstone::vnv {
 namespace {
@@ -112,8 +113,11 @@ void Reader::operator()(Error& e) { each(*this, e, std::type_identity<Error>{});
 
 std::string to_bytes(const Run& run) {
   Writer writer;
+  std::size_t of_samples = 1 << 12;
+  for (const Samples& s : run.samples) of_samples += (sizeof(double) * 7 + 1) * static_cast<std::size_t>(s.size());
+  writer.bytes.reserve(of_samples);
   each(writer, run, std::type_identity<Run>{});
-  return writer.bytes;
+  return std::move(writer.bytes);
 }
 
 Run run_from(const std::string& bytes) {

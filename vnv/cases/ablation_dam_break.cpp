@@ -99,7 +99,7 @@ Case vnv::the_case() {
           "other, or with one more. The error is the distance of the front from that of Lobovský et al. (2014); the "
           "critical step is found by bisection over the first 1000 steps.",
       .times = {0.5},
-      .watch = {.every = 0.0025, .see = [](const Samples& s) { return front.look(s); }},
+      .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
       .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); }},
       .methods =
           {ablation({.name = "mpm",
@@ -119,6 +119,6 @@ Case vnv::the_case() {
                 sph_variant<sph::Without<sph::Restoration>>("without restored density", mean_pressure, artificial),
                 sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure, artificial),
                 sph_variant(viscosity_of_water, mean_pressure, artificial, laminar)})},
-      .plots = {ablation_table(front.rms, 0.5, {viscosity_of_water})},
+      .plots = {ablation_table(front.rms, {viscosity_of_water})},
   };
 }

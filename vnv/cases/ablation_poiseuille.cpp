@@ -17,8 +17,9 @@ using namespace touchstone::vnv::channel;
 
 namespace {
 
-constexpr double F = 8 * mm;  // m/s²  table 1
-constexpr double end = 0.5;   // s  the flow has 99.3 % of its steady velocity
+constexpr double F = 8 * mm;     // m/s²  table 1
+constexpr double end = 0.5;      // s  the flow has 99.3 % of its steady velocity
+constexpr double long_end = 10;  // s  particles have passed each other a hundred times
 
 /// The drive with a ten-thousandth of it in waves of some cells' length: without them nothing would excite the
 /// acoustics of a lattice that is perfectly even.
@@ -73,7 +74,7 @@ Variant printed_variant(std::string name, Terms... terms) {
 }
 
 /// The regularised method with these terms, and without what `Left` names.
-template <class Left = sph::Without<>, class... Terms>
+template <class Left = sph::Without<sph::MomentumOfDrift>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
     return sph::transport_velocity<sph::QuinticSpline, sph::KickDriftKick, double, Left>(
@@ -85,7 +86,10 @@ const auto mean_pressure = [](double) { return sph::Pressure{}; };
 const auto difference = [](double) { return sph::PressureDifference{}; };
 const sph::MorrisViscosity morris{.mu = water.viscosity};
 
+const std::string with_momentum = "with the momentum of the drift";
+
 const Rung coarse{.spacing = H / 20, .report = end, .nightly = end};
+const Rung coarse_and_long{.spacing = H / 20, .report = end, .nightly = long_end};
 const Rung coarse_grid{.spacing = H / 40, .cell = H / 20, .report = end, .nightly = end};
 
 }  // namespace
@@ -96,9 +100,10 @@ Case vnv::the_case() {
       .description =
           "Each method runs Poiseuille flow from rest to 0.5 s at 20 particles or cells across the gap, whole and "
           "without one ingredient after the other. The drive is stirred by a ten-thousandth, so that an unstable "
-          "variant shows itself; what keeps particles in order over many seconds has no time to show its worth. The "
-          "critical step is found by bisection, 2000 steps a trial.",
-      .times = {end},
+          "variant shows itself. What keeps particles in order shows its worth only over many seconds: the nightly suite "
+          "runs the regularised method, the one to choose for a channel, to 10 s. The printed method is kept whole, as "
+          "what the paper compared. The critical step is found by bisection, 2000 steps a trial.",
+      .times = {end, long_end},
       .measurements = {norms_of("v_x, per particle", by_particles, exact)},
       .methods = {ablation(
                       {.name = "mpm",
@@ -124,17 +129,16 @@ Case vnv::the_case() {
                   ablation({.name = "sph_regularised",
                             .description = sph_regularised_words,
                             .claims = {at_most(l2, 1, baseline("0.55 at 20 across and 1 s")).on(whole)}},
-                           coarse,
+                           coarse_and_long,
                            {regularised_variant(whole, sph::PressureDifference{}, morris),
                             regularised_variant("without pressure", morris),
                             regularised_variant("without laminar viscosity", sph::PressureDifference{}),
-                            regularised_variant<sph::Without<sph::VolumeKeeping>>("without kept volume",
-                                                                                  sph::PressureDifference{}, morris),
-                            regularised_variant<sph::Without<sph::Spreading>>("without spreading of particles",
-                                                                              sph::PressureDifference{}, morris),
-                            regularised_variant<sph::Without<sph::MomentumOfDrift>>("without momentum of the drift",
-                                                                                    sph::PressureDifference{}, morris),
+                            regularised_variant<sph::Without<sph::VolumeKeeping, sph::MomentumOfDrift>>(
+                                "without kept volume", sph::PressureDifference{}, morris),
+                            regularised_variant<sph::Without<sph::Spreading, sph::MomentumOfDrift>>(
+                                "without spreading of particles", sph::PressureDifference{}, morris),
+                            regularised_variant<sph::Without<>>(with_momentum, sph::PressureDifference{}, morris),
                             regularised_variant("conservative pressure", sph::Pressure{}, morris)})},
-      .plots = {ablation_table(l2, end)},
+      .plots = {ablation_table(l2, {with_momentum})},
   };
 }

@@ -82,7 +82,7 @@ Case vnv::the_case() {
           "of 0.02 m that is half full.\n\nCells fit the tank: 81 of 0.0199 m along its length, where the paper says "
           "0.02 m.",
       .times = {0.32, 0.41, 0.46, 0.5},
-      .watch = {.every = 0.0025, .see = [](const Samples& s) { return front.look(s); }},
+      .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
       .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); }},
       .claims = {between("mass over that of the column, less 1 [-]", -1e-12, 1e-12,
                          theory("particles keep their mass; rounding of the sum")),

@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <queue>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace touchstone::vnv {
@@ -22,25 +24,29 @@ namespace fronts {
 struct Change {
   double rear;  // m
   double rate;  // m  more volume [m²] per length [m]
+
+  bool operator<(const Change& other) const { return rear < other.rear; }
 };
 
-/// All changes, farthest first, for slabs one cell long below `top` and particles that are squares.
-inline std::vector<Change> changes(const Samples& samples, double cell, double top) {
-  const Scalars sides = samples.volumes().sqrt();
+/// All changes, for slabs one cell long below `top` and particles that are squares, as a heap: the farthest first.
+inline std::priority_queue<Change> changes(const Samples& samples, double cell, double top) {
   std::vector<Change> all;
+  const double largest_side = std::sqrt(samples.mass.maxCoeff() / samples.density.minCoeff());
   for (Eigen::Index p = 0; p < samples.size(); ++p) {
-    const double side = sides(p), nose = samples.x(0, p) + side / 2, tail = nose - side;
-    const double height = std::clamp(top - (samples.x(1, p) - side / 2), 0.0, side);
-    if (height > 0)
-      all.insert(all.end(), {{nose, height}, {tail, -height}, {nose - cell, -height}, {tail - cell, height}});
+    if (!(samples.x(1, p) < top + largest_side / 2)) continue;
+    const double side = std::sqrt(samples.mass(p) / samples.density(p)), height = top - (samples.x(1, p) - side / 2);
+    if (!(height > 0)) continue;
+    const double nose = samples.x(0, p) + side / 2, tail = nose - side, inside = std::min(height, side);
+    all.insert(all.end(), {{nose, inside}, {tail, -inside}, {nose - cell, -inside}, {tail - cell, inside}});
   }
-  std::ranges::sort(all, std::ranges::greater{}, &Change::rear);
-  return all;
+  return std::priority_queue<Change>({}, std::move(all));
 }
 
 /// False where a place or a volume is not a number, or a volume not positive.
 inline bool known(const Samples& samples) {
-  return samples.size() > 0 && samples.x.allFinite() && samples.volumes().allFinite() && (samples.volumes() > 0).all();
+  if (samples.size() == 0) return false;
+  const double nothing = (0 * samples.x.array()).sum() + (0 * samples.mass).sum() + (0 * samples.density).sum();
+  return nothing == 0 && samples.mass.minCoeff() > 0 && samples.density.minCoeff() > 0;
 }
 
 }  // namespace fronts
@@ -56,15 +62,25 @@ inline double percentile_front(const Samples& samples, double share = 0.995) {
   if (!(share > 0 && share <= 1))
     throw std::invalid_argument(fmt::format("percentile_front: share = {}, wanted above 0 and at most 1", share));
   if (!fronts::known(samples)) return not_a_number;
-  const Scalars volumes = samples.volumes();
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(samples.size()));
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index p) { return samples.x(0, p); });
-  const double wanted = share * volumes.sum();
+  const Scalars x = samples.x.row(0), volumes = samples.volumes();
+  const double wanted = (1 - 1e-12) * share * volumes.sum();  // less what the rounding of sums may do
+
+  // Only in the slice where the share is reached do the particles have to be put in order.
+  constexpr int slices = 256;
+  const double rear = x.minCoeff(), per_length = (slices - 1) / std::max(x.maxCoeff() - rear, 1e-300);
+  const auto slice = [&](Eigen::Index p) { return std::min(static_cast<int>((x(p) - rear) * per_length), slices - 1); };
+  std::array<double, slices> volume_in{};
+  for (Eigen::Index p = 0; p < x.size(); ++p) volume_in[slice(p)] += volumes(p);
+  int here = 0;
   double behind = 0;
-  for (const auto p : order)
-    if ((behind += volumes(p)) >= wanted) return samples.x(0, p);
-  return samples.x(0, order.back());  // the two sums differ by rounding
+  while (here < slices - 1 && behind + volume_in[here] < wanted) behind += volume_in[here++];
+  std::vector<std::pair<double, double>> in_order;
+  for (Eigen::Index p = 0; p < x.size(); ++p)
+    if (slice(p) == here) in_order.emplace_back(x(p), volumes(p));
+  std::ranges::sort(in_order);
+  for (const auto& [place, volume] : in_order)
+    if ((behind += volume) >= wanted) return place;
+  return x.maxCoeff();  // the sums differ by rounding
 }
 
 /// The middle of the farthest slab that is half full: one cell long, one cell high, standing on the floor, anywhere
@@ -81,7 +97,8 @@ inline double half_full_slab(const Samples& samples, double cell, double floor =
   if (!fronts::known(samples)) return not_a_number;
   const double half = cell * cell / 2;
   double volume = 0, rate = 0, rear = 0;  // while the slab is ahead of all fluid, its rear may be anywhere
-  for (const auto& change : fronts::changes(samples, cell, floor + cell)) {
+  for (auto changes = fronts::changes(samples, cell, floor + cell); !changes.empty(); changes.pop()) {
+    const fronts::Change change = changes.top();
     const double more = rate * (rear - change.rear);
     if (volume + more >= half) return rear - (half - volume) / rate + cell / 2;
     volume += more;

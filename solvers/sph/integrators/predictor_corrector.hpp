@@ -22,8 +22,7 @@ class PredictorCorrector {
   /// The same where the rates at the start are known.
   template <class Flow, class Laps>
   void from_rates_at_start(Flow& flow, double time, double dt, const Laps& lap) {
-    const Particles& all = flow.state();
-    start_ = {all.x.head(all.fluid), all.y.head(all.fluid), all.vx, all.vy, all.rho};
+    remember_start(flow);
     advance(flow, dt / 2);  // predict the midpoint
     lap(SubStep::motion);
     flow.find_rates(time + dt / 2, lap);
@@ -35,6 +34,20 @@ class PredictorCorrector {
   struct Motion {
     Scalars x, y, vx, vy, rho;
   };
+
+  template <class Flow>
+  void remember_start(Flow& flow) {
+    const Particles& all = flow.state();
+    for (Scalars* field : {&start_.x, &start_.y, &start_.vx, &start_.vy, &start_.rho}) field->resize(all.fluid);
+    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+      const auto part = Eigen::seqN(begin, end - begin);
+      start_.x(part) = all.x(part);
+      start_.y(part) = all.y(part);
+      start_.vx(part) = all.vx(part);
+      start_.vy(part) = all.vy(part);
+      start_.rho(part) = all.rho(part);
+    });
+  }
 
   template <class Flow>
   void advance(Flow& flow, double dt) const {
