@@ -6,6 +6,7 @@
 #include "solvers/forces/none.hpp"
 #include "solvers/walls/wall.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace touchstone {
@@ -24,6 +25,17 @@ struct Box {
 struct Domain {
   Box box;
   bool periodic_x = false;
+  bool periodic_y = false;
+};
+
+/// How the fluid is when the run starts: at rest, and without pressure, where nothing is said.
+struct Start {
+  std::function<Vec2(const Vec2&)> velocity{};    // m/s  at a place [m]
+  std::function<double(const Vec2&)> pressure{};  // Pa
+
+  bool at_rest() const { return !velocity && !pressure; }
+  Vec2 velocity_at(const Vec2& x) const { return velocity ? velocity(x) : Vec2(Vec2::Zero()); }
+  double pressure_at(const Vec2& x) const { return pressure ? pressure(x) : 0; }
 };
 
 /// What is named by its type is in the scene; what is not named is not there and is not compiled: a scene
@@ -32,9 +44,10 @@ template <class FluidLaw, class Force = NoForce>
 struct Scene {
   Domain domain;
   FluidLaw fluid;
-  Box filled;  // at rest and at the reference density when the run starts
+  Box filled;
   std::vector<Wall> walls{};
   Force body_force{};
+  Start start{};
 };
 
 }  // namespace touchstone

@@ -39,6 +39,7 @@ class Affine {
         mirrors_(scene.walls, grid_) {
     require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
+    set_going(particles_, scene.start, grid_, scene.fluid, dt_);
     list_near();
   }
 

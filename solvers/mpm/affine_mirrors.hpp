@@ -6,14 +6,14 @@
 
 namespace touchstone::mpm {
 
-/// Walls and the periodic seam of the affine method. With nodes at cell centres a wall lies midway between a line of
+/// Walls and the periodic seams of the affine method. With nodes at cell centres a wall lies midway between a line of
 /// nodes in the fluid and a line of ghosts behind it, and every particle beside it has an image behind it.
 ///
 /// What a particle gives to a ghost, its image gives to the node in the fluid: the same mass, and the momentum m v
 /// mirrored by the wall's answer, m (2 W(v) - v). Body force and stress are parts of that momentum: at a wall with free
 /// slip this is exact, pressure being even and its force on the fluid odd; at one with no slip forces along the wall
 /// are odd like the velocity that they change. The ghost then moves with 2 W(v) - v of that node, so that fluid at the
-/// wall moves just as the wall says. Across the seam the same is done with nothing mirrored.
+/// wall moves just as the wall says. Across a seam the same is done with nothing mirrored.
 class Mirrors {
  public:
   /// Throws std::invalid_argument for a wall off the grid.
@@ -21,6 +21,10 @@ class Mirrors {
     if (grid.periodic_x) {
       lines_.push_back({.axis = 0, .ghosts = 0, .inner = grid.columns});
       lines_.push_back({.axis = 0, .ghosts = grid.columns + 1, .inner = 1});
+    }
+    if (grid.periodic_y) {
+      lines_.push_back({.axis = 1, .ghosts = 0, .inner = grid.rows});
+      lines_.push_back({.axis = 1, .ghosts = grid.rows + 1, .inner = 1});
     }
     for (const Wall& wall : walls) {
       const int below = grid.line_of(wall), above = below + 1;

@@ -32,7 +32,8 @@ class CentreNodes {
         mass(stride * rows),
         momentum(stride * rows),
         velocity(stride * rows),
-        periodic_x_(grid.periodic_x) {
+        periodic_x_(grid.periodic_x),
+        periodic_y_(grid.periodic_y) {
     given_.fill({mass, mass, mass});
   }
 
@@ -89,6 +90,7 @@ class CentreNodes {
           near_.push_back(row * stride + (columns - 2) / lanes * lanes);
         }
       }
+    if (periodic_y_) add_images_of_rows();
     std::sort(near_.begin(), near_.end());
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   }
@@ -101,7 +103,17 @@ class CentreNodes {
     });
   }
 
-  bool periodic_x_;
+  /// Of the ghosts below the first row of cells and above the last, and of the nodes in these.
+  void add_images_of_rows() {
+    const std::vector<int> nodes = near_;
+    const int cells = (rows - 2) * stride;
+    for (const int node : nodes) {
+      if (node < 2 * stride) near_.push_back(node + cells);
+      if (node >= cells) near_.push_back(node - cells);
+    }
+  }
+
+  bool periodic_x_, periodic_y_;
   std::array<Shares<Field<double>>, 3> given_;
   std::vector<int> near_;
 };

@@ -136,6 +136,20 @@ struct StressImpulse {
   }
 };
 
+/// What a particle keeps of a velocity and its slopes, and of a density.
+template <class Real, class Number, class At, class FluidLaw, class Write>
+void keep(AffineParticles<Number>& particles, int slot, const Real& expansion, const At& x, const At& y,
+          const Vec2& per_cell, double dt, const FluidLaw& fluid, const Write& write) {
+  const StressImpulse<Real, FluidLaw> stress(fluid, expansion, x, y, per_cell, dt);
+  write(x.v, &particles.x.v[slot]);
+  write(y.v, &particles.y.v[slot]);
+  write(expansion, &particles.expansion[slot]);
+  write(0.25 * x.along_x - stress.x_along_x, &particles.x.along_x[slot]);
+  write(0.25 * x.along_y - stress.shear_along_y, &particles.x.along_y[slot]);
+  write(0.25 * y.along_x - stress.shear_along_x, &particles.y.along_x[slot]);
+  write(0.25 * y.along_y - stress.y_along_y, &particles.y.along_y[slot]);
+}
+
 /// Velocity, place, density and what comes of them; true if the particles are still in their cells and their densities
 /// are plausible.
 template <class Real, class Number, class FluidLaw, class Write>
@@ -149,18 +163,23 @@ Truth<Real> take(AffineParticles<Number>& particles, int slot, const VelocityWit
   const Real new_X = X + cells_x * x.v, new_Y = Y + cells_y * y.v;
   const Real before = load<Real>(&particles.expansion[slot]);
   const Real after = before + (1 + before) * (cells_x * x.along_x + cells_y * y.along_y);
-  const StressImpulse<Real, FluidLaw> stress(fluid, after, x, y, per_cell, dt);
-  write(x.v, &particles.x.v[slot]);
-  write(y.v, &particles.y.v[slot]);
+  keep<Real>(particles, slot, after, x, y, per_cell, dt, fluid, write);
   write(new_X, &particles.X[slot]);
   write(new_Y, &particles.Y[slot]);
-  write(after, &particles.expansion[slot]);
-  write(0.25 * x.along_x - stress.x_along_x, &particles.x.along_x[slot]);
-  write(0.25 * x.along_y - stress.shear_along_y, &particles.x.along_y[slot]);
-  write(0.25 * y.along_x - stress.shear_along_x, &particles.y.along_x[slot]);
-  write(0.25 * y.along_y - stress.y_along_y, &particles.y.along_y[slot]);
   return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1) &
                              between(1 / most_density, 1 + after, 1 / least_density));
+}
+
+/// Sets a particle going, with the affine velocity of its velocity's slopes and the stress of these and its density.
+template <class Number, class FluidLaw>
+void begin(AffineParticles<Number>& particles, int slot, const Beginning& there, const FluidLaw& fluid,
+           const Vec2& cell, double dt) {
+  using Real = LanesOf<Number>;
+  const auto lanes_with = [](double number) { return fill<Real>(number); };
+  const typename VelocityWithin<Real>::At x{lanes_with(there.v.x()), lanes_with(cell.x() * there.of.xx),
+                                            lanes_with(cell.y() * there.of.xy)},
+      y{lanes_with(there.v.y()), lanes_with(cell.x() * there.of.yx), lanes_with(cell.y() * there.of.yy)};
+  keep<Real>(particles, slot, fill<Real>(there.expansion), x, y, cell.cwiseInverse(), dt, fluid, FirstLane{});
 }
 
 /// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in

@@ -12,8 +12,9 @@
 
 namespace touchstone::mpm {
 
-/// Cells that fill the box of a domain exactly. Cells and nodes are numbered row by row from the low corner. Across a
-/// periodic seam the last column of cells has its right corners in the first column of nodes.
+/// Cells that fill the box of a domain exactly. Cells and nodes are numbered row by row from the low corner. Across the
+/// seam of a periodic x the last column of cells has its right corners in the first column of nodes; across that of a
+/// periodic y the first row of nodes stands again above the last row of cells.
 class Grid {
  public:
   /// Takes the whole number of cells nearest to size / wanted along each direction, so that opposite walls both lie on
@@ -22,12 +23,13 @@ class Grid {
   Grid(const Domain& domain, double wanted_cell)
       : box(domain.box),
         periodic_x(domain.periodic_x),
+        periodic_y(domain.periodic_y),
         columns(cells_along(box.size().x(), wanted_cell)),
         rows(cells_along(box.size().y(), wanted_cell)),
         cell(box.size().x() / columns, box.size().y() / rows) {}
 
   const Box box;  // m
-  const bool periodic_x;
+  const bool periodic_x, periodic_y;
   const int columns, rows;
   const Vec2 cell;  // m  size of each
 

@@ -45,6 +45,7 @@ class Mpm {
         wall_nodes_(scene.walls, grid_, nodes_) {
     require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
+    set_going(particles_, scene.start, grid_, scene.fluid, dt_);
     list_near();
   }
 

@@ -29,7 +29,7 @@ struct NodeVectors {
 };
 
 /// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic seam the first column
-/// stands again behind the last cell, and both images hold the same.
+/// stands again behind the last cell, or the first row above it, and both images hold the same.
 ///
 /// A node is given its sums in two halves, by the row of cells above it and by the row below, so that rows of cells can
 /// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
@@ -45,7 +45,9 @@ class Nodes {
         displacement(places(grid)),
         velocity(places(grid)),
         columns_(grid.columns),
-        periodic_x_(grid.periodic_x) {}
+        periodic_x_(grid.periodic_x),
+        periodic_y_(grid.periodic_y),
+        top_(grid.rows * stride) {}
 
   const int stride;  // nodes in a row
   std::array<Field<double>, all_given> from_above, from_below;
@@ -82,6 +84,7 @@ class Nodes {
     for (int& node : above) node += stride;
     near_.clear();
     std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(near_));
+    if (periodic_y_) add_images_of_rows();
   }
 
   /// Whether cells that end at this column have their right corners in the first column of nodes.
@@ -91,6 +94,14 @@ class Nodes {
   void open_seam(int row) {
     for (Field<double>& half : from_above) store(Lanes{}, &half[row * stride]);
     for (Field<double>& half : from_below) store(Lanes{}, &half[(row + 1) * stride]);
+  }
+  /// Gives the images of the first row of nodes what either was given, once all rows of cells have given.
+  void join_rows(Given first, Given last) {
+    if (!periodic_y_) return;
+    for (int what = first; what <= last; ++what) {
+      std::copy_n(&from_above[what][0], stride, &from_above[what][top_]);
+      std::copy_n(&from_below[what][top_], stride, &from_below[what][0]);
+    }
   }
   /// Adds the sums of both images of a node, from a row of cells, for the quantities from `first` to `last`.
   void close_seam(int row, Given first, Given last) {
@@ -132,8 +143,19 @@ class Nodes {
     }
   }
 
+  void add_images_of_rows() {
+    const std::vector<int> nodes = near_;
+    for (const int node : nodes) {
+      if (node < stride) near_.push_back(node + top_);
+      if (node >= top_) near_.push_back(node - top_);
+    }
+    std::sort(near_.begin(), near_.end());
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  }
+
   int columns_;
-  bool periodic_x_;
+  bool periodic_x_, periodic_y_;
+  int top_;  // the first node of the last row
   std::vector<int> near_;
 };
 

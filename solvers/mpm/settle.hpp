@@ -37,7 +37,7 @@ int settle(Particles& particles, int slot, int cell, const Grid& grid, const Flu
 
   const int column = cell_along(particles.X[slot], cell % grid.columns, grid.columns, grid.periodic_x);
   if (column < 0) fail("x [m]", place.x(), range(grid.box.low.x(), grid.box.high.x()));
-  const int row = cell_along(particles.Y[slot], cell / grid.columns, grid.rows, false);
+  const int row = cell_along(particles.Y[slot], cell / grid.columns, grid.rows, grid.periodic_y);
   if (row < 0) fail("y [m]", place.y(), range(grid.box.low.y(), grid.box.high.y()));
   const double density = fluid.density / (1 + static_cast<double>(particles.expansion[slot]));
   const double least = least_density * fluid.density, most = most_density * fluid.density;

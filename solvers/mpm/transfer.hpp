@@ -8,6 +8,7 @@
 
 #include "solvers/forces/none.hpp"
 #include "solvers/forces/uniform.hpp"
+#include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/cell_sums.hpp"
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/threads.hpp"
@@ -70,7 +71,7 @@ void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
       });
 }
 
-/// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seam.
+/// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seams.
 template <Given first, Given last, int width, class Give>
 void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
   const auto& blocks = order.blocks();
@@ -90,6 +91,7 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
     GivenByRows<first, last> to(nodes);
     for (; row < rows_end; ++row) scatter_row(row[0], row[1], to);
   });
+  nodes.join_rows(first, last);
 }
 
 /// A force that differs from place to place is given to the nodes by the particles; the same force everywhere is added
@@ -269,6 +271,20 @@ Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Veloc
   write(after, &particles.expansion[slot]);
   particles.stress.template update<Real>(slot, fluid, after, of_v, write);
   return write.unless_absent(between(1 / most_density, 1 + after, 1 / least_density));
+}
+
+/// Sets a particle going, with the stress of its density and its velocity's slopes.
+template <class FluidLaw, class Number>
+void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
+           const Vec2& /*cell*/, double /*dt*/) {
+  using Real = LanesOf<Number>;
+  particles.vx[slot] = static_cast<Number>(fluid_there.v.x());
+  particles.vy[slot] = static_cast<Number>(fluid_there.v.y());
+  particles.expansion[slot] = static_cast<Number>(fluid_there.expansion);
+  const Slopes<double>& of = fluid_there.of;
+  particles.stress.template update<Real>(slot, fluid, fill<Real>(fluid_there.expansion),
+                                         {fill<Real>(of.xx), fill<Real>(of.yx), fill<Real>(of.xy), fill<Real>(of.yy)},
+                                         FirstLane{});
 }
 
 template <class Real, class Field>

@@ -32,17 +32,23 @@ class Neighbourhood {
   Lists fluid_near_ghost;                // of each ghost that has any: fluid
   std::array<Lists, 2> wall_near_fluid;  // of fluid that has any: particles on walls of constant x, of constant y
 
-  /// Fluid at rest on a lattice.
-  Neighbourhood(const Domain& domain, const Box& filled, double density, double spacing, const Reach& reach,
-                BoundaryLayout layout, int threads = 1)
-      : boundary(std::move(layout)), domain_(domain), density_(density), reach_(reach), threads_(threads) {
-    const double period = domain.box.size().x();
-    if (const double farthest = reach.kernel + reach.greatest_skin; domain.periodic_x && farthest > period)
-      throw std::invalid_argument(
-          fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m", farthest, period));
-    const Lattice cells = lattice(filled, spacing, domain.box);
+  /// Fluid on a lattice, set going as the scene says.
+  template <class SceneOfRun>
+  Neighbourhood(const SceneOfRun& scene, double spacing, const Reach& reach, BoundaryLayout layout, int threads = 1)
+      : boundary(std::move(layout)),
+        domain_(scene.domain),
+        density_(scene.fluid.density),
+        reach_(reach),
+        threads_(threads) {
+    const Vec2 period = domain_.box.size();
+    for (const int axis : {0, 1})
+      if (const double farthest = reach.kernel + reach.greatest_skin; periodic(axis) && farthest > period[axis])
+        throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
+                                                farthest, period[axis]));
+    const Lattice cells = lattice(scene.filled, spacing, domain_.box);
     place(cells.places());
-    all.mass = density * cells.volume();
+    all.mass = density_ * cells.volume();
+    if (!scene.start.at_rest()) set_going(scene.start, scene.fluid);
     list_anew();
   }
 
@@ -67,12 +73,14 @@ class Neighbourhood {
 
   /// Throws Diverged when a particle is outside the domain or nowhere.
   void refuse_strays(long step, double time) const {
-    const double seam =
-        domain_.periodic_x ? domain_.box.size().x() : 0;  // a particle may be up to one length beyond it
+    const Vec2 period = domain_.box.size();  // a particle may be up to one of them beyond a seam
+    const auto is_inside = [&](int axis, double x) {
+      const double beyond = periodic(axis) ? period[axis] : 0;
+      return x >= domain_.box.low[axis] - beyond && x <= domain_.box.high[axis] + beyond;
+    };
     for (Index i = 0; i < all.fluid; ++i) {
       const Vec2 x(all.x[i], all.y[i]);
-      const bool inside_x = x.x() >= domain_.box.low.x() - seam && x.x() <= domain_.box.high.x() + seam;
-      const bool inside_y = x.y() >= domain_.box.low.y() && x.y() <= domain_.box.high.y();
+      const bool inside_x = is_inside(0, x.x()), inside_y = is_inside(1, x.y());
       if (inside_x && inside_y) continue;
       throw Diverged(
           {step, time, all.number[i], x, inside_x ? "y [m]" : "x [m]", inside_x ? x.y() : x.x(), "inside the domain"});
@@ -106,7 +114,7 @@ class Neighbourhood {
               Scalars(all.fluid)};
     for (Index i = 0; i < all.fluid; ++i) {
       const int n = all.number[i];
-      s.x.col(n) = Vec2(wrapped(all.x[i]), all.y[i]);
+      s.x.col(n) = Vec2(wrapped(0, all.x[i]), wrapped(1, all.y[i]));
       s.v.col(n) = Vec2(all.vx[i], all.vy[i]);
       s.density[n] = all.rho[i];
       s.pressure[n] = fluid.pressure(all.rho[i]);
@@ -131,6 +139,16 @@ class Neighbourhood {
     all.rho = density_;
     all.number.resize(all.fluid);
     for (Index i = 0; i < all.fluid; ++i) all.number[i] = static_cast<int>(i);
+  }
+
+  template <class FluidLaw>
+  void set_going(const Start& start, const FluidLaw& fluid) {
+    for (Index i = 0; i < all.fluid; ++i) {
+      const Vec2 x(all.x[i], all.y[i]), v = start.velocity_at(x);
+      all.vx[i] = v.x();
+      all.vy[i] = v.y();
+      all.rho[i] = fluid.density_at(start.pressure_at(x));
+    }
   }
 
   bool lists_hold(double dt) const {
@@ -158,15 +176,19 @@ class Neighbourhood {
     reach_.skin = std::clamp(std::sqrt(5 * reach_.kernel * fastest * dt), reach_.least_skin, reach_.greatest_skin);
   }
 
-  double wrapped(double x) const {
-    if (!domain_.periodic_x) return x;
-    const double low = domain_.box.low.x(), length = domain_.box.size().x();
+  bool periodic(int axis) const { return axis == 0 ? domain_.periodic_x : domain_.periodic_y; }
+  double wrapped(int axis, double x) const {
+    if (!periodic(axis)) return x;
+    const double low = domain_.box.low[axis], length = domain_.box.high[axis] - low;
     return x - length * std::floor((x - low) / length);
   }
 
   void list_anew() {
     const double listed = reach_.kernel + reach_.skin;
-    for (Index i = 0; i < all.fluid; ++i) all.x[i] = wrapped(all.x[i]);
+    for (Index i = 0; i < all.fluid; ++i) {
+      all.x[i] = wrapped(0, all.x[i]);
+      all.y[i] = wrapped(1, all.y[i]);
+    }
     sort_fluid(Cells(all.x, all.y, all.fluid, listed, [](Index) { return true; }).sorted());
     images.choose(all, domain_, listed);
     list_fluid_and_ghosts(listed);

@@ -33,28 +33,25 @@ struct Particles {
   }
 };
 
-/// Copies of particles near the periodic seam, one domain length further.
+/// Copies of particles near a periodic seam, one domain length further.
 class Images {
  public:
   struct Image {
     Index source;
-    double shift;  // m
+    Vec2 shift;  // m
   };
 
-  /// Chooses the particles within `reach` of the seam, fluid first, and says where they stand.
+  /// Chooses the particles within `reach` of a seam, fluid first, and says where they stand.
   void choose(Particles& all, const Domain& domain, double reach) {
     images_.clear();
-    of_fluid_ = 0;
-    if (domain.periodic_x) {
-      add(all, 0, all.fluid, domain.box, reach);
-      of_fluid_ = images_.size();
-      add(all, all.fluid, all.fluid + all.boundary, domain.box, reach);
-    }
+    add(all, 0, all.fluid, domain, reach);
+    of_fluid_ = images_.size();
+    add(all, all.fluid, all.fluid + all.boundary, domain, reach);
     all.images = static_cast<Index>(images_.size());
     for (Scalars* field : {&all.x, &all.y}) field->conservativeResize(all.nowhere() + 1);
     for (Index k = 0; k < all.images; ++k) {
-      all.x[first(all) + k] = all.x[images_[k].source] + images_[k].shift;
-      all.y[first(all) + k] = all.y[images_[k].source];
+      all.x[first(all) + k] = all.x[images_[k].source] + images_[k].shift.x();
+      all.y[first(all) + k] = all.y[images_[k].source] + images_[k].shift.y();
     }
   }
   template <class Record>
@@ -72,11 +69,24 @@ class Images {
   Index first(const Particles& all) const { return all.fluid + all.boundary; }
 
  private:
-  void add(const Particles& all, Index begin, Index end, const Box& box, double reach) {
-    const double length = box.size().x();
+  /// Where a particle stands again along an axis, itself first.
+  struct Shifts {
+    std::array<double, 3> by{};  // m
+    int count = 1;
+  };
+
+  void add(const Particles& all, Index begin, Index end, const Domain& domain, double reach) {
+    const Vec2 period = domain.box.size();
+    const auto shifts = [&](bool periodic, int axis, double place) {
+      Shifts found;
+      if (periodic && place < domain.box.low[axis] + reach) found.by[found.count++] = period[axis];
+      if (periodic && place > domain.box.high[axis] - reach) found.by[found.count++] = -period[axis];
+      return found;
+    };
     for (Index i = begin; i < end; ++i) {
-      if (all.x[i] < box.low.x() + reach) images_.push_back({i, length});
-      if (all.x[i] > box.high.x() - reach) images_.push_back({i, -length});
+      const Shifts along_x = shifts(domain.periodic_x, 0, all.x[i]), along_y = shifts(domain.periodic_y, 1, all.y[i]);
+      for (int k = 1; k < along_x.count * along_y.count; ++k)  // the first is the particle itself
+        images_.push_back({i, Vec2(along_x.by[k % along_x.count], along_y.by[k / along_x.count])});
     }
   }
   template <class Record>
@@ -85,7 +95,7 @@ class Images {
       const auto [source, shift] = images_[k];
       Record& image = seen[first(all) + static_cast<Index>(k)];
       image = seen[source];
-      image.stand_at(all.x[source] + shift, all.y[source]);
+      image.stand_at(all.x[source] + shift.x(), all.y[source] + shift.y());
     }
   }
 

@@ -18,7 +18,7 @@ class Printed {
       : scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
-        near_(scene.domain, scene.filled, scene.fluid.density, settings.spacing,
+        near_(scene, settings.spacing,
               {.kernel = Kernel::support * settings.smoothing_length,
                .wall = repels ? SoftRepulsion<0>::reach(settings.spacing) : 0,
                .skin = skin * settings.spacing,

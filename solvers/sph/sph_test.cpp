@@ -47,7 +47,8 @@ void see(Near& near, const Scalars& pressure) {
 
 /// Fluid in disorder between plates, with its lists.
 Near disordered(const Domain& domain, const std::vector<Wall>& walls) {
-  Near near(domain, box, 1000, spacing, {.kernel = 2 * h, .wall = 1.12 * spacing, .skin = 0.6 * spacing},
+  Near near(Scene<Newtonian>{.domain = domain, .fluid = water, .filled = box}, spacing,
+            {.kernel = 2 * h, .wall = 1.12 * spacing, .skin = 0.6 * spacing},
             lay_out_ghosts_and_walls(domain, walls, spacing, 2));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-1, 1);

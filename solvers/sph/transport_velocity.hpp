@@ -28,7 +28,7 @@ class TransportVelocity {
       : scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
-        near_(scene.domain, scene.filled, scene.fluid.density, settings.spacing,
+        near_(scene, settings.spacing,
               {.kernel = Kernel::support * settings.smoothing_length,
                .wall = 0,
                .skin = skin * settings.spacing,
