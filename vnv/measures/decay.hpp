@@ -1,0 +1,42 @@
+#pragma once
+/// How fast something that was watched dies away.
+
+#include "vnv/case.hpp"
+
+#include <gsl/gsl_fit.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Kinetic energy per depth [J/m].
+inline double kinetic_energy(const Samples& samples) {
+  return (samples.mass * samples.v.colwise().squaredNorm().transpose().array()).sum() / 2;
+}
+
+/// The rate [1/s] of the exponential through positive values over time [s]: the slope of the least-squares line through
+/// their logs, its sign turned. Not a number for fewer than two values, or for one that is not positive.
+inline double rate_of_decay(const std::vector<double>& times, const std::vector<double>& values) {
+  if (values.size() < 2) return not_a_number;
+  std::vector<double> logs;
+  for (const double value : values) logs.push_back(value > 0 ? std::log(value) : not_a_number);
+  double at_zero, slope, c00, c01, c11, squares;
+  gsl_fit_linear(times.data(), 1, logs.data(), 1, logs.size(), &at_zero, &slope, &c00, &c01, &c11, &squares);
+  return -slope;
+}
+
+/// "decay rate of energy, less the exact [%]", of the kinetic energy that a run was watched for in `column`.
+inline const std::string decay_error = "decay rate of energy, less the exact [%]";
+inline Measurement decay_of_energy(std::size_t column, double exact_rate) {
+  return [=](const Rung& rung, const Run& run) -> std::vector<Error> {
+    if (!run.summary.finished) return {};
+    std::vector<double> energy;
+    for (const std::vector<double>& seen : run.history.seen) energy.push_back(seen[column]);
+    const double rate = rate_of_decay(run.history.time, energy);
+    return {{rung.name, rung.spacing, run.summary.end_time, decay_error, 100 * (rate / exact_rate - 1)}};
+  };
+}
+
+}  // namespace touchstone::vnv
