@@ -101,6 +101,31 @@ std::string pairwise(const vnv::ObservedOrder& order) {
   return html;
 }
 
+/// "stalled", and whether the ladder is long enough to show it.
+HtmlCell trend_cell(const vnv::ObservedOrder& order) {
+  const auto [words, colour] = [&]() -> std::pair<const char*, const char*> {
+    switch (order.trend) {
+      case vnv::Trend::converging:
+        return {"converging", "holds"};
+      case vnv::Trend::stalled:
+        return {"stalled", "fails"};
+      case vnv::Trend::diverging:
+        return {"diverging", "fails"};
+      case vnv::Trend::inconclusive:
+        break;
+    }
+    return {"inconclusive", "inconclusive"};
+  }();
+  return {fmt::format("{}{}", words, order.asymptotic ? "" : " <small>not asymptotic</small>"), colour};
+}
+
+std::string floor_words(const vnv::ObservedOrder& order) {
+  if (std::isnan(order.floor)) return "none found";
+  return fmt::format("{} ± {} <small>order {} ± {} towards it</small>", printed(order.floor),
+                     printed(order.floor_half_width), printed(order.order_to_floor),
+                     printed(order.order_to_floor_half_width));
+}
+
 Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
   return {{escape(record.method)},
           {escape(order.ladder), "words"},
@@ -108,6 +133,8 @@ Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
           number_cell(order.time),
           {fmt::format("{} ± {}", printed(order.order), printed(order.half_width)),
            order.order < 0 ? "number fails" : "number"},
+          trend_cell(order),
+          {floor_words(order), "words"},
           {pairwise(order), "words"}};
 }
 
@@ -159,8 +186,17 @@ std::string orders_html(const CaseRecords& records) {
   HtmlTable table{
       "Observed orders.",
       "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
-      "is that between two neighbouring rungs; where it falls towards the fine end, a floor is near.",
-      {{"method"}, {"ladder"}, {"quantity"}, {"time [s]", "number"}, {"order", "number"}, {"pairwise"}},
+      "is that between two neighbouring rungs. A floor is told where errors that fall to it scatter less than those of a "
+      "power law, beyond chance; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
+      "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
+      {{"method"},
+       {"ladder"},
+       {"quantity"},
+       {"time [s]", "number"},
+       {"order", "number"},
+       {"trend"},
+       {"floor"},
+       {"pairwise"}},
       {}};
   for (const auto& record : records.records)
     for (const auto& order : record.orders) table.rows.push_back(order_row(record, order));

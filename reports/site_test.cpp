@@ -66,6 +66,25 @@ TEST_F(Site, SaysThatARunDidNotFinish) {
   EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
 }
 
+TEST_F(Site, SaysWhereEachLadderLeads) {
+  vnv::Record record = sample_record();
+  vnv::ObservedOrder order;
+  order.ladder = "grid";
+  order.quantity = "L2 v_x [%]";
+  order.order = 0.41;
+  order.half_width = 0.2;
+  order.trend = vnv::Trend::stalled;
+  order.floor = 0.023;
+  order.floor_half_width = 0.001;
+  order.order_to_floor = 1.97;
+  order.order_to_floor_half_width = 0.1;
+  record.orders = {order};
+  put(record);
+  make_site(records, site);
+  const std::string html = page("poiseuille/index.html");
+  for (const char* words : {"stalled", "not asymptotic", "0.023", "1.97"}) EXPECT_TRUE(contains(html, words)) << words;
+}
+
 TEST_F(Site, ShowsEqualRowsOfATableOnce) {
   const vnv::Table table{"norms", "Norms", "", {"rung", "L2 [%]"}, {{std::string("paper M1"), 3.34}}};
   for (const char* method : {"mpm", "sph"}) {

@@ -127,5 +127,90 @@ TEST(ObservedOrder, HasAnIntervalThatHoldsTheTruthNineteenTimesInTwenty) {
   for (const std::size_t rungs : {3u, 4u, 5u}) EXPECT_NEAR(coverage(rungs), 0.95, 0.015) << rungs << " rungs";
 }
 
+const std::vector<double> long_ladder{0.08, 0.056, 0.04, 0.028, 0.02, 0.014, 0.01};  // m
+
+/// Errors of a law that scatter by a share of themselves.
+class NoisyErrors {
+ public:
+  NoisyErrors(std::function<double(double)> law, double noise) : law_(std::move(law)), noise_(noise) {}
+  std::vector<double> next(const std::vector<double>& spacings = long_ladder) {
+    return errors_of([&](double h) { return law_(h) * std::exp(noise_ * normal_(generator_)); }, spacings);
+  }
+
+ private:
+  std::function<double(double)> law_;
+  double noise_;
+  std::mt19937_64 generator_{20261121};
+  std::normal_distribution<double> normal_;
+};
+
+TEST(AFloor, IsFoundWithTheOrderThatLeadsToIt) {
+  const auto found = observe_order(long_ladder, errors_of([](double h) { return 2e-4 + 0.5 * h * h; }, long_ladder));
+  EXPECT_NEAR(found.floor, 2e-4, 1e-9);
+  EXPECT_NEAR(found.order_to_floor, 2, 1e-5);
+  EXPECT_EQ(found.trend, Trend::stalled) << "the finest error is 2.5e-4";
+}
+
+TEST(AFloor, OfANoisyLadderIsHeldByItsInterval) {
+  NoisyErrors noisy([](double h) { return 3e-4 + 0.5 * h * h; }, 0.03);
+  constexpr int repeats = 400;
+  int found = 0, floor_held = 0, order_held = 0;
+  for (int i = 0; i < repeats; ++i) {
+    const auto o = observe_order(long_ladder, noisy.next());
+    if (std::isnan(o.floor)) continue;
+    ++found;
+    floor_held += std::abs(o.floor - 3e-4) <= o.floor_half_width;
+    order_held += std::abs(o.order_to_floor - 2) <= o.order_to_floor_half_width;
+  }
+  EXPECT_GT(found, 0.95 * repeats);
+  EXPECT_NEAR(static_cast<double>(floor_held) / found, 0.95, 0.03);
+  EXPECT_NEAR(static_cast<double>(order_held) / found, 0.95, 0.03);
+}
+
+TEST(AFloor, IsSeenWhereThereIsNoneOnceInTwentyTimesAtMost) {
+  NoisyErrors noisy([](double h) { return 0.5 * h * h; }, 0.1);
+  constexpr int repeats = 1000;
+  int seen = 0;
+  for (int i = 0; i < repeats; ++i) seen += !std::isnan(observe_order(long_ladder, noisy.next()).floor);
+  EXPECT_LE(seen, repeats / 20);
+}
+
+TEST(AFloor, IsNotLookedForWithoutARungToSpare) {
+  EXPECT_TRUE(std::isnan(observe_order({0.04, 0.02, 0.01}, {1e-3, 4e-4, 3e-4}).floor));
+}
+
+Trend trend_of(const std::function<double(double)>& law, const std::vector<double>& spacings = ladder) {
+  return observe_order(spacings, errors_of(law, spacings)).trend;
+}
+
+TEST(ATrend, IsToldFromTheLadder) {
+  EXPECT_EQ(trend_of([](double h) { return h * h; }), Trend::converging);
+  EXPECT_EQ(trend_of([](double h) { return std::sqrt(h); }), Trend::converging);
+  EXPECT_EQ(trend_of([](double) { return 0.02; }), Trend::stalled);
+  EXPECT_EQ(trend_of([](double h) { return 8e-5 + h * h; }, long_ladder), Trend::converging)
+      << "less than half is floor";
+  EXPECT_EQ(trend_of([](double h) { return 1 / h; }), Trend::diverging);
+}
+
+TEST(ATrend, IsInconclusiveWhereTheLadderDoesNotSay) {
+  EXPECT_EQ(observe_order({0.02, 0.01}, {4e-4, 1e-4}).trend, Trend::inconclusive) << "two rungs";
+  EXPECT_EQ(observe_order({0.04, 0.02, 0.01}, {1e-3, 5e-3, 1e-4}).trend, Trend::inconclusive) << "a jump";
+  EXPECT_EQ(observe_order({0.04, 0.02, 0.01}, {1e-3, 0, 1e-4}).trend, Trend::inconclusive) << "no error at all";
+}
+
+TEST(ATrend, OfNoiseAloneIsSeldomCalledConvergence) {
+  NoisyErrors noisy([](double) { return 0.02; }, 0.1);
+  int converging = 0;
+  for (int i = 0; i < 400; ++i) converging += observe_order(long_ladder, noisy.next()).trend == Trend::converging;
+  EXPECT_LE(converging, 10);
+}
+
+TEST(ALadder, IsAsymptoticWhereItsFinestPairsHaveTheOrderOfAll) {
+  EXPECT_TRUE(observe_order(ladder, errors_of([](double h) { return h * h; })).asymptotic);
+  EXPECT_FALSE(observe_order(ladder, errors_of([](double h) { return h + 20 * h * h; })).asymptotic);
+  EXPECT_TRUE(observe_order(long_ladder, errors_of([](double h) { return 3e-5 + h * h; }, long_ladder)).asymptotic)
+      << "above its floor";
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

@@ -62,6 +62,12 @@ void describe(auto& field, A<ObservedOrder> auto& o) {
   field("time", o.time);
   field("order", o.order);
   field("half_width", o.half_width);
+  field("trend", o.trend);
+  field("asymptotic", o.asymptotic);
+  field("floor", o.floor);
+  field("floor_half_width", o.floor_half_width);
+  field("order_to_floor", o.order_to_floor);
+  field("order_to_floor_half_width", o.order_to_floor_half_width);
   field("rungs", o.rungs);
   field("spacings", o.spacings);
   field("errors", o.errors);
@@ -179,6 +185,9 @@ void describe(auto& field, A<Record> auto& r) {
 
 // The words of an enumeration, in the order of its enumerators.
 constexpr auto words(Outcome) { return std::to_array<std::string_view>({"holds", "fails", "inconclusive"}); }
+constexpr auto words(Trend) {
+  return std::to_array<std::string_view>({"converging", "stalled", "diverging", "inconclusive"});
+}
 constexpr auto words(Role) {
   return std::to_array<std::string_view>({"ours", "exact", "experiment", "published", "guide", "best"});
 }

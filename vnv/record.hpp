@@ -60,15 +60,22 @@ struct Error {
   bool operator==(const Error&) const = default;
 };
 
-/// An observed order of convergence with its 95 % interval.
+/// What a ladder of errors says of a method; `observe_order` tells them apart.
+enum class Trend { converging, stalled, diverging, inconclusive };
+
+/// An observed order of convergence with its 95 % interval, and the floor that the errors fall to, if one was found.
 struct ObservedOrder {
   std::string ladder;    // "grid, 4 points per cell"
   std::string quantity;  // as in Error
   double time = 0;       // s
   double order = not_a_number;
   double half_width = not_a_number;  // of the 95 % interval
-  std::vector<std::string> rungs;    // coarse to fine, as the three below
-  std::vector<double> spacings;      // m
+  Trend trend = Trend::inconclusive;
+  bool asymptotic = false;                                       // the finest pairs have the order of all
+  double floor = not_a_number, floor_half_width = not_a_number;  // in the unit of the errors; of the 95 % interval
+  double order_to_floor = not_a_number, order_to_floor_half_width = not_a_number;
+  std::vector<std::string> rungs;  // coarse to fine, as the three below
+  std::vector<double> spacings;    // m
   std::vector<double> errors;
   std::vector<double> pairwise;  // one fewer than rungs
 
@@ -177,7 +184,7 @@ struct WorkPoint {
 };
 
 struct Record {
-  int schema = 2;
+  int schema = 3;
   std::string case_name;    // "poiseuille"
   std::string title;        // "Start-up of plane Poiseuille flow"
   std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs

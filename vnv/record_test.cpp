@@ -63,7 +63,21 @@ Record full_record() {
   const Cost cost{800, 120, 200000, 5, 92.5, 92.1, 94.2, 93.1, 92.9, 0.3, 1.7e6};
   r.runs = {{"M1", 2.5e-5, 5e-6, 1.0, true, "finished", cost}};
   r.errors = {{"M1", 2.5e-5, 1.0, "L2 v_x", 0.0334}};
-  r.orders = {{"grid", "L2 v_x", 1.0, 0.98, 0.11, {"M1", "M2"}, {2.5e-5, 1.25e-5}, {0.03, 0.015}, {1.02}}};
+  r.orders = {{"grid",
+               "L2 v_x",
+               1.0,
+               0.98,
+               0.11,
+               Trend::stalled,
+               true,
+               0.004,
+               0.001,
+               1.9,
+               0.2,
+               {"M1", "M2"},
+               {2.5e-5, 1.25e-5},
+               {0.03, 0.015},
+               {1.02}}};
   r.verdicts = {
       {"poiseuille", "mpm", "M1", 2.5e-5, 1.0, "L2 v_x", "%", 3.3, 1.0, 4.0, "theory", Outcome::fails, 0.17, "so"}};
   r.figures = {{"profile", "Profiles", "Figure 5", {"y [mm]", 1e3, true, 0.0, 1.0}, {"v", 2}, {"p [Pa]", 3}, true}};
@@ -146,8 +160,8 @@ TEST_F(RecordFile, ThatIsTornIsRefusedWhereverItIsTorn) {
 
 TEST_F(RecordFile, OfAnUnknownSchemaIsRefused) {
   write(full_record(), file());
-  change("\"schema\":2", "\"schema\":7");
-  EXPECT_NE(refusal().find("schema is 7, wanted 2"), std::string::npos) << refusal();
+  change("\"schema\":3", "\"schema\":7");
+  EXPECT_NE(refusal().find("schema is 7, wanted 3"), std::string::npos) << refusal();
 }
 
 TEST_F(RecordFile, WithAWordForANumberIsRefusedByPlace) {
