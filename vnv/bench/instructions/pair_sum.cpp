@@ -27,11 +27,12 @@ using Sums = std::vector<std::array<double, 2>>;
 
 /// A square of fluid, compressed.
 Fluid square() {
-  const Domain domain{.box = {.high = {1, 1}}};
-  Fluid fluid(domain, domain.box, 1000, spacing, {.kernel = 2 * h, .wall = 0, .skin = 0.3 * spacing},
-              lay_out_ghosts(domain, {}, spacing, 0));
+  const Box box{.high = {1, 1}};
+  const Scene<Tait> scene{.domain = {.box = box}, .fluid = {.density = 1000, .bulk_modulus = 143}, .filled = box};
+  Fluid fluid(scene, spacing, {.kernel = 2 * h, .wall = 0, .skin = 0.3 * spacing},
+              lay_out_ghosts(scene.domain, {}, spacing, 0));
   fluid.all.rho.head(fluid.all.fluid) = 1001;
-  fluid.see_fluid(Tait{.density = 1000, .bulk_modulus = 143});
+  fluid.see_fluid(scene.fluid);
   return fluid;
 }
 
