@@ -46,11 +46,11 @@ Samples after(int steps, const Scene<Newtonian>& scene, const Settings& settings
 }
 
 template <class Method>
-class StartOf : public testing::Test {};
+class MpmStart : public testing::Test {};
 using Methods = testing::Types<Printed, AffineMethod>;
-TYPED_TEST_SUITE(StartOf, Methods);
+TYPED_TEST_SUITE(MpmStart, Methods);
 
-TYPED_TEST(StartOf, ARunHasTheVelocityAndThePressureOfItsScene) {
+TYPED_TEST(MpmStart, ARunHasTheVelocityAndThePressureOfItsScene) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 {
                       return {2 * x.y(), x.x() - 0.5};
                     },
@@ -63,13 +63,13 @@ TYPED_TEST(StartOf, ARunHasTheVelocityAndThePressureOfItsScene) {
   }
 }
 
-TYPED_TEST(StartOf, ARunWithoutAWordIsAtRest) {
+TYPED_TEST(MpmStart, ARunWithoutAWordIsAtRest) {
   const Samples s = after<TypeParam>(0, endless({}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
   EXPECT_EQ(s.v.norm(), 0);
   EXPECT_EQ(s.pressure.abs().maxCoeff(), 0);
 }
 
-TYPED_TEST(StartOf, UniformFlowCrossesBothSeamsUnchanged) {
+TYPED_TEST(MpmStart, UniformFlowCrossesBothSeamsUnchanged) {
   const Vec2 v(7, -5), size(0.7, 0.9);
   const Settings settings{.cell = 0.1, .spacing = 0.05, .time_step = 1e-3};
   const Scene<Newtonian> scene = endless({.velocity = [=](const Vec2&) -> Vec2 { return v; }}, size);
@@ -92,7 +92,7 @@ double left_of_wave(int axis, int steps, const Settings& settings) {
   return 20 * (s.v.row(1 - axis).array() * (k * s.x.row(axis).array()).sin()).mean();
 }
 
-TYPED_TEST(StartOf, AShearWaveDecaysAlikeAlongBothAxes) {
+TYPED_TEST(MpmStart, AShearWaveDecaysAlikeAlongBothAxes) {
   const Settings settings{.cell = 0.05, .spacing = 0.025, .time_step = 2e-3};
   const double along_x = left_of_wave<TypeParam>(0, 500, settings), along_y = left_of_wave<TypeParam>(1, 500, settings);
   EXPECT_NEAR(along_x, along_y, 1e-9);
@@ -102,7 +102,7 @@ TYPED_TEST(StartOf, AShearWaveDecaysAlikeAlongBothAxes) {
   EXPECT_NEAR(along_x, expected, 0.03 * expected);
 }
 
-TYPED_TEST(StartOf, ThreadsDoNotChangeABitWhereRowsRepeat) {
+TYPED_TEST(MpmStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
   Settings settings{.cell = 0.05, .spacing = 0.02, .time_step = 1e-3};
   const Samples one = after<TypeParam>(100, endless(start), settings);
@@ -112,7 +112,7 @@ TYPED_TEST(StartOf, ThreadsDoNotChangeABitWhereRowsRepeat) {
   EXPECT_EQ(one.v, three.v);
 }
 
-TEST(StartInSinglePrecision, HasTheVelocityAndThePressureOfItsScene) {
+TEST(MpmStartInSinglePrecision, HasTheVelocityAndThePressureOfItsScene) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 {
                       return {x.y(), 0};
                     },

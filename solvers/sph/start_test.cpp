@@ -52,11 +52,11 @@ Samples after(int steps, const Scene<Newtonian>& scene, int threads = 1) {
 }
 
 template <class Method>
-class StartOf : public testing::Test {};
+class SphStart : public testing::Test {};
 using Methods = testing::Types<PrintedMethod, TransportMethod>;
-TYPED_TEST_SUITE(StartOf, Methods);
+TYPED_TEST_SUITE(SphStart, Methods);
 
-TYPED_TEST(StartOf, ARunHasTheVelocityAndThePressureOfItsScene) {
+TYPED_TEST(SphStart, ARunHasTheVelocityAndThePressureOfItsScene) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 {
                       return {2 * x.y(), x.x() - 0.5};
                     },
@@ -69,7 +69,7 @@ TYPED_TEST(StartOf, ARunHasTheVelocityAndThePressureOfItsScene) {
   }
 }
 
-TYPED_TEST(StartOf, UniformFlowCrossesBothSeamsUnchanged) {
+TYPED_TEST(SphStart, UniformFlowCrossesBothSeamsUnchanged) {
   const Vec2 v(7, -5);
   const Scene<Newtonian> scene = endless({.velocity = [=](const Vec2&) -> Vec2 { return v; }});
   const Samples start = after<TypeParam>(0, scene), end = after<TypeParam>(400, scene);
@@ -91,14 +91,14 @@ double left_of_wave(int axis, int steps) {
   return 200 * (s.v.row(1 - axis).array() * (k * s.x.row(axis).array()).sin()).mean();
 }
 
-TYPED_TEST(StartOf, AShearWaveDecaysAlikeAlongBothAxes) {
+TYPED_TEST(SphStart, AShearWaveDecaysAlikeAlongBothAxes) {
   const double along_x = left_of_wave<TypeParam>(0, 1000), along_y = left_of_wave<TypeParam>(1, 1000);
   EXPECT_NEAR(along_x, along_y, 1e-9);
   const double exact = std::exp(-0.02 * 4 * std::numbers::pi * std::numbers::pi);
   EXPECT_NEAR(along_x, exact, 0.05 * exact);
 }
 
-TYPED_TEST(StartOf, ThreadsDoNotChangeABitWhereRowsRepeat) {
+TYPED_TEST(SphStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
   const Samples one = after<TypeParam>(60, endless(start)), three = after<TypeParam>(60, endless(start), 3);
   EXPECT_EQ(one.x, three.x);
