@@ -25,4 +25,9 @@ inline void require_time(std::string_view where, double t) {
   if (!(std::isfinite(t) && t >= 0)) refuse(where, "t [s]", t, "a finite time, not negative");
 }
 
+/// A height above a plate at y = 0.
+inline void require_height(std::string_view where, double y) {
+  if (!(std::isfinite(y) && y >= 0)) refuse(where, "y [m]", y, "a finite height, not negative");
+}
+
 }  // namespace touchstone::reference

@@ -19,7 +19,7 @@ struct StokesFirst {
     require_positive("StokesFirst", "nu [m²/s]", nu);
     require_finite("StokesFirst", "V [m/s]", V);
     require_time("StokesFirst", t);
-    if (!(std::isfinite(y) && y >= 0)) refuse("StokesFirst", "y [m]", y, "a finite height, not negative");
+    require_height("StokesFirst", y);
     if (y == 0) return V;
     const double layer = 2 * std::sqrt(nu * t);
     return layer > 0 ? V * erfc(y / layer) : 0;
@@ -38,7 +38,7 @@ struct StokesSecond {
     require_positive("StokesSecond", "nu [m²/s]", nu);
     require_finite("StokesSecond", "V [m/s]", V);
     require_finite("StokesSecond", "t [s]", t);
-    if (!(std::isfinite(y) && y >= 0)) refuse("StokesSecond", "y [m]", y, "a finite height, not negative");
+    require_height("StokesSecond", y);
     return V * std::exp(-y / layer()) * std::cos(omega * t - y / layer());
   }
 

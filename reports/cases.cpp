@@ -81,6 +81,11 @@ bool is_known(const std::vector<Block>& blocks, const std::string& id) {
   return std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.id == id; });
 }
 
+// A limit that the value meets to the digit is one of counting (no particle lost, run to the end): it leaves no room.
+bool has_margin(const vnv::Verdict& verdict) {
+  return verdict.outcome == vnv::Outcome::fails || (verdict.outcome == vnv::Outcome::holds && verdict.margin != 0);
+}
+
 }  // namespace
 
 std::vector<CaseRecords> read_cases(const fs::path& folder) {
@@ -113,7 +118,7 @@ Tally tally(const std::vector<vnv::Verdict>& verdicts) {
     sum.holds += verdict.outcome == vnv::Outcome::holds;
     sum.fails += verdict.outcome == vnv::Outcome::fails;
     sum.inconclusive += verdict.outcome == vnv::Outcome::inconclusive;
-    if (verdict.outcome != vnv::Outcome::inconclusive) margins.push_back(verdict.margin);
+    if (has_margin(verdict)) margins.push_back(verdict.margin);
   }
   const bool known = std::none_of(margins.begin(), margins.end(), [](double m) { return std::isnan(m); });
   if (known && !margins.empty()) sum.worst_margin = *std::min_element(margins.begin(), margins.end());

@@ -25,7 +25,7 @@ std::vector<CaseRecords> read_cases(const std::filesystem::path& folder);
 /// Verdicts, counted.
 struct Tally {
   int holds = 0, fails = 0, inconclusive = 0;
-  double worst_margin = vnv::not_a_number;  // of those that hold or fail; not a number if one has none
+  double worst_margin = vnv::not_a_number;  // of those with room; not a number if there is none, or a failure has none
 
   int total() const { return holds + fails + inconclusive; }
   /// The outcome that a reader must know of first; inconclusive if there is no verdict.

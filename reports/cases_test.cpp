@@ -109,6 +109,11 @@ TEST(Tally, CountsEveryOutcome) {
   EXPECT_EQ(sum.worst(), Outcome::fails);
 }
 
+TEST(Tally, LeavesOutTheMarginOfWhatIsMetToTheDigit) {
+  EXPECT_EQ(tally({sample_verdict(Outcome::holds, 0), sample_verdict(Outcome::holds, 0.5)}).worst_margin, 0.5);
+  EXPECT_TRUE(std::isnan(tally({sample_verdict(Outcome::holds, 0)}).worst_margin));
+}
+
 TEST(Tally, HasNoMarginIfOneFailureHasNone) {
   EXPECT_TRUE(std::isnan(
       tally({sample_verdict(Outcome::holds, 0.5), sample_verdict(Outcome::fails, vnv::not_a_number)}).worst_margin));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -46,9 +47,9 @@ HtmlCell matrix_cell(const CaseRecords& records, const std::string& method) {
   if (!is_run) return {};
   const Tally sum = tally(verdicts);
   if (sum.total() == 0) return {"no claim", "inconclusive"};
-  const bool judged = sum.holds + sum.fails > 0;
+  const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
   return {fmt::format("<a href=\"{}/index.html\">{}</a>{}", records.name, counts(sum),
-                      judged ? "<br>" + margin_bar(sum.worst_margin) : ""),
+                      has_margin ? "<br>" + margin_bar(sum.worst_margin) : ""),
           word(sum.worst())};
 }
 

@@ -25,6 +25,16 @@ std::string with_power(const std::string& number) {
                      with_minus(std::to_string(power)));
 }
 
+// Narrow limits get as many digits as tell them apart.
+std::string interval(double lower, double upper) {
+  std::string from = plain(lower), to = plain(upper);
+  for (int digits = 5; from == to && lower < upper && digits <= 17; ++digits) {
+    from = fmt::format("{:.{}g}", lower, digits);
+    to = fmt::format("{:.{}g}", upper, digits);
+  }
+  return fmt::format("in [{}, {}]", from, to);
+}
+
 }  // namespace
 
 std::string plain(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
@@ -44,7 +54,7 @@ HtmlCell number_cell(double value) { return {printed(value), "number"}; }
 HtmlCell number_cell(long count) { return {printed(count), "number"}; }
 
 std::string limit(const vnv::Verdict& verdict) {
-  if (verdict.lower && verdict.upper) return fmt::format("in [{}, {}]", plain(*verdict.lower), plain(*verdict.upper));
+  if (verdict.lower && verdict.upper) return interval(*verdict.lower, *verdict.upper);
   if (verdict.upper) return "<= " + plain(*verdict.upper);
   if (verdict.lower) return ">= " + plain(*verdict.lower);
   return "";

@@ -37,6 +37,8 @@ TEST(Limits, AreReadAsTheyWereClaimed) {
   EXPECT_EQ(limit(between({}, 0.07)), "<= 0.07");
   EXPECT_EQ(limit(between(0.8, {})), ">= 0.8");
   EXPECT_EQ(limit(between(1.9, 2.1)), "in [1.9, 2.1]");
+  EXPECT_EQ(limit(between(1.5132, 1.5134)), "in [1.5132, 1.5134]");
+  EXPECT_EQ(limit(between(2, 2)), "in [2, 2]");
   EXPECT_EQ(limit(between({}, {})), "");
 }
 

@@ -9,13 +9,14 @@
 namespace touchstone::reports {
 namespace {
 
-// What enhanced text would take for a command.
+// What enhanced text would take for a command; a last space would be lost before other letters.
 std::string escaped(const std::string& text) {
   std::string plain;
   for (const char letter : text) {
     if (std::string_view("\\{}@&~_^").find(letter) != std::string_view::npos) plain += '\\';
     plain += letter;
   }
+  if (plain.ends_with(' ')) plain.replace(plain.size() - 1, 1, "\u00a0");
   return plain;
 }
 

