@@ -198,12 +198,12 @@ inline std::vector<Rung> printed_rungs() {
 }
 inline std::vector<Rung> difference_rungs() {
   return {{.name = "S1", .spacing = H / 40, .acceptance = 0.2, .report = 1, .nightly = 1},
-          {.name = "S2", .spacing = H / 80, .nightly = 1}};
+          {.name = "S2", .spacing = H / 80, .nightly = 0.2}};
 }
 inline std::vector<Rung> regularised_rungs() {
   return {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 10},
           {.name = "S2", .spacing = H / 80, .acceptance = 0.05, .report = 0.2, .nightly = 1},
-          {.name = "S3", .spacing = H / 120, .nightly = 1}};
+          {.name = "S3", .spacing = H / 120, .nightly = 0.2}};
 }
 
 /// The rows of tables 3 and 4 of Sun et al. for one flow and one of its methods, "MPM" or "SPH".
