@@ -81,11 +81,6 @@ bool is_known(const std::vector<Block>& blocks, const std::string& id) {
   return std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.id == id; });
 }
 
-// A limit that the value meets to the digit is one of counting (no particle lost, run to the end): it leaves no room.
-bool has_margin(const vnv::Verdict& verdict) {
-  return verdict.outcome == vnv::Outcome::fails || (verdict.outcome == vnv::Outcome::holds && verdict.margin != 0);
-}
-
 }  // namespace
 
 std::vector<CaseRecords> read_cases(const fs::path& folder) {
@@ -109,6 +104,10 @@ std::vector<CaseRecords> read_cases(const fs::path& folder) {
 vnv::Outcome Tally::worst() const {
   if (fails > 0) return vnv::Outcome::fails;
   return inconclusive > 0 || holds == 0 ? vnv::Outcome::inconclusive : vnv::Outcome::holds;
+}
+
+bool has_margin(const vnv::Verdict& verdict) {
+  return verdict.outcome == vnv::Outcome::fails || (verdict.outcome == vnv::Outcome::holds && verdict.margin != 0);
 }
 
 Tally tally(const std::vector<vnv::Verdict>& verdicts) {

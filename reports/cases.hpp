@@ -22,10 +22,14 @@ struct CaseRecords {
 /// if a name could not be that of a file, or if a curve or a cloud belongs to no figure.
 std::vector<CaseRecords> read_cases(const std::filesystem::path& folder);
 
+/// A limit that a value meets to the digit is one of counting (no particle lost, run to the end): it leaves no room to
+/// speak of.
+bool has_margin(const vnv::Verdict& verdict);
+
 /// Verdicts, counted.
 struct Tally {
   int holds = 0, fails = 0, inconclusive = 0;
-  double worst_margin = vnv::not_a_number;  // of those with room; not a number if there is none, or a failure has none
+  double worst_margin = vnv::not_a_number;  // not a number if none has one, or a failure has none
 
   int total() const { return holds + fails + inconclusive; }
   /// The outcome that a reader must know of first; inconclusive if there is no verdict.

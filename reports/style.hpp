@@ -46,6 +46,7 @@ tbody tr + tr td { border-top: 1px solid var(--hair); }
 th:first-child, td:first-child { padding-left: .3rem; }
 .number { text-align: right; }
 td.words { white-space: normal; min-width: 9rem; }
+td.words.fails { min-width: 24rem; }
 td.holds { color: var(--holds); }
 td.fails { color: var(--fails); font-weight: 600; }
 td.inconclusive { color: var(--open); font-style: italic; }

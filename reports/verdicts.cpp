@@ -28,7 +28,6 @@ HtmlCell optional_number(double value) { return {std::isnan(value) ? "" : printe
 
 std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
-  const bool is_open = v.outcome == vnv::Outcome::inconclusive && !std::isfinite(v.margin);
   return {outcome_cell(v.outcome),
           {escape(v.method)},
           {escape(v.rung)},
@@ -37,7 +36,7 @@ std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
           {typeset(v.quantity), "words"},
           {valued(v.value, v.unit), "number"},
           {limit_html(v) + unit, "number"},
-          {is_open ? "" : margin_bar(v.margin)},
+          {has_margin(v) ? margin_bar(v.margin) : ""},
           {escape(v.author), "words"}};
 }
 
