@@ -5,6 +5,7 @@
 
 namespace touchstone {
 
+using Index = Eigen::Index;                                // of a particle, or a count of them
 using Vec2 = Eigen::Vector2d;                              // one place [m], one velocity [m/s]
 using Mat2 = Eigen::Matrix2d;                              // one stress [Pa], one velocity gradient [1/s]
 using Scalars = Eigen::ArrayXd;                            // one number per particle

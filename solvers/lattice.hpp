@@ -26,6 +26,17 @@ inline void require_inside(const Box& filled, const Box& domain) {
       domain.high.y()));
 }
 
+/// Refuses water that does not fill the domain: std::invalid_argument with one line.
+inline void require_filled(std::string_view owner, const Box& filled, const Box& domain) {
+  const double off = 1e-9 * domain.size().norm();
+  if ((filled.low - domain.low).norm() < off && (filled.high - domain.high).norm() < off) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: filled box ({:g}, {:g}) to ({:g}, {:g}) m, wanted all of the domain ({:g}, {:g}) to ({:g}, {:g}) m: this "
+      "method knows no free surface",
+      owner, filled.low.x(), filled.low.y(), filled.high.x(), filled.high.y(), domain.low.x(), domain.low.y(),
+      domain.high.x(), domain.high.y()));
+}
+
 /// The cells of a regular lattice that fits a box exactly.
 struct Lattice {
   Vec2 low;   // m

@@ -3,10 +3,10 @@
 /// tables.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/mpm/affine.hpp"
 #include "solvers/mpm/mpm.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/sph/integrators/adams_bashforth.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/printed.hpp"
@@ -80,7 +80,7 @@ auto mpm_solver(const SceneOfChannel& scene, const Rung& rung, double time_step)
 }
 
 /// Smoothed particle hydrodynamics as printed, with one of the pressure terms of solvers/sph/terms/.
-template <class PressureTerm = sph::Pressure, class Integrator = sph::PredictorCorrector, class SceneOfChannel>
+template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrector, class SceneOfChannel>
 auto printed_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
   const double h = 1.2 * rung.spacing;
   return sph::printed<sph::CubicSpline, Integrator>(
@@ -91,7 +91,7 @@ auto printed_solver(const SceneOfChannel& scene, const Rung& rung, double time_s
 
 /// The regularised method: quintic spline, transport velocity, mirrored wall velocities. What the drift carries of
 /// momentum changes nothing in a channel, in 10 s, and is left out (`ablation_poiseuille`).
-template <class Integrator = sph::KickDriftKick, class Real = double, class SceneOfChannel>
+template <class Integrator = KickDriftKick, class Real = double, class SceneOfChannel>
 auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time_step) {
   return sph::transport_velocity<sph::QuinticSpline, Integrator, Real, sph::Without<sph::MomentumOfDrift>>(
       scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = time_step},
@@ -104,13 +104,13 @@ auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
     return record(mpm_solver<WallTreatment, Number>(scene, rung, rung.step_or(time_step)), when);
   };
 }
-template <class PressureTerm = sph::Pressure, class Integrator = sph::PredictorCorrector, class SceneOfChannel>
+template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrector, class SceneOfChannel>
 auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
     return record(printed_solver<PressureTerm, Integrator>(scene, rung, rung.step_or(time_step)), when);
   };
 }
-template <class Integrator = sph::KickDriftKick, class Real = double, class SceneOfChannel>
+template <class Integrator = KickDriftKick, class Real = double, class SceneOfChannel>
 auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = 2 * dt) {
   return [=](const Rung& rung, const Schedule& when) {
     return record(transport_solver<Integrator, Real>(scene, rung, rung.step_or(time_step)), when);

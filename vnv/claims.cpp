@@ -83,8 +83,12 @@ Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order
   constexpr double widest = 0.3;  // beyond this an interval does not part orders 1 and 2 from their neighbours
   Verdict v = verdict_of(claim, place, order.order);
   const bool sure = std::isnan(order.order) || order.half_width < widest;
-  const Outcome outcome = !sure ? Outcome::inconclusive : within(claim, order.order) ? Outcome::holds : Outcome::fails;
-  conclude(v, claim, outcome, fmt::format(" +- {:.2g} over {} rungs", order.half_width, order.rungs.size()));
+  const bool begins_above = !claim.surely_above || order.order - order.half_width > *claim.surely_above;
+  const Outcome outcome = !sure                                        ? Outcome::inconclusive
+                          : within(claim, order.order) && begins_above ? Outcome::holds
+                                                                       : Outcome::fails;
+  const std::string wanted = claim.surely_above ? fmt::format(", wanted surely above {:g}", *claim.surely_above) : "";
+  conclude(v, claim, outcome, fmt::format(" +- {:.2g} over {} rungs{}", order.half_width, order.rungs.size(), wanted));
   return v;
 }
 

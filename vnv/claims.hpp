@@ -22,9 +22,10 @@ struct Claim {
   std::string quantity;
   std::optional<double> lower, upper;
   Author author;
-  std::string rung = "";       // where it holds; empty: on every rung
-  double time = not_a_number;  // s  when it holds; not a number: at every time
-  std::string ladder = "";     // for an observed order: over which rungs
+  std::string rung = "";                              // where it holds; empty: on every rung
+  double time = not_a_number;                         // s  when it holds; not a number: at every time
+  std::string ladder = "";                            // for an observed order: over which rungs
+  std::optional<double> surely_above = std::nullopt;  // for an observed order: where its interval has to begin
 
   Claim on(std::string_view name) const {
     Claim claim = *this;
@@ -54,6 +55,15 @@ inline Claim between(std::string_view quantity, double low, double high, Author 
 inline Claim order_between(std::string_view ladder, std::string_view quantity, double low, double high, Author author) {
   Claim claim = between(quantity, low, high, std::move(author));
   claim.ladder = ladder;
+  return claim;
+}
+
+/// The same without an upper limit, and with one for the lower end of the interval.
+inline Claim order_at_least(std::string_view ladder, std::string_view quantity, double low, double surely_above,
+                            Author author) {
+  Claim claim = at_least(quantity, low, std::move(author));
+  claim.ladder = ladder;
+  claim.surely_above = surely_above;
   return claim;
 }
 

@@ -59,6 +59,16 @@ TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
   EXPECT_EQ(judge(claim, here, order(1, 0.1)).outcome, Outcome::fails);
 }
 
+TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  EXPECT_EQ(judge(claim, here, order(3, 0.1)).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, order(1.95, 0.25)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(1.85, 0.01)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(1.95, 0.31)).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
+  EXPECT_NE(judge(claim, here, order(3, 0.1)).sentence.find("wanted surely above 1.75"), std::string::npos);
+}
+
 TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {
   const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
   EXPECT_EQ(judge(claim, here, order(-2, 0.1)).outcome, Outcome::fails);

@@ -7,6 +7,7 @@
 #include "solvers/mpm/node_motion.hpp"
 #include "solvers/mpm/samples_of.hpp"
 #include "solvers/mpm/seed.hpp"
+#include "solvers/mpm/settings.hpp"
 #include "solvers/mpm/settle.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/transfer.hpp"
@@ -16,15 +17,6 @@
 #include "solvers/mpm/walls/wall_nodes.hpp"
 
 namespace touchstone::mpm {
-
-/// How the method resolves a scene. The cell and the spacing are adjusted to fit the domain and the filled box, see
-/// `Grid` and `lattice`.
-struct Settings {
-  double cell;       // m  side of a cell of the background grid
-  double spacing;    // m  between particles at the start
-  double time_step;  // s
-  int threads = 1;   // the results are the same bits for any number
-};
 
 /// One simulation of a scene. `Shape` interpolates between nodes and particles, `WallTreatment` says how a wall's
 /// answer reaches the particles, `Number` is what particles are stored and reckoned in; nodes are in double. A fluid

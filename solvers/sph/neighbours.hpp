@@ -100,25 +100,34 @@ template <std::size_t K, int width, class Record, class Term>
   return total;
 }
 
-/// For each particle i that has a list: give(i, sums), with sums[k] = sum over its neighbours j of term(i, j)[k], in
-/// the order of the list; for the term i and j are Rows.
-template <std::size_t K, int width, class Record, class Term, class Give>
+/// For each particle i that has a list: give(i, made), with made = finish(sums), as many numbers as it makes of
+/// sums[k] = sum over its neighbours j of term(i, j)[k], in the order of the list; for the term i and j are Rows, and
+/// sums are Lanes of as many particles.
+template <std::size_t K, int width, class Record, class Term, class Finish, class Give>
 void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Record>& all, const Term& term,
-                         const Give& give) {
+                         const Finish& finish, const Give& give) {
   const int parts = static_cast<int>(lists.parts.size());
   share_out(parts, parts, [&](Index first, Index last) {
     for (Index p = first; p < last; ++p) {
       for (const auto& block : lists.parts[p].blocks) {
         const std::span<const int> rows = lists.parts[p].rows_of(block);
-        const auto total = sum_of_block<K, width>(rows, all.data(), term);
+        const auto made = finish(sum_of_block<K, width>(rows, all.data(), term));
         for (int lane = 0; lane < block.particles; ++lane) {
-          std::array<double, K> sums;
-          for (std::size_t k = 0; k < K; ++k) sums[k] = total[k][lane];
-          give(Index{rows[lane]}, sums);
+          std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(made)>>> of_particle;
+          for (std::size_t k = 0; k < of_particle.size(); ++k) of_particle[k] = made[k][lane];
+          give(Index{rows[lane]}, of_particle);
         }
       }
     }
   });
+}
+
+/// The same with the sums as they are.
+template <std::size_t K, int width, class Record, class Term, class Give>
+void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Record>& all, const Term& term,
+                         const Give& give) {
+  sum_over_neighbours<K>(
+      lists, all, term, [](const auto& sums) -> const auto& { return sums; }, give);
 }
 
 }  // namespace touchstone::sph

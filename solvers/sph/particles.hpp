@@ -3,6 +3,7 @@
 /// so far away that no kernel reaches it, which fills the vector lanes that have no neighbour.
 
 #include "solvers/diverged.hpp"
+#include "solvers/fluid_state.hpp"
 #include "solvers/scene.hpp"
 #include "solvers/sph/record.hpp"
 
@@ -10,17 +11,12 @@
 
 namespace touchstone::sph {
 
-using Index = Eigen::Index;
-
-/// The state, in double precision whatever the sums run in.
-struct Particles {
-  Index fluid = 0, boundary = 0, images = 0;
+/// The state, in double precision whatever the sums run in. Places are those of all particles, of an image where it
+/// stood when it was chosen.
+struct Particles : FluidState {
+  Index boundary = 0, images = 0;
   double mass = 0;               // kg/m  of every particle
-  Scalars x, y;                  // m     of all; where images stood when they were chosen
-  Scalars vx, vy, rho;           // m/s, kg/m³         of the fluid
-  Scalars ax, ay, drho;          // m/s², kg/m³ s      rates of change of these
   std::vector<Scalars> carried;  // further fields of a method that go with its fluid; of its own units
-  std::vector<Scalars> past;     // likewise, of an integrator
   std::vector<int> number;       // of each fluid particle at the start, before it was sorted into cells
 
   Index nowhere() const { return fluid + boundary + images; }

@@ -2,8 +2,8 @@
 /// Smoothed particle hydrodynamics as printed by Sun et al., sections 2.2 to 2.5.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/flow.hpp"
-#include "solvers/sph/integrators/predictor_corrector.hpp"
 #include "solvers/sph/smoothing.hpp"
 #include "solvers/sph/walls/repulsion.hpp"
 #include "solvers/sph/without.hpp"

@@ -3,9 +3,9 @@
 /// particles, not the momentum, and keeps them evenly spread for any length of time. For fluid without a free surface.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/flow.hpp"
-#include "solvers/sph/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/integrators/predictor_corrector.hpp"
 #include "solvers/sph/without.hpp"
 
 namespace touchstone::sph {

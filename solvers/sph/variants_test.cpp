@@ -1,6 +1,6 @@
 #include "solvers/forces/uniform.hpp"
-#include "solvers/sph/integrators/adams_bashforth.hpp"
-#include "solvers/sph/integrators/kick_drift_kick.hpp"
+#include "solvers/integrators/adams_bashforth.hpp"
+#include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/printed.hpp"

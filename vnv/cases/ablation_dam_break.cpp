@@ -77,7 +77,7 @@ template <class Left = sph::Without<>, class... Terms>
 Variant sph_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 25 * us, [=](const Rung& rung, double step) {
     const double h = 1.2 * rung.spacing;
-    return sph::printed<sph::CubicSpline, sph::PredictorCorrector, double, Left>(
+    return sph::printed<sph::CubicSpline, PredictorCorrector, double, Left>(
         collapse_of(inviscid), {.spacing = rung.spacing, .smoothing_length = h, .time_step = step},
         sph::momentum(terms(h)...));
   });

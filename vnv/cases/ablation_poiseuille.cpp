@@ -68,7 +68,7 @@ template <class Left = sph::Without<>, class... Terms>
 Variant printed_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
     const double h = 1.2 * rung.spacing;
-    return sph::printed<sph::CubicSpline, sph::PredictorCorrector, double, Left>(
+    return sph::printed<sph::CubicSpline, PredictorCorrector, double, Left>(
         scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = step}, sph::momentum(terms(h)...));
   });
 }
@@ -77,7 +77,7 @@ Variant printed_variant(std::string name, Terms... terms) {
 template <class Left = sph::Without<sph::MomentumOfDrift>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
-    return sph::transport_velocity<sph::QuinticSpline, sph::KickDriftKick, double, Left>(
+    return sph::transport_velocity<sph::QuinticSpline, KickDriftKick, double, Left>(
         scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = step}, sph::momentum(terms...));
   });
 }

@@ -3,6 +3,8 @@
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/no_slip.hpp"
+#include "vnv/bench/in_turn.hpp"
+#include "vnv/bench/plain_musl.hpp"
 #include "vnv/channel_run_time.hpp"
 
 using namespace touchstone;
@@ -34,6 +36,22 @@ std::vector<WorkPoint> elsewhere() {
   return points;
 }
 
+/// A plain loop as cheap as it can be for an error of 1 %: 12 cells across, one particle in each, steps of 70 us. It
+/// takes 0.04 s where the goal of 0.03 s was set; beside it, on the same machine, the goal is three quarters of it.
+const std::string beside_plain_loop = "CPU time to 1 % over that of a plain loop [-]";
+std::vector<Error> price_beside_a_plain_loop(const Results& results, const Record& record) {
+  if (results.method.name != "mpm") return {};
+  const auto to_one_second = [&] {
+    bench::PlainMusl loop(bench::plain(scene), H / 12, H / 12, 70 * us);
+    for (long step = 0; step < std::lround(1 / (70 * us)); ++step) loop.step();
+  };
+  const double plain = bench::time_in_turn({to_one_second}, {.seconds = 0}).of(0);
+  for (const Error& found : prices(work_diagram(), 1)(results, record))
+    if (found.quantity == price_of(work_diagram(), 1))
+      return {{"", not_a_number, 1, beside_plain_loop, found.value / plain}};
+  return {};
+}
+
 }  // namespace
 
 Case vnv::the_case() {
@@ -41,7 +59,7 @@ Case vnv::the_case() {
               as_s1 = price_at_most(3, 1006, literature("Sun et al., table 3, S1: 200000 steps of 5.03 ms for 4.39 %"));
   Case declared = error_against_run_time_in(
       scene, exact, elsewhere(),
-      {{"mpm", {as_m1, price_at_most(1, 0.03, baseline("goal: a plain loop does it in 0.04 s"))}},
+      {{"mpm", {as_m1, at_most(beside_plain_loop, 0.75, baseline("goal: 0.03 s where a plain loop takes 0.04 s"))}},
        {"mpm_reset", {as_m1}},
        {"mpm_float", {as_m1}},
        {"mpm_affine", {as_m1}},
@@ -50,6 +68,7 @@ Case vnv::the_case() {
        {"sph", {as_s1}},
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1, price_at_most(1, 2, baseline("goal: the best of other codes takes 83 s"))}}});
+  declared.findings.push_back(price_beside_a_plain_loop);
   declared.title = "Poiseuille flow: error against run time";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "

@@ -1,8 +1,8 @@
 /// How fast the solvers are: each timed in turn with a plain loop that does the same work, so that the machine and its
 /// other business cancel.
 
+#include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/mpm/affine.hpp"
-#include "solvers/sph/integrators/adams_bashforth.hpp"
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
@@ -33,7 +33,7 @@ sph::Settings sph_settings(double spacing, double time_step, int threads = 1) {
 template <class Integrator>
 constexpr int evaluations = 1;
 template <>
-constexpr int evaluations<sph::PredictorCorrector> = 2;
+constexpr int evaluations<PredictorCorrector> = 2;
 
 Run race_mpm_in_channel(const Rung& rung, const Schedule&) {
   return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step),
@@ -257,28 +257,28 @@ std::vector<Method> on_one_core() {
           {
               .name = "sph",
               .description = channel::sph_printed_words + plain_sph_words,
-              .run = race_sph_in_channel<sph::PredictorCorrector>,
+              .run = race_sph_in_channel<PredictorCorrector>,
               .rungs = {timed("S2", channel_cell / 2)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 7, goal)},
           },
           {
               .name = "sph_dam_break",
               .description = column_words,
-              .run = race_sph_in_dam<sph::PredictorCorrector>,
+              .run = race_sph_in_dam<PredictorCorrector>,
               .rungs = {timed("S4", dam_cell / 4)},
               .claims = {at_least(faster_rates, 2.5, goal)},
           },
           {
               .name = "sph_one_evaluation",
               .description = "The same by a method of Adams and Bashforth, with one right-hand side a step.",
-              .run = race_sph_in_channel<sph::AdamsBashforth>,
+              .run = race_sph_in_channel<AdamsBashforth>,
               .rungs = {timed("S2", channel_cell / 2)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 13, goal)},
           },
           {
               .name = "sph_one_evaluation_dam_break",
               .description = column_words + " With one right-hand side a step.",
-              .run = race_sph_in_dam<sph::AdamsBashforth>,
+              .run = race_sph_in_dam<AdamsBashforth>,
               .rungs = {timed("S4", dam_cell / 4)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 8, goal)},
           }};

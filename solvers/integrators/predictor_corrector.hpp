@@ -1,9 +1,9 @@
 #pragma once
+#include "solvers/fluid_state.hpp"
 #include "solvers/laps.hpp"
-#include "solvers/sph/particles.hpp"
 #include "solvers/threads.hpp"
 
-namespace touchstone::sph {
+namespace touchstone {
 
 /// The midpoint rule: half a step from the start, then all of it with the rates found there; Sun et al., section 2.4.
 /// Two evaluations a step. Of second order; undamped oscillations grow by z⁴ / 8 a step, z their phase in it.
@@ -37,7 +37,7 @@ class PredictorCorrector {
 
   template <class Flow>
   void remember_start(Flow& flow) {
-    const Particles& all = flow.state();
+    const FluidState& all = flow.state();
     for (Scalars* field : {&start_.x, &start_.y, &start_.vx, &start_.vy, &start_.rho}) field->resize(all.fluid);
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
@@ -51,7 +51,7 @@ class PredictorCorrector {
 
   template <class Flow>
   void advance(Flow& flow, double dt) const {
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.x(part) = start_.x(part) + dt * all.vx(part);
@@ -65,4 +65,4 @@ class PredictorCorrector {
   Motion start_;
 };
 
-}  // namespace touchstone::sph
+}  // namespace touchstone

@@ -1,10 +1,10 @@
-#include "solvers/sph/integrators/adams_bashforth.hpp"
-#include "solvers/sph/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/integrators/predictor_corrector.hpp"
+#include "solvers/integrators/adams_bashforth.hpp"
+#include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
 
 #include <gtest/gtest.h>
 
-namespace touchstone::sph {
+namespace touchstone {
 namespace {
 
 /// A standing sound wave in one particle: density [kg/m³] and velocity [m/s] turn into each other, with one radian a
@@ -13,12 +13,12 @@ class Wave {
  public:
   Wave() {
     all_.fluid = 1;
-    for (Scalars* field : {&all_.x, &all_.y}) field->setZero(1);
-    all_.each_field([](Scalars& field) { field.setZero(1); });
+    for (Scalars* field : {&all_.x, &all_.y, &all_.vx, &all_.vy, &all_.rho, &all_.ax, &all_.ay, &all_.drho})
+      field->setZero(1);
     all_.past.assign(6, Scalars::Zero(1));
     all_.rho = 1;
   }
-  Particles& state() { return all_; }
+  FluidState& state() { return all_; }
   int threads() const { return 1; }
   void find_density_rate(double, NoLaps) {
     all_.drho = -all_.vx;
@@ -36,7 +36,7 @@ class Wave {
   int evaluations() const { return evaluations_; }
 
  private:
-  Particles all_;
+  FluidState all_;
   int evaluations_ = 0;
 };
 
@@ -53,7 +53,7 @@ Wave after(double end, int steps) {
 template <class Integrator>
 double error(int steps) {
   Wave wave = after<Integrator>(2, steps);
-  const Particles& all = wave.state();
+  const FluidState& all = wave.state();
   return std::abs(all.rho[0] - std::cos(2)) + std::abs(all.vx[0] - std::sin(2)) + std::abs(all.x[0] - 1 + std::cos(2));
 }
 
@@ -95,4 +95,4 @@ TEST(Integrators, PredictorCorrectorGrowsByAnEighthOfThePhaseToTheFourth) {
 }
 
 }  // namespace
-}  // namespace touchstone::sph
+}  // namespace touchstone

@@ -1,7 +1,7 @@
 #pragma once
-#include "solvers/sph/integrators/predictor_corrector.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
 
-namespace touchstone::sph {
+namespace touchstone {
 
 /// Third-order Adams-Bashforth for velocity and density, places by the mean of the old and the new velocity: one
 /// evaluation a step. Durran, Mon. Weather Rev. 119 (1991), 702-720: oscillations are damped and stable up to a phase
@@ -13,7 +13,7 @@ class AdamsBashforth {
   template <class Flow, class Laps>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     flow.find_rates(time, lap);
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     if (known_ < 2) {
       const std::array<Scalars, 3> at_start{all.ax, all.ay, all.drho};
       starter_.from_rates_at_start(flow, time, dt, lap);
@@ -30,7 +30,7 @@ class AdamsBashforth {
  private:
   template <class Flow>
   static void advance(Flow& flow, double dt) {
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       for (std::size_t k = 0; k < 2; ++k) {
         double *const x = (k == 0 ? all.x : all.y).data(), *const v = (k == 0 ? all.vx : all.vy).data();
@@ -48,7 +48,7 @@ class AdamsBashforth {
   }
 
   /// The rates become those of the last step, and those of the last step those of the step before.
-  static void remember_rates(Particles& all) {
+  static void remember_rates(FluidState& all) {
     const std::array<Scalars*, 3> rates{&all.ax, &all.ay, &all.drho};
     for (std::size_t k = 0; k < 3; ++k) {
       all.past[k].swap(all.past[k + 3]);
@@ -60,4 +60,4 @@ class AdamsBashforth {
   int known_ = 0;  // rates of past steps
 };
 
-}  // namespace touchstone::sph
+}  // namespace touchstone

@@ -1,9 +1,9 @@
 #pragma once
+#include "solvers/fluid_state.hpp"
 #include "solvers/laps.hpp"
-#include "solvers/sph/particles.hpp"
 #include "solvers/threads.hpp"
 
-namespace touchstone::sph {
+namespace touchstone {
 
 /// Half a kick, all of the drift, density by the velocity that drifted, half a kick (Adami, Hu & Adams 2013, section
 /// 2.4). Two passes over the pairs a step, each for a part of the rates. Undamped oscillations neither grow nor fade
@@ -29,7 +29,7 @@ class KickDriftKick {
  private:
   template <class Flow>
   static void kick_and_drift(Flow& flow, double dt) {
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.vx(part) += dt / 2 * all.ax(part);
@@ -40,7 +40,7 @@ class KickDriftKick {
   }
   template <class Flow>
   static void thicken(Flow& flow, double dt) {
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.rho(part) += dt * all.drho(part);
@@ -48,7 +48,7 @@ class KickDriftKick {
   }
   template <class Flow>
   static void kick(Flow& flow, double dt) {
-    Particles& all = flow.state();
+    FluidState& all = flow.state();
     share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.vx(part) += dt * all.ax(part);
@@ -59,4 +59,4 @@ class KickDriftKick {
   bool started_ = false;
 };
 
-}  // namespace touchstone::sph
+}  // namespace touchstone
