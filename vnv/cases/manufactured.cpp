@@ -38,11 +38,11 @@ const Scene<Newtonian, Sustaining> scene{.domain = domain,
                                                    .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
 
 const std::vector<Rung> five_levels =
-    rungs({{32, end, end, end}, {64, end, end, end}, {96, end, end, end}, {128, end, end, end}, {256, 0, end, end}});
+    rungs({{32, end, 0, end}, {64, end, 0, end}, {96, end, 0, end}, {128, end, 0, end}, {256, 0, 0, end}});
 /// In MPM four particles share a node.
 const std::vector<Rung> finer_levels =
-    rungs({{48, end, end, end}, {96, end, end, end}, {144, end, end, end}, {192, end, end, end}, {384, 0, end, end}});
-const std::vector<Rung> coarse_levels = rungs({{32, end, end, end}, {64, end, end, end}, {128, 0, end, end}});
+    rungs({{48, end, 0, end}, {96, end, 0, end}, {144, end, 0, end}, {192, end, 0, end}, {384, 0, 0, end}});
+const std::vector<Rung> coarse_levels = rungs({{32, end, 0, end}, {64, end, 0, end}, {128, 0, 0, end}});
 
 Claim of_second_order(const std::string& quantity, const std::string& words) {
   return order_at_least(ladder, quantity, 1.9, 1.75, theory(words)).at(end);

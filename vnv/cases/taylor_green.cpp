@@ -26,12 +26,9 @@ const Scene<Newtonian> scene{.domain = domain,
                              .start = {.velocity = [](const Vec2& x) { return velocity(x, 0); },
                                        .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
 
-const std::vector<Rung> finely = rungs({{50, early, end, end},
-                                        {70, early, early, early},
-                                        {100, 0, early, end},
-                                        {140, 0, early, early},
-                                        {200, 0, 0, early}});
-const std::vector<Rung> coarsely = rungs({{50, early, end, end}, {100, 0, early, end}});
+const std::vector<Rung> finely =
+    rungs({{50, early, 0, end}, {70, early, 0, early}, {100, 0, 0, end}, {140, 0, 0, early}, {200, 0, 0, early}});
+const std::vector<Rung> coarsely = rungs({{50, early, 0, end}, {100, 0, 0, end}});
 
 std::vector<Claim> claims_of_decay() {
   std::vector<Claim> claims;
