@@ -24,8 +24,8 @@ inline Scene<Newtonian> endless(const Start& start, const Vec2& size = {1, 1}) {
 }
 
 /// What a method, made by `Method::solver(scene, settings)`, has after some steps.
-template <class Method, class... Settings>
-Samples after(int steps, const Scene<Newtonian>& scene, const Settings&... settings) {
+template <class Method, class SceneOfRun, class... Settings>
+Samples after(int steps, const SceneOfRun& scene, const Settings&... settings) {
   auto simulation = Method::solver(scene, settings...);
   for (int k = 0; k < steps; ++k) simulation.step();
   return simulation.samples();

@@ -25,14 +25,16 @@ class FittedNodes {
 
   /// Throws std::invalid_argument for fewer than three nodes along an axis.
   explicit FittedNodes(const Grid& grid)
-      : grid_(grid),
-        columns(grid.node_columns()),
+      : columns(grid.node_columns()),
         rows(grid.periodic_y ? grid.rows : grid.rows + 1),
+        grid_(grid),
         sums_(static_cast<std::size_t>(columns) * rows),
         fit_(sums_.size()) {
     if (columns < 3 || rows < 3)
       throw std::invalid_argument(fmt::format("mpm: {} x {} nodes, wanted at least 3 along each axis", columns, rows));
   }
+
+  const int columns, rows;
 
   int count() const { return static_cast<int>(fit_.size()); }
   const Polynomials& fit(int node) const { return fit_[node]; }
@@ -151,11 +153,6 @@ class FittedNodes {
   }
 
   Grid grid_;
-
- public:
-  const int columns, rows;
-
- private:
   std::vector<Fit::Sums> sums_;
   std::vector<Polynomials> fit_;
   std::vector<NearNode> near_;      // of each particle

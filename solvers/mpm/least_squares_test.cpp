@@ -24,13 +24,6 @@ Scene<Newtonian, Uniform> between_plates(const WallVelocity& low, const WallVelo
           .start = start};
 }
 
-template <class SceneOfRun>
-Samples samples_after(int steps, const SceneOfRun& scene) {
-  auto simulation = LeastSquaresMethod::solver(scene);
-  for (int k = 0; k < steps; ++k) simulation.step();
-  return simulation.samples();
-}
-
 /// A field of second degree on particles that stand anywhere.
 struct Scattered {
   FluidState all;
@@ -93,7 +86,7 @@ TEST(LeastSquaresMpm, AShearWaveDecaysAsItShouldAlongBothAxes) {
 
 TEST(LeastSquaresMpm, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigitsThroughRemeshing) {
   const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
-  const Samples s = samples_after(1000, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));
+  const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));
   EXPECT_LT((s.v.row(0).array() - (2 * s.x.row(1).array() - 1)).abs().maxCoeff(), 1e-9);
   EXPECT_LT(s.v.row(1).array().abs().maxCoeff(), 1e-9);
 }
@@ -101,18 +94,18 @@ TEST(LeastSquaresMpm, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigitsThro
 TEST(LeastSquaresMpm, TheSteadyProfileOfAChannelIsExact) {
   const double force = 8 * oil.kinematic_viscosity();  // 1 m/s in the middle
   const Start parabola{.velocity = [](const Vec2& x) -> Vec2 { return {4 * x.y() * (1 - x.y()), 0}; }};
-  const Samples s = samples_after(1000, between_plates(no_slip(), no_slip(), parabola, {force, 0}));
+  const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip(), no_slip(), parabola, {force, 0}));
   EXPECT_LT((s.v.row(0).array() - 4 * s.x.row(1).array() * (1 - s.x.row(1).array())).abs().maxCoeff(), 1e-9);
 }
 
 TEST(LeastSquaresMpm, FluidBesideAWallThatStartsToMoveFeelsItAtOnce) {
-  const Samples s = samples_after(0, between_plates(no_slip(), no_slip({1, 0}), {}));
+  const Samples s = after<LeastSquaresMethod>(0, between_plates(no_slip(), no_slip({1, 0}), {}));
   EXPECT_GT(s.v.row(0).maxCoeff(), 0.5);
   EXPECT_EQ(s.v.row(0).head(s.size() / 2).cwiseAbs().maxCoeff(), 0);
 }
 
 TEST(LeastSquaresMpm, FluidSlidesFreelyAlongASlipperyWall) {
-  const Samples s = samples_after(500, between_plates(free_slip(), free_slip(), uniform_flow({3, 0})));
+  const Samples s = after<LeastSquaresMethod>(500, between_plates(free_slip(), free_slip(), uniform_flow({3, 0})));
   EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
 }
 

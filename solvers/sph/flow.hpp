@@ -9,6 +9,18 @@
 
 namespace touchstone::sph {
 
+/// How far the lists of a method reach whose walls do not push: with a skin of a tenth of a spacing, or up to three
+/// tenths where particles are fast.
+template <class Kernel>
+Reach reach_of(const Settings& s) {
+  constexpr double skin = 0.1;  // spacings
+  return {.kernel = Kernel::support * s.smoothing_length,
+          .wall = 0,
+          .skin = skin * s.spacing,
+          .least_skin = skin * s.spacing,
+          .greatest_skin = 3 * skin * s.spacing};
+}
+
 /// Adds the body force per mass, the last part of (24).
 template <class Force>
 void add_force(const Force& body_force, Particles& all, double time, int threads) {

@@ -24,12 +24,7 @@ class SecondOrder {
   SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
       : scene_(scene),
         settings_(checked(settings)),
-        near_(scene, settings.spacing,
-              {.kernel = Kernel::support * settings.smoothing_length,
-               .wall = 0,
-               .skin = skin * settings.spacing,
-               .least_skin = skin * settings.spacing,
-               .greatest_skin = 3 * skin * settings.spacing},
+        near_(scene, settings.spacing, reach_of<Kernel>(settings),
               lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
               settings.threads) {
     require_filled("sph", scene.filled, scene.domain.box);
@@ -62,7 +57,6 @@ class SecondOrder {
   friend Integrator;
   friend PredictorCorrector;  // starts others
 
-  static constexpr double skin = 0.1;            // spacings
   static constexpr double spreading = 1;         // of the speed of sound, where the neighbours' centre is off by h
   static constexpr double damping_of_rho = 0.5;  // of what a fit leaves, while sound travels a spacing
   static constexpr double damping_of_v = 8;      // likewise, while the fluid is strained by as much as it is long

@@ -18,14 +18,6 @@ struct SecondOrderMethod {
   }
 };
 
-/// What `after` does, with a force.
-template <class SceneOfRun>
-Samples samples_after(int steps, const SceneOfRun& scene) {
-  auto simulation = SecondOrderMethod::solver(scene);
-  for (int k = 0; k < steps; ++k) simulation.step();
-  return simulation.samples();
-}
-
 Scene<Newtonian> between_plates(const WallVelocity& low, const WallVelocity& high, const Start& start) {
   return {.domain = {.box = {.high = {1, 1}}, .periodic_x = true},
           .fluid = oil,
@@ -69,7 +61,7 @@ TEST(SecondOrderSph, AForceMovesAllAlike) {
                                         .fluid = oil,
                                         .filled = {.high = {1, 1}},
                                         .body_force = {{2, -3}}};
-  const Samples s = samples_after(100, scene);
+  const Samples s = after<SecondOrderMethod>(100, scene);
   EXPECT_LT((s.v.colwise() - Vec2(0.2, -0.3)).norm(), 1e-9);
 }
 

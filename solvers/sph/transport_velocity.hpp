@@ -28,12 +28,7 @@ class TransportVelocity {
       : scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
-        near_(scene, settings.spacing,
-              {.kernel = Kernel::support * settings.smoothing_length,
-               .wall = 0,
-               .skin = skin * settings.spacing,
-               .least_skin = skin * settings.spacing,
-               .greatest_skin = 3 * skin * settings.spacing},
+        near_(scene, settings.spacing, reach_of<Kernel>(settings),
               lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
               settings.threads) {
     near_.carry(spreads ? 2 : 0, Integrator::past_fields);
@@ -67,7 +62,6 @@ class TransportVelocity {
   friend Integrator;
   friend PredictorCorrector;  // starts others
 
-  static constexpr double skin = 0.1;              // spacings
   static constexpr double background_share = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
   static constexpr bool spreads = Left::template keeps<Spreading>;
   static constexpr bool drift_has_momentum = spreads && Left::template keeps<MomentumOfDrift>;
