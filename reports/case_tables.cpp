@@ -103,20 +103,10 @@ std::string pairwise(const vnv::ObservedOrder& order) {
 
 /// "stalled", and whether the ladder is long enough to show it.
 HtmlCell trend_cell(const vnv::ObservedOrder& order) {
-  const auto [words, colour] = [&]() -> std::pair<const char*, const char*> {
-    switch (order.trend) {
-      case vnv::Trend::converging:
-        return {"converging", "holds"};
-      case vnv::Trend::stalled:
-        return {"stalled", "fails"};
-      case vnv::Trend::diverging:
-        return {"diverging", "fails"};
-      case vnv::Trend::inconclusive:
-        break;
-    }
-    return {"inconclusive", "inconclusive"};
-  }();
-  return {fmt::format("{}{}", words, order.asymptotic ? "" : " <small>not asymptotic</small>"), colour};
+  const char* colour = order.trend == vnv::Trend::converging     ? "holds"
+                       : order.trend == vnv::Trend::inconclusive ? "inconclusive"
+                                                                 : "fails";
+  return {fmt::format("{}{}", name_of(order.trend), order.asymptotic ? "" : " <small>not asymptotic</small>"), colour};
 }
 
 std::string floor_words(const vnv::ObservedOrder& order) {
@@ -138,6 +128,9 @@ Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
           {pairwise(order), "words"}};
 }
 
+/// In per cent; blank for a run that timed itself.
+HtmlCell share_cell(double share) { return std::isnan(share) ? HtmlCell{"", "number"} : number_cell(100 * share); }
+
 /// The median, and the lowest and highest where there were several.
 std::string cpu_with_span(const vnv::Cost& c) {
   if (c.repeats == 1) return printed(c.cpu);
@@ -157,7 +150,7 @@ Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
           {cpu_with_span(c), "number"},
           number_cell(c.repeats),
           number_cell(c.wall),
-          number_cell(100 * c.harness_share()),
+          share_cell(c.harness_share()),
           number_cell(c.peak_memory / 1e6),
           number_cell(c.per_particle_step() * 1e9),
           number_cell(c.particle_steps_per_second() / 1e6),

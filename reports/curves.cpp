@@ -15,7 +15,7 @@ using vnv::Role;
 
 constexpr int width = 800, plot_height = 440, key_row = 20, sample_width = 48;  // px
 constexpr double letter_width = 6.7;                                            // px
-constexpr double overestimate = 0.15;                                           // of the width of a letter, by gnuplot
+constexpr double overestimate = 0.1;                                            // of the width of a letter, by gnuplot
 constexpr std::size_t most_letters = 80;                                        // letters
 constexpr std::size_t few_points = 24;   // up to here a line shows its points too
 constexpr std::size_t many_points = 60;  // from here on points are drawn smaller

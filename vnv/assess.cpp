@@ -86,7 +86,7 @@ bool is_run(const Claim& claim, const Method& method, Suite suite) {
     return is_on(rung) && rung.until(suite) > 0 &&
            (std::isnan(claim.time) || rung.until(suite) >= claim.time * (1 - 1e-9));
   });
-  return runs >= (claim.ladder.empty() ? 1 : 2);
+  return runs >= (claim.ladder.empty() ? 1 : claim.least_rungs);
 }
 
 void judge_claim(const Claim& claim, const Method& method, Suite suite, const std::vector<Error>& values,
@@ -95,7 +95,8 @@ void judge_claim(const Claim& claim, const Method& method, Suite suite, const st
   Place place{record.case_name, method.name, claim.rung, not_a_number, claim.time};
   if (!claim.ladder.empty()) {
     for (const ObservedOrder& order : record.orders)
-      if (order.ladder == claim.ladder && order.quantity == claim.quantity && claim.covers("", order.time)) {
+      if (order.ladder == claim.ladder && order.quantity == claim.quantity && claim.covers("", order.time) &&
+          std::ssize(order.rungs) >= claim.least_rungs) {
         place.time = order.time;
         record.verdicts.push_back(judge(claim, place, order));
       }

@@ -73,6 +73,15 @@ TEST(Assess, FailsAClaimThatNothingMeasures) {
   EXPECT_EQ(count(assessed(declared), Outcome::fails), 1);
 }
 
+TEST(Assess, AsksForAnOrderOnlyWhereTheSuiteRunsEnoughRungs) {
+  Case declared = second_order();
+  const Claim order = order_at_least("spacing", "L2 v_x [%]", 1.9, 1.75, theory("")).at(1);
+  declared.methods[0].claims = {order.over(3)};
+  EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 0) << "two rungs are run";
+  declared.methods[0].claims = {order.over(2)};
+  EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 1);
+}
+
 TEST(Assess, RefusesClaimsAndLaddersThatNameNoRung) {
   Case declared = second_order();
   declared.methods[0].claims = {at_most("L2 v_x [%]", 1, theory("")).on("M9")};

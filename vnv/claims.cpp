@@ -67,6 +67,39 @@ bool within(const Claim& claim, double value) {
   return (!claim.lower || value >= *claim.lower) && (!claim.upper || value <= *claim.upper) && !std::isnan(value);
 }
 
+/// Beyond this half-width an interval does not part orders 1 and 2 from their neighbours.
+constexpr double widest = 0.3;
+
+Verdict judge_slope(const Claim& claim, const Place& place, const ObservedOrder& order) {
+  Verdict v = verdict_of(claim, place, order.order);
+  const bool sure = std::isnan(order.order) || order.half_width < widest;
+  conclude(v, claim,
+           !sure                        ? Outcome::inconclusive
+           : within(claim, order.order) ? Outcome::holds
+                                        : Outcome::fails,
+           fmt::format(" +- {:.2g} over {} rungs", order.half_width, order.rungs.size()));
+  return v;
+}
+
+Outcome outcome_of_convergence(const Claim& claim, const ObservedOrder& order, double slope, double half_width) {
+  if (order.trend == Trend::inconclusive) return std::isnan(slope) ? Outcome::fails : Outcome::inconclusive;
+  if (order.trend != Trend::converging) return Outcome::fails;
+  if (!(half_width < widest)) return Outcome::inconclusive;
+  return within(claim, slope) && slope - half_width > *claim.surely_above ? Outcome::holds : Outcome::fails;
+}
+
+Verdict judge_convergence(const Claim& claim, const Place& place, const ObservedOrder& order) {
+  const bool above_floor = !std::isnan(order.floor);
+  const double slope = above_floor ? order.order_to_floor : order.order;
+  const double half_width = above_floor ? order.order_to_floor_half_width : order.half_width;
+  Verdict v = verdict_of(claim, place, slope);
+  const std::string floor = above_floor ? fmt::format(" above a floor of {:.3g}", order.floor) : "";
+  conclude(v, claim, outcome_of_convergence(claim, order, slope, half_width),
+           fmt::format(" +- {:.2g} over {} rungs{}, {}, wanted surely above {:g}", half_width, order.rungs.size(),
+                       floor, name_of(order.trend), *claim.surely_above));
+  return v;
+}
+
 }  // namespace
 
 bool Claim::covers(std::string_view its_rung, double its_time) const {
@@ -80,16 +113,7 @@ Verdict judge(const Claim& claim, const Place& place, double value) {
 }
 
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order) {
-  constexpr double widest = 0.3;  // beyond this an interval does not part orders 1 and 2 from their neighbours
-  Verdict v = verdict_of(claim, place, order.order);
-  const bool sure = std::isnan(order.order) || order.half_width < widest;
-  const bool begins_above = !claim.surely_above || order.order - order.half_width > *claim.surely_above;
-  const Outcome outcome = !sure                                        ? Outcome::inconclusive
-                          : within(claim, order.order) && begins_above ? Outcome::holds
-                                                                       : Outcome::fails;
-  const std::string wanted = claim.surely_above ? fmt::format(", wanted surely above {:g}", *claim.surely_above) : "";
-  conclude(v, claim, outcome, fmt::format(" +- {:.2g} over {} rungs{}", order.half_width, order.rungs.size(), wanted));
-  return v;
+  return claim.surely_above ? judge_convergence(claim, place, order) : judge_slope(claim, place, order);
 }
 
 Verdict inconclusive(const Claim& claim, const Place& place, std::string_view why) {

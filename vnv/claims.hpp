@@ -26,6 +26,7 @@ struct Claim {
   double time = not_a_number;                         // s  when it holds; not a number: at every time
   std::string ladder = "";                            // for an observed order: over which rungs
   std::optional<double> surely_above = std::nullopt;  // for an observed order: where its interval has to begin
+  long least_rungs = 2;                               // for an observed order: suites that run fewer are not asked
 
   Claim on(std::string_view name) const {
     Claim claim = *this;
@@ -35,6 +36,11 @@ struct Claim {
   Claim at(double when) const {
     Claim claim = *this;
     claim.time = when;
+    return claim;
+  }
+  Claim over(long rungs) const {
+    Claim claim = *this;
+    claim.least_rungs = rungs;
     return claim;
   }
   /// Whether it speaks of a value; times agree to nine digits.
@@ -58,7 +64,9 @@ inline Claim order_between(std::string_view ladder, std::string_view quantity, d
   return claim;
 }
 
-/// The same without an upper limit, and with one for the lower end of the interval.
+/// The claim of a method that it converges: its order, above a floor if one was found, is no less than `low`, and the
+/// whole 95 % interval lies above `surely_above`. An inconclusive trend is inconclusive here too; stalled or diverging
+/// errors fail.
 inline Claim order_at_least(std::string_view ladder, std::string_view quantity, double low, double surely_above,
                             Author author) {
   Claim claim = at_least(quantity, low, std::move(author));

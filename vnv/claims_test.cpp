@@ -48,6 +48,7 @@ ObservedOrder order(double value, double half_width) {
   ObservedOrder o;
   o.order = value;
   o.half_width = half_width;
+  o.trend = std::isnan(value) ? Trend::inconclusive : Trend::converging;
   return o;
 }
 
@@ -67,6 +68,29 @@ TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
   EXPECT_EQ(judge(claim, here, order(1.95, 0.31)).outcome, Outcome::inconclusive);
   EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
   EXPECT_NE(judge(claim, here, order(3, 0.1)).sentence.find("wanted surely above 1.75"), std::string::npos);
+}
+
+TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  ObservedOrder found = order(2, 0.1);
+  for (const auto& [trend, outcome] :
+       {std::pair(Trend::stalled, Outcome::fails), std::pair(Trend::diverging, Outcome::fails),
+        std::pair(Trend::inconclusive, Outcome::inconclusive)}) {
+    found.trend = trend;
+    EXPECT_EQ(judge(claim, here, found).outcome, outcome) << name_of(trend);
+  }
+}
+
+TEST(OrderClaim, OfConvergenceIsJudgedAboveTheFloor) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  ObservedOrder found = order(1.5, 0.1);
+  found.floor = 0.01;
+  found.order_to_floor = 2;
+  found.order_to_floor_half_width = 0.05;
+  const Verdict verdict = judge(claim, here, found);
+  EXPECT_EQ(verdict.outcome, Outcome::holds);
+  EXPECT_EQ(verdict.value, 2);
+  EXPECT_NE(verdict.sentence.find("above a floor of 0.01, converging"), std::string::npos) << verdict.sentence;
 }
 
 TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {

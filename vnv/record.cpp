@@ -12,9 +12,23 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
 
 namespace touchstone::vnv {
+
+std::string_view name_of(Trend trend) {
+  switch (trend) {
+    case Trend::converging:
+      return "converging";
+    case Trend::stalled:
+      return "stalled";
+    case Trend::diverging:
+      return "diverging";
+    case Trend::inconclusive:
+      break;
+  }
+  return "inconclusive";
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,8 @@ struct Cost {
   double per_step() const { return cpu / static_cast<double>(steps); }                      // s
   double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
   double particle_steps_per_second() const { return 1 / per_particle_step(); }              // 1/s
-  double harness_share() const { return harness / (stepping + harness); }
+  /// Not a number for a run that timed itself.
+  double harness_share() const { return stepping > 0 ? harness / (stepping + harness) : not_a_number; }
 
   bool operator==(const Cost&) const = default;
 };
@@ -62,6 +64,7 @@ struct Error {
 
 /// What a ladder of errors says of a method; `observe_order` tells them apart.
 enum class Trend { converging, stalled, diverging, inconclusive };
+std::string_view name_of(Trend trend);
 
 /// An observed order of convergence with its 95 % interval, and the floor that the errors fall to, if one was found.
 struct ObservedOrder {
