@@ -2,6 +2,7 @@
 
 #include "reports/html.hpp"
 #include "reports/numbers.hpp"
+#include "reports/trends.hpp"
 
 #include <fmt/format.h>
 
@@ -103,10 +104,7 @@ std::string pairwise(const vnv::ObservedOrder& order) {
 
 /// "stalled", and whether the ladder is long enough to show it.
 HtmlCell trend_cell(const vnv::ObservedOrder& order) {
-  const char* colour = order.trend == vnv::Trend::converging     ? "holds"
-                       : order.trend == vnv::Trend::inconclusive ? "inconclusive"
-                                                                 : "fails";
-  return {fmt::format("{}{}", name_of(order.trend), order.asymptotic ? "" : " <small>not asymptotic</small>"), colour};
+  return {sign_and_word(order.trend) + (order.asymptotic ? "" : " <small>not asymptotic</small>"), word(order.trend)};
 }
 
 std::string floor_words(const vnv::ObservedOrder& order) {

@@ -17,6 +17,16 @@ std::string verdict_line(const vnv::Verdict& v) {
                    with_unit(v.quantity, v.unit), number(v.value), limit(v), v.author, word(v.outcome)});
 }
 
+std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {
+  const bool has_rungs = !o.spacings.empty() && !o.errors.empty();
+  return csv_line({record.case_name, record.method, o.ladder, o.quantity, number(o.time),
+                   std::to_string(o.errors.size()), has_rungs ? number(o.spacings.back()) : "",
+                   has_rungs ? number(o.errors.back()) : "", number(o.order), number(o.half_width),
+                   std::string(vnv::name_of(o.trend)), o.asymptotic ? "yes" : "no", number_or_empty(o.floor),
+                   number_or_empty(o.floor_half_width), number_or_empty(o.order_to_floor),
+                   number_or_empty(o.order_to_floor_half_width)});
+}
+
 std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
   return csv_line({record.case_name, record.method, run.rung, std::to_string(c.particles), std::to_string(c.steps),
@@ -45,6 +55,15 @@ std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
   std::string csv = "case,method,rung,spacing [m],time [s],quantity,value,limit,author,verdict\n";
   for (const auto& records : cases)
     for (const auto& verdict : verdicts_of(records)) csv += verdict_line(verdict);
+  return csv;
+}
+
+std::string orders_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv =
+      "case,method,ladder,quantity,time [s],spacings,finest spacing [m],finest error,order,half-width,trend,asymptotic,floor,half-width of floor,order to floor,half-width of order to floor\n";
+  for (const auto& records : cases)
+    for (const auto& record : records.records)
+      for (const auto& order : record.orders) csv += order_line(record, order);
   return csv;
 }
 

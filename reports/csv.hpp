@@ -17,6 +17,9 @@ std::string csv_line(const std::vector<std::string>& fields);
 /// One line per claim. Fields that do not apply are empty; a value that is not a number is "nan".
 std::string verdicts_csv(const std::vector<CaseRecords>& cases);
 
+/// One line per quantity, time and ladder of a method.
+std::string orders_csv(const std::vector<CaseRecords>& cases);
+
 /// One line per run.
 std::string cost_csv(const std::vector<CaseRecords>& cases);
 

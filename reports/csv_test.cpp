@@ -28,6 +28,19 @@ TEST(Csv, AValueThatIsNotANumberIsSaidToBeNone) {
   EXPECT_TRUE(contains(verdicts_csv({{"poiseuille", {record}}}), ",nan,<= 1.59,"));
 }
 
+TEST(Csv, AnOrderIsOneLineWithItsIntervalAndItsFloorIfOneWasFound) {
+  vnv::Record record = sample_record();
+  record.orders = {sample_order(), sample_order("L2 p [%]", 0.5, 2)};
+  record.orders[0].floor = 0.02;
+  record.orders[0].floor_half_width = 0.001;
+  record.orders[0].order_to_floor = 2.5;
+  record.orders[0].order_to_floor_half_width = 0.2;
+  const std::string csv = orders_csv({{"poiseuille", {record}}});
+  EXPECT_TRUE(contains(csv, "\npoiseuille,mpm,grid,L2 v_x [%],1,3,0.001,0.1,2,0.1,converging,no,0.02,0.001,2.5,0.2\n"))
+      << csv;
+  EXPECT_TRUE(contains(csv, "\npoiseuille,mpm,grid,L2 p [%],0.5,2,0.002,0.4,2,inf,inconclusive,no,,,,\n")) << csv;
+}
+
 TEST(Csv, ARunIsOneLineInTheUnitsOfTheHeading) {
   vnv::Record record = sample_record();
   vnv::RunSummary run;

@@ -1,5 +1,6 @@
 #include "reports/axes.hpp"
 #include "reports/csv.hpp"
+#include "reports/look.hpp"
 #include "reports/plot.hpp"
 
 #include <fmt/format.h>
@@ -13,36 +14,15 @@ namespace {
 
 using vnv::Role;
 
-constexpr int width = 800, plot_height = 440, key_row = 20, sample_width = 48;  // px
-constexpr double letter_width = 6.7;                                            // px
-constexpr double overestimate = 0.1;                                            // of the width of a letter, by gnuplot
-constexpr std::size_t most_letters = 80;                                        // letters
+constexpr int plot_height = 440;         // px
 constexpr std::size_t few_points = 24;   // up to here a line shows its points too
 constexpr std::size_t many_points = 60;  // from here on points are drawn smaller
-
-// Okabe & Ito (2008), "Color universal design", without black, kept for truth, and yellow, too pale on white.
-constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"};
-constexpr std::array filled_marks{7, 5, 9, 13, 11, 15};  // circle, square, triangle, diamond, ...
-constexpr std::array hollow_marks{6, 4, 8, 12, 10, 14};
-constexpr std::array dashes{"1", "(12,5)", "(3,4)", "(12,4,3,4)", "(20,6)", "(7,3,2,3,2,3)"};
-
-template <class Array>
-auto pick(const Array& array, std::size_t i) {
-  return array[i % array.size()];
-}
 
 // One curve, and its place among those that look alike: the curves of one method share a colour.
 struct Series {
   const vnv::Curve* curve;
   std::string family;
   std::size_t colour = 0, member = 0;
-};
-
-struct Look {
-  const char* colour;
-  int mark;
-  const char* dash;
-  double width, size;
 };
 
 Look look(const Series& s) {
@@ -62,9 +42,7 @@ Look look(const Series& s) {
     case Role::ours:
       break;
   }
-  const double size =
-      std::max(0.5, 0.9 - 0.15 * static_cast<double>(s.colour));  // equal points lie upon each other, seen
-  return {pick(palette, s.colour), pick(filled_marks, turn), pick(dashes, turn), 2, size};
+  return look_of_method(s.colour, s.member);
 }
 
 std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& records) {
@@ -108,19 +86,6 @@ std::vector<Series> series_of(const vnv::Figure& figure, const CaseRecords& reco
   return all;
 }
 
-bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }  // of UTF-8
-
-std::size_t letters(const std::string& text) {
-  return std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation(byte); });
-}
-
-std::string shortened(std::string label) {
-  if (letters(label) <= most_letters) return label;
-  while (letters(label) >= most_letters) label.pop_back();
-  while (!label.empty() && is_continuation(label.back())) label.pop_back();
-  return label + "…";
-}
-
 long drawable_points(const vnv::Curve& curve, const vnv::Figure& figure) {
   long count = 0;
   for (std::size_t i = 0; i < curve.x.size(); ++i)
@@ -147,18 +112,10 @@ std::string element(const Series& series, const vnv::Figure& figure, std::size_t
                      first + curve.x.size() - 1, with, gnuplot_string(label));
 }
 
-std::size_t longest_label(const std::vector<Series>& all) {
-  std::size_t longest = 1;
-  for (const auto& series : all) longest = std::max(longest, letters(shortened(series.curve->label)));
-  return longest;
-}
-
-// So many that the entries of one method can stand below each other.
-std::size_t key_rows(const std::vector<Series>& all) {
-  const double entry = static_cast<double>(longest_label(all)) * letter_width + sample_width;
-  const auto columns =
-      std::clamp<std::size_t>(static_cast<std::size_t>(width / entry), 1, std::max<std::size_t>(1, all.size()));
-  return (all.size() + columns - 1) / columns;
+std::vector<std::string> labels_of(const std::vector<Series>& all) {
+  std::vector<std::string> labels;
+  for (const auto& series : all) labels.push_back(series.curve->label);
+  return labels;
 }
 
 std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figure) {
@@ -177,26 +134,9 @@ Extent extent_of(const std::vector<Series>& all, const vnv::Axis& axis, std::vec
   return extent;
 }
 
-std::string script(const std::vector<Series>& all, const vnv::Figure& figure, int height) {
+std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
   const Extent x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
-  std::string text =
-      fmt::format(R"(# Redraws {0}.svg from {0}.csv: gnuplot {0}.gp
-if (!exists("image")) image = '{0}.svg'
-set encoding utf8
-set terminal svg size {1},{2} dynamic enhanced font 'sans-serif,13' background '#ffffff'
-set output image
-set datafile separator comma
-set minussign
-set border 3 linecolor rgb '#333333'
-set tics out nomirror scale 0.75,0.4 textcolor rgb '#111111'
-set grid xtics ytics linetype 1 linecolor rgb '#DDDDDD' linewidth 0.8
-set key below center vertical maxrows {3} Left reverse noenhanced samplen 2.6 spacing 1.15 height 1 font ',12' width {4:.1f}
-)",
-                  figure.id, width, height, key_rows(all), -overestimate * static_cast<double>(longest_label(all)));
-  text += axis_commands("x", figure.x, x) + axis_commands("y", figure.y, y);
-  if (figure.equal_axes) text += "set size ratio -1\n";
-  if (x.is_empty() || y.is_empty()) text += "set label 'no finite value to draw' at graph 0.5,0.5 center\n";
-  return text + plot_command(all, figure) + "set output\n";
+  return frame.commands(figure, x, y) + plot_command(all, figure) + "set output\n";
 }
 
 std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
@@ -212,8 +152,8 @@ std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
 
 Plot plot_curves(const vnv::Figure& figure, const CaseRecords& records) {
   const std::vector<Series> all = series_of(figure, records);
-  const int height = plot_height + key_row * static_cast<int>(key_rows(all));
-  Plot plot{figure.id + ".svg", width, height, script(all, figure, height), data(all, figure)};
+  const Frame frame(plot_height, labels_of(all));
+  Plot plot{figure.id + ".svg", Frame::width, frame.height(), script(all, figure, frame), data(all, figure)};
   for (const auto& series : all)
     plot.undrawn += static_cast<long>(series.curve->x.size()) - drawable_points(*series.curve, figure);
   return plot;

@@ -2,6 +2,7 @@
 
 #include "reports/files.hpp"
 #include "reports/gnuplot.hpp"
+#include "reports/order_plot.hpp"
 
 #include <algorithm>
 
@@ -26,7 +27,11 @@ bool has_clouds(const std::string& id, const CaseRecords& records) {
 }  // namespace
 
 DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder) {
-  const Plot plot = has_clouds(figure.id, records) ? plot_clouds(figure, records) : plot_curves(figure, records);
+  return draw(has_clouds(figure.id, records) ? plot_clouds(figure, records) : plot_curves(figure, records), figure,
+              folder);
+}
+
+DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder) {
   save(folder / (figure.id + ".gp"), plot.script);
   save(folder / (figure.id + ".csv"), plot.data);
   run_gnuplot(folder / plot.image);
@@ -38,6 +43,13 @@ std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesys
   for (const auto& figure : figures_of(records))
     if (has_curves(figure.id, records) || has_clouds(figure.id, records))
       drawn.push_back(draw(figure, records, folder));
+  return drawn;
+}
+
+std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder) {
+  std::vector<DrawnFigure> drawn;
+  for (const auto& comparison : order_comparisons(records))
+    drawn.push_back(draw(plot_orders(comparison), order_figure(comparison), folder));
   return drawn;
 }
 

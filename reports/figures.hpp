@@ -19,7 +19,13 @@ struct DrawnFigure {
 /// Throws as `run_gnuplot` and `save` do; then the image is not there.
 DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder);
 
+/// A plot in the frame of a figure.
+DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder);
+
 /// All figures of a case that have curves or clouds.
 std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder);
+
+/// Errors over spacing of all its methods, once for each quantity and time that its orders are compared in.
+std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder);
 
 }  // namespace touchstone::reports

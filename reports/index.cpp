@@ -1,10 +1,12 @@
 #include "reports/index.hpp"
 
 #include "reports/numbers.hpp"
+#include "reports/order_matrix.hpp"
 #include "reports/verdicts.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -98,6 +100,12 @@ std::string environment(const std::vector<CaseRecords>& cases) {
   return to_html(table);
 }
 
+std::string orders_link(const std::vector<CaseRecords>& cases) {
+  if (std::ranges::none_of(cases, is_in_matrix)) return "";
+  return "<p>How fast the errors of each method shrink in each flow: <a href=\"orders.html\">orders of "
+         "convergence</a>.</p>\n";
+}
+
 }  // namespace
 
 std::string index_page(const std::vector<CaseRecords>& cases) {
@@ -108,10 +116,10 @@ std::string index_page(const std::vector<CaseRecords>& cases) {
       "<p>Each claim says how far a solver may stand from an exact solution, an experiment, a published result or its "
       "own "
       "earlier answer, and who set that limit. A number that is not one never holds, and what cannot be told is called "
-      "inconclusive, not passed.</p>\n{}{}"
+      "inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
-      "href=\"cost.csv\">cost</a></p>\n</main>\n",
-      word(sum.worst()), sentence(sum), complaints(verdicts), matrix(cases), environment(cases));
+      "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
+      word(sum.worst()), sentence(sum), complaints(verdicts), matrix(cases), orders_link(cases), environment(cases));
   return html_page("Touchstone", "", body);
 }
 

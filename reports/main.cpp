@@ -1,4 +1,4 @@
-/// touchstone_report: one night's records to an index, a page per case, and two tables.
+/// touchstone_report: one night's records to an index, a page per case, a matrix of orders, and three tables.
 
 #include "reports/site.hpp"
 
@@ -11,8 +11,8 @@
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Turns the records of cases into a site: an index, a page per case with its figures, and the tables "
-      "verdicts.csv and cost.csv."};
+      "Turns the records of cases into a site: an index, a page per case with its figures, a matrix of the orders of "
+      "convergence, and the tables verdicts.csv, orders.csv and cost.csv."};
   app.footer("Example: touchstone_report build/records build/site");
   std::string records, site;
   app.add_option("RECORDS_DIR", records, "folder with the records, *.json")->required();

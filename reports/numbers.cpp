@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::reports {
@@ -50,6 +51,10 @@ std::string printed(long count) {
   return std::abs(count) < 10000 ? with_minus(std::to_string(count)) : grouped(std::to_string(count));
 }
 
+std::string valued(double value, const std::string& unit) {
+  return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
+}
+
 HtmlCell number_cell(double value) { return {printed(value), "number"}; }
 HtmlCell number_cell(long count) { return {printed(count), "number"}; }
 
@@ -62,6 +67,21 @@ std::string limit(const vnv::Verdict& verdict) {
 
 std::string with_unit(const std::string& quantity, const std::string& unit) {
   return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
+}
+
+std::pair<std::string, std::string> name_and_unit(const std::string& quantity) {
+  const std::size_t open = quantity.rfind(" [");
+  if (open == std::string::npos || !quantity.ends_with(']')) return {quantity, ""};
+  const std::string unit = quantity.substr(open + 2, quantity.size() - open - 3);
+  return {quantity.substr(0, open), unit == "-" ? "" : unit};
+}
+
+// Two digits after the point, or up to four so that a narrow interval is not 0.
+std::string with_interval(double value, double half_width) {
+  const bool narrow = half_width > 0 && half_width < 0.01;
+  const int digits = narrow ? std::min(4, static_cast<int>(std::ceil(-std::log10(half_width)))) : 2;
+  const std::string middle = with_minus(fmt::format("{:.{}f}", value, digits));
+  return std::isfinite(half_width) ? fmt::format("{} ± {:.{}f}", middle, half_width, digits) : middle;
 }
 
 std::string word(vnv::Outcome outcome) {

@@ -5,6 +5,7 @@
 #include "vnv/record.hpp"
 
 #include <string>
+#include <utility>
 
 namespace touchstone::reports {
 
@@ -13,6 +14,9 @@ std::string plain(double value);
 
 /// As in print: "0.0159", "1.2 × 10^−7", "200 000"; what is not finite is marked.
 std::string printed(double value);
+
+/// "1.59 %": as in print, with its unit.
+std::string valued(double value, const std::string& unit);
 
 /// With groups of three digits.
 std::string printed(long count);
@@ -26,6 +30,12 @@ std::string limit(const vnv::Verdict& verdict);
 
 /// "L2 v_x [%]"; without brackets if the unit is empty.
 std::string with_unit(const std::string& quantity, const std::string& unit);
+
+/// "L2 v_x [%]" -> "L2 v_x", "%"; a pure number, "[-]", has no unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& quantity);
+
+/// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
+std::string with_interval(double value, double half_width);
 
 /// "holds", "fails" or "inconclusive".
 std::string word(vnv::Outcome outcome);

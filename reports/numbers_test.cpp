@@ -33,6 +33,26 @@ TEST(Numbers, MarkWhatIsNotFinite) {
   EXPECT_EQ(plain(-vnv::not_a_number), "nan");
 }
 
+TEST(Numbers, WithAnIntervalShowAsManyDigitsAsItHas) {
+  EXPECT_EQ(with_interval(2.0153, 0.118), "2.02 ± 0.12");
+  EXPECT_EQ(with_interval(1.99863, 0.00086), "1.9986 ± 0.0009");
+  EXPECT_EQ(with_interval(-0.018, 0.047), "−0.02 ± 0.05");
+  EXPECT_EQ(with_interval(1.99989, 0.00002), "1.9999 ± 0.0000");
+  EXPECT_EQ(with_interval(2, 0), "2.00 ± 0.00");
+  EXPECT_EQ(with_interval(2.29, std::numeric_limits<double>::infinity()), "2.29");
+}
+
+TEST(Numbers, StandBesideTheirUnit) {
+  EXPECT_EQ(valued(0.5, "%"), "0.5\u202f%");
+  EXPECT_EQ(valued(2, ""), "2");
+}
+
+TEST(Quantities, EndWithTheirUnit) {
+  EXPECT_EQ(name_and_unit("L2 v_x, row means [%]"), std::pair(std::string("L2 v_x, row means"), std::string("%")));
+  EXPECT_EQ(name_and_unit("growth [-]"), std::pair(std::string("growth"), std::string()));
+  EXPECT_EQ(name_and_unit("order"), std::pair(std::string("order"), std::string()));
+}
+
 TEST(Limits, AreReadAsTheyWereClaimed) {
   EXPECT_EQ(limit(between({}, 0.07)), "<= 0.07");
   EXPECT_EQ(limit(between(0.8, {})), ">= 0.8");

@@ -2,6 +2,7 @@
 
 #include "reports/case_tables.hpp"
 #include "reports/numbers.hpp"
+#include "reports/order_matrix.hpp"
 #include "reports/verdicts.hpp"
 
 #include <fmt/format.h>
@@ -61,6 +62,14 @@ std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigu
   return html;
 }
 
+std::string orders_section(const CaseRecords& records, const std::vector<DrawnFigure>& order_plots) {
+  std::string html;
+  for (const auto& drawn : order_plots) html += figure_html(drawn);
+  if (is_in_matrix(records))
+    html += "<p class=\"files\">Beside other flows: <a href=\"../orders.html\">orders of convergence</a></p>\n";
+  return html + orders_html(records);
+}
+
 std::string methods_html(const CaseRecords& records) {
   std::string html;
   for (const auto& record : records.records)
@@ -75,11 +84,13 @@ std::string claims_html(const CaseRecords& records) {
 
 }  // namespace
 
-std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
+std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
+                      const std::vector<DrawnFigure>& order_plots) {
   const std::string body = head(records) + paragraphs(records.records.front().description) +
                            section("Figures", figures_html(records, figures)) +
                            section("Tables", tables_html(records)) + section("Claims", claims_html(records)) +
-                           section("Errors", errors_html(records)) + section("Orders", orders_html(records)) +
+                           section("Errors", errors_html(records)) +
+                           section("Orders", orders_section(records, order_plots)) +
                            section("Cost", cost_html(records)) + section("Methods", methods_html(records));
   return html_page(records.title(), "../", "<main>\n" + body + "</main>\n");
 }

@@ -9,6 +9,7 @@
 namespace touchstone::reports {
 
 /// Stands in the case's folder, beside its figures.
-std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures);
+std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
+                      const std::vector<DrawnFigure>& order_plots);
 
 }  // namespace touchstone::reports

@@ -5,6 +5,7 @@
 #include "reports/files.hpp"
 #include "reports/gnuplot.hpp"
 #include "reports/index.hpp"
+#include "reports/order_matrix.hpp"
 #include "reports/page.hpp"
 #include "reports/style.hpp"
 
@@ -29,12 +30,13 @@ void want_apart(const fs::path& records, const fs::path& site) {
 
 void write_tables(const std::vector<CaseRecords>& cases, const fs::path& folder) {
   save(folder / "verdicts.csv", verdicts_csv(cases));
+  save(folder / "orders.csv", orders_csv(cases));
   save(folder / "cost.csv", cost_csv(cases));
 }
 
 void write_case(const CaseRecords& records, const fs::path& folder) {
   fs::create_directory(folder);
-  save(folder / "index.html", case_page(records, draw_all(records, folder)));
+  save(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
 }
 
 }  // namespace
@@ -47,12 +49,13 @@ void make_site(const fs::path& records, const fs::path& site) {
   try {
     find_gnuplot();
   } catch (const GnuplotMissing& missing) {
-    for (const char* table : {"verdicts.csv", "cost.csv"}) staging.publish_file(table);
-    throw GnuplotMissing(fmt::format("{}; wrote only verdicts.csv and cost.csv", missing.what()));
+    for (const char* table : {"verdicts.csv", "orders.csv", "cost.csv"}) staging.publish_file(table);
+    throw GnuplotMissing(fmt::format("{}; wrote only verdicts.csv, orders.csv and cost.csv", missing.what()));
   }
   for (const auto& one : cases) write_case(one, staging.folder() / one.name);
   save(staging.folder() / "style.css", std::string(style));
   save(staging.folder() / "index.html", index_page(cases));
+  if (std::ranges::any_of(cases, is_in_matrix)) save(staging.folder() / "orders.html", order_matrix_page(cases));
   staging.publish();
 }
 

@@ -28,7 +28,7 @@ class Site : public testing::Test {
 
 TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
   make_site(records, site);
-  for (const char* name : {"index.html", "style.css", "verdicts.csv", "cost.csv", "poiseuille/index.html",
+  for (const char* name : {"index.html", "style.css", "verdicts.csv", "orders.csv", "cost.csv", "poiseuille/index.html",
                            "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
     EXPECT_FALSE(page(name).empty()) << name;
   EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
@@ -85,6 +85,27 @@ TEST_F(Site, SaysWhereEachLadderLeads) {
   for (const char* words : {"stalled", "not asymptotic", "0.023", "1.97"}) EXPECT_TRUE(contains(html, words)) << words;
 }
 
+TEST_F(Site, HasAMatrixOfOrdersLinkedToAndFro) {
+  vnv::Record record = sample_record();
+  record.orders = {sample_order()};
+  put(record);
+  make_site(records, site);
+  const std::string figure = "order_L2_v_x_at_1_s";
+  EXPECT_TRUE(contains(page("index.html"), "href=\"orders.html\""));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "href=\"../orders.html\""));
+  EXPECT_TRUE(contains(page("orders.html"), "href=\"index.html\""));
+  EXPECT_TRUE(contains(page("orders.html"), "href=\"poiseuille/index.html#" + figure + "\""));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "id=\"" + figure + "\""));
+  for (const char* kind : {".svg", ".gp", ".csv"}) EXPECT_FALSE(page("poiseuille/" + figure + kind).empty()) << kind;
+}
+
+TEST_F(Site, WithoutOrdersHasNoMatrixOfThem) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "orders.html"));
+  EXPECT_FALSE(contains(page("index.html"), "orders.html"));
+  EXPECT_FALSE(contains(page("poiseuille/index.html"), "orders.html"));
+}
+
 TEST_F(Site, ShowsEqualRowsOfATableOnce) {
   const vnv::Table table{"norms", "Norms", "", {"rung", "L2 [%]"}, {{std::string("paper M1"), 3.34}}};
   for (const char* method : {"mpm", "sph"}) {
@@ -131,11 +152,10 @@ TEST_F(Site, StaysAsItWasIfAFigureCannotBeDrawn) {
   EXPECT_EQ(entries(), 3);
 }
 
-TEST_F(Site, WithoutGnuplotIsTheTwoTables) {
+TEST_F(Site, WithoutGnuplotIsTheTables) {
   const Environment path("PATH", "");
   EXPECT_THROW(make_site(records, site), GnuplotMissing);
-  EXPECT_FALSE(page("verdicts.csv").empty());
-  EXPECT_FALSE(page("cost.csv").empty());
+  for (const char* table : {"verdicts.csv", "orders.csv", "cost.csv"}) EXPECT_FALSE(page(table).empty()) << table;
   EXPECT_FALSE(fs::exists(site / "index.html"));
 }
 

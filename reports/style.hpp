@@ -8,6 +8,7 @@ namespace touchstone::reports {
 inline constexpr std::string_view style = R"css(:root {
   --ink: #1b1b1b; --quiet: #5b5b5b; --rule: #1b1b1b; --hair: #d9d9d9; --link: #0b5394;
   --holds: #1a6b3c; --holds-pale: #eaf4ee; --fails: #b3261e; --fails-pale: #fbebea; --open: #7a5c00; --open-pale: #fbf4dc;
+  --stalled: #8a4100; --stalled-pale: #fdeedd; --untold: #4d4d4d; --untold-pale: #f0f0f0;
 }
 * { box-sizing: border-box; }
 html { -webkit-text-size-adjust: 100%; }
@@ -50,7 +51,24 @@ td.words.fails { min-width: 24rem; }
 td.holds { color: var(--holds); }
 td.fails { color: var(--fails); font-weight: 600; }
 td.inconclusive { color: var(--open); font-style: italic; }
-td.holds a, td.fails a, td.inconclusive a { color: inherit; }
+td.converging { color: var(--holds); }
+td.stalled { color: var(--stalled); }
+td.diverging { color: var(--fails); font-weight: 600; }
+td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
+.matrix td { white-space: normal; }
+.matrix th + th, .matrix td + td { min-width: 9rem; }
+.matrix th:first-child, .matrix td:first-child { position: sticky; left: 0; background: #fff; padding-right: 1rem; }
+.matrix .converging, .legend .converging { background: var(--holds-pale); color: var(--holds); }
+.matrix .stalled, .legend .stalled { background: var(--stalled-pale); color: var(--stalled); }
+.matrix .diverging, .legend .diverging { background: var(--fails-pale); color: var(--fails); }
+.matrix .inconclusive, .legend .inconclusive { background: var(--untold-pale); color: var(--untold); font-style: normal; }
+.matrix .none, .notes { color: var(--quiet); }
+.matrix tbody tr td.best { border-top: 1px solid var(--rule); }
+.notes { font-size: .85rem; margin: -1.8rem 0 2.5rem; }
+.legend { list-style: none; padding: 0; max-width: none; display: grid; gap: .5rem; font-size: .88rem; line-height: 1.4;
+  grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); margin: 1.5rem 0 2rem; }
+.legend li { padding: .4rem .7rem; }
+.legend b { display: block; }
 .nan { color: var(--fails); font-weight: 600; }
 .bar { display: inline-block; width: 3.5rem; height: .55rem; margin-right: .5rem; background: #ececec; }
 .bar i { display: block; height: 100%; background: var(--holds); }

@@ -3,13 +3,16 @@
 
 #include "reports/cases.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace touchstone::reports {
 
@@ -76,6 +79,40 @@ inline vnv::Verdict sample_verdict(vnv::Outcome outcome, double margin) {
   verdict.margin = margin;
   verdict.sentence = "the sentence of this verdict";
   return verdict;
+}
+
+/// Errors of second order over spacings that halve from 4 mm, in per cent.
+inline vnv::ObservedOrder sample_order(const std::string& quantity = "L2 v_x [%]", double time = 1,
+                                       std::size_t spacings = 3) {
+  vnv::ObservedOrder order;
+  order.ladder = "grid";
+  order.quantity = quantity;
+  order.time = time;
+  order.order = 2;
+  order.half_width = spacings > 2 ? 0.1 : std::numeric_limits<double>::infinity();
+  order.trend = spacings > 2 ? vnv::Trend::converging : vnv::Trend::inconclusive;
+  double spacing = 4e-3, error = 1.6;
+  for (std::size_t i = 0; i < spacings; ++i, spacing /= 2, error /= 4) {
+    order.rungs.push_back(fmt::format("M{}", i + 1));
+    order.spacings.push_back(spacing);
+    order.errors.push_back(error);
+  }
+  return order;
+}
+
+/// The same, one by one.
+inline std::vector<vnv::Error> errors_of(const vnv::ObservedOrder& order) {
+  std::vector<vnv::Error> errors;
+  for (std::size_t i = 0; i < order.rungs.size(); ++i)
+    errors.push_back({order.rungs[i], order.spacings[i], order.time, order.quantity, order.errors[i]});
+  return errors;
+}
+
+/// A run that ended, at 1 s.
+inline vnv::RunSummary sample_run(const std::string& rung, double cpu) {
+  vnv::RunSummary run{.rung = rung, .end_time = 1, .finished = true, .outcome = "finished"};
+  run.cost.cpu = run.cost.cpu_lowest = run.cost.cpu_highest = cpu;
+  return run;
 }
 
 inline vnv::Record sample_record(const std::string& method = "mpm") {

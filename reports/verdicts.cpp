@@ -20,10 +20,6 @@ std::string limit_html(const vnv::Verdict& verdict) {
   return replaced(replaced(replaced(limit(verdict), "<=", "≤"), ">=", "≥"), "-", "−");
 }
 
-std::string valued(double value, const std::string& unit) {
-  return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
-}
-
 HtmlCell optional_number(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
 
 std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {

@@ -75,4 +75,17 @@ inline Lattice lattice(const Box& filled, double spacing, const Box& domain) {
   return lattice(filled, spacing);
 }
 
+/// Where particles start: on a lattice, or where the scene puts them instead. Throws std::invalid_argument for none, or
+/// for one outside the domain.
+inline Vectors places_in(const Box& domain, const Start& start, const Lattice& lattice) {
+  Vectors all = start.places_on(lattice.places());
+  if (all.cols() == 0) throw std::invalid_argument("scene: no particle to start with, wanted at least one");
+  for (Eigen::Index p = 0; p < all.cols(); ++p)
+    if (!domain.contains(all.col(p)))
+      throw std::invalid_argument(fmt::format(
+          "scene: particle {} starts at ({:g}, {:g}) m, wanted inside the domain ({:g}, {:g}) to ({:g}, {:g}) m", p,
+          all(0, p), all(1, p), domain.low.x(), domain.low.y(), domain.high.x(), domain.high.y()));
+  return all;
+}
+
 }  // namespace touchstone

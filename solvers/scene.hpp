@@ -28,14 +28,18 @@ struct Domain {
   bool periodic_y = false;
 };
 
-/// How the fluid is when the run starts: at rest, and without pressure, where nothing is said.
+/// How the fluid is when the run starts: at rest, without pressure, and on a lattice, where nothing is said.
 struct Start {
   std::function<Vec2(const Vec2&)> velocity{};    // m/s  at a place [m]
   std::function<double(const Vec2&)> pressure{};  // Pa
+  /// Where the particles stand [m], from the lattice in the filled box: disturbed, numbered anew, or only those within
+  /// a drop.
+  std::function<Vectors(const Vectors&)> places{};
 
   bool at_rest() const { return !velocity && !pressure; }
   Vec2 velocity_at(const Vec2& x) const { return velocity ? velocity(x) : Vec2(Vec2::Zero()); }
   double pressure_at(const Vec2& x) const { return pressure ? pressure(x) : 0; }
+  Vectors places_on(const Vectors& lattice) const { return places ? places(lattice) : lattice; }
 };
 
 /// What is named by its type is in the scene; what is not named is not there and is not compiled: a scene

@@ -4,6 +4,7 @@
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/samples.hpp"
 #include "solvers/scene.hpp"
+#include "solvers/walls/no_slip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,12 +55,61 @@ inline double amplitude_of_wave(const Samples& s, int axis) {
   return 2 * (s.v.row(1 - axis).array() * (2 * std::numbers::pi * s.x.row(axis).array()).sin()).mean();
 }
 
+/// The particles of a lattice in reverse, each a little to the right and some of them left out.
+inline Vectors rearranged(const Vectors& lattice) {
+  Vectors all = lattice.rowwise().reverse().rightCols(lattice.cols() / 2);
+  all.row(0).array() += 0.01;
+  return all;
+}
+inline void expect_rearranged(const Samples& started, const Samples& rearranged_start) {
+  const Vectors wanted = rearranged(started.x);
+  ASSERT_EQ(rearranged_start.x.cols(), wanted.cols());
+  EXPECT_LT((rearranged_start.x - wanted).norm(), 1e-12);
+}
+
 inline void expect_as_in(const Start& start, const Samples& s, double velocity_tolerance, double pressure_tolerance) {
   for (Eigen::Index p = 0; p < s.size(); ++p) {
     const Vec2 x = s.x.col(p);
     EXPECT_LT((s.v.col(p) - start.velocity(x)).norm(), velocity_tolerance);
     EXPECT_NEAR(s.pressure[p], start.pressure(x), pressure_tolerance);
   }
+}
+
+/// A closed box of fluid whose last wall is a lid: the ceiling slides to the right or, what is the same a quarter turn
+/// on, the right wall slides down.
+inline Scene<Newtonian> closed_box(std::vector<Wall> walls) {
+  return {.domain = {.box = {.high = {1, 1}}}, .fluid = oil, .filled = {.high = {1, 1}}, .walls = std::move(walls)};
+}
+inline Scene<Newtonian> under_a_lid() {
+  return closed_box(
+      {floor_at(0, no_slip()), left_at(0, no_slip()), right_at(1, no_slip()), ceiling_at(1, no_slip({1, 0}))});
+}
+inline Scene<Newtonian> beside_a_lid() {
+  return closed_box(
+      {left_at(0, no_slip()), ceiling_at(1, no_slip()), floor_at(0, no_slip()), right_at(1, no_slip({0, -1}))});
+}
+
+/// Places, velocities and pressures of particles that started on a square lattice, `across` of them along a side.
+inline void expect_a_quarter_turn_on(const Samples& s, const Samples& turned, Eigen::Index across, double tolerance) {
+  for (Eigen::Index row = 0; row < across; ++row)
+    for (Eigen::Index column = 0; column < across; ++column) {
+      const Eigen::Index p = row * across + column, q = (across - 1 - column) * across + row;
+      EXPECT_LT((turned.x.col(q) - Vec2(s.x(1, p), 1 - s.x(0, p))).norm(), tolerance) << p;
+      EXPECT_LT((turned.v.col(q) - Vec2(s.v(1, p), -s.v(0, p))).norm(), tolerance) << p;
+      EXPECT_NEAR(turned.pressure[q], s.pressure[p], oil.density * tolerance) << p;
+    }
+}
+
+/// Fluid under a lid turns with it, below it comes back, and what is in the box stays in it.
+inline void expect_driven_by_the_lid(const Samples& s) {
+  EXPECT_TRUE((s.x.array() >= 0).all() && (s.x.array() <= 1).all());
+  const auto mean_along = [&](double low, double high) {
+    const Scalars is_between = (s.x.row(1).array() > low && s.x.row(1).array() < high).cast<double>().transpose();
+    return (s.v.row(0).transpose().array() * is_between).sum() / is_between.sum();
+  };
+  EXPECT_GT(mean_along(0.9, 1), 0.3);
+  EXPECT_LT(mean_along(0.3, 0.6), -0.02);
+  EXPECT_LT(s.v.colwise().norm().maxCoeff(), 1.1);
 }
 
 /// All of `start` is carried along by v for a time, through the seams of a box of that size.

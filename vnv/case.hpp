@@ -15,15 +15,17 @@ std::string_view name_of(Suite suite);
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Rung {
-  std::string name{};               // "M2"
-  double spacing;                   // m  of the particles at the start
-  double cell = not_a_number;       // m  of the background grid; none in SPH
-  double time_step = not_a_number;  // s  else that of the method
-  double acceptance = 0;            // s
-  double report = 0;                // s
-  double nightly = 0;               // s
-  bool may_diverge = false;         // a run that is made to see whether it does
+  std::string name{};                      // "M2"
+  double spacing;                          // m  of the particles at the start
+  double cell = not_a_number;              // m  of the background grid; none in SPH
+  double smoothing_length = not_a_number;  // m  of the kernel, else that of the method; none in MPM
+  double time_step = not_a_number;         // s  else that of the method
+  double acceptance = 0;                   // s
+  double report = 0;                       // s
+  double nightly = 0;                      // s
+  bool may_diverge = false;                // a run that is made to see whether it does
 
+  double smoothing_or(double of_method) const { return std::isnan(smoothing_length) ? of_method : smoothing_length; }
   double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {
     return suite == Suite::acceptance ? acceptance : suite == Suite::report ? report : nightly;

@@ -20,6 +20,7 @@
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"
 #include "vnv/measures/row_means.hpp"
+#include "vnv/methods.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/profiles.hpp"
@@ -156,9 +157,6 @@ inline const std::string sph_regularised_words =
     "h = 1 spacing, continuity density, pressure differences, viscosity of Morris, Fox & Zhu (1997), wall velocities mirrored "
     "(Adami, Hu & Adams 2012), kick-drift-kick with twice the paper's time step.";
 
-/// Rows of particles that slip past each other double a rounding error every so often.
-inline const Tolerance slipping_rows{0.02, "tuned and portable builds differ by less"};
-
 /// How much larger an error is at 10 s than at 1 s, for runs that go so far.
 inline const std::string growth = "L2 v_x, per particle, at 10 s over that at 1 s [-]";
 inline std::vector<Error> growth_of(const Rung& rung, const Run& run, const Truth& truth) {
@@ -184,6 +182,11 @@ inline std::vector<Claim> at_most_the_papers(const std::string& table, const std
   return claims;
 }
 
+/// At most so small a share of what a table of the paper has at 1 s.
+inline Claim a_share_of_the_papers(int share, double error, const std::string& where) {
+  return at_most(l2_rows, error / share, literature(fmt::format("Sun et al., {}, over {}", where, share))).at(1);
+}
+
 inline std::vector<Claim> operator+(std::vector<Claim> claims, const Claim& more) {
   claims.push_back(more);
   return claims;
@@ -204,6 +207,26 @@ inline std::vector<Rung> regularised_rungs() {
   return {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 10},
           {.name = "S2", .spacing = H / 80, .acceptance = 0.05, .report = 0.2, .nightly = 1},
           {.name = "S3", .spacing = H / 120, .nightly = 0.2}};
+}
+
+/// The methods of second order at times that 0.05 s divides, on ladders that hold two particle numbers of the paper:
+/// 800 and 3200.
+template <class SceneOfChannel>
+std::vector<Method> second_order_methods(const SceneOfChannel& scene, const std::vector<Claim>& of_mpm,
+                                         const std::vector<Claim>& of_sph) {
+  const auto named = [](std::vector<Rung> rungs, char series) {
+    for (Rung& rung : rungs)
+      if (rung.name == "40 across" || rung.name == "80 across")
+        rung.name = series + std::string(rung.name == "40 across" ? "1" : "2");
+    return rungs;
+  };
+  return {
+      up(named(rungs_across(H, {{20, 0.1, 0, 0.1}, {28, 0.1, 0, 0.1}, {40, 0, 0, 1}, {56, 0, 0, 0.1}, {80, 0, 0, 1}}),
+               'M'),
+         mpm_least_squares(scene, 0.05), of_mpm),
+      up(named(rungs_across(H, {{14, 0.1, 0, 0.1}, {20, 0.1, 0, 0.1}, {28, 0, 0, 0.1}, {40, 0, 0, 1}, {56, 0, 0, 0.1}}),
+               'S'),
+         sph_second_order(scene, 0.05), of_sph)};
 }
 
 /// The rows of tables 3 and 4 of Sun et al. for one flow and one of its methods, "MPM" or "SPH".

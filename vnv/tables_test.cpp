@@ -419,6 +419,8 @@ TEST(Data, IsComplete) {
                                                 {"experiments/koshizuka_oka_1996_front.csv", 18},
                                                 {"papers/koshizuka_oka_1996_computations.csv", 35},
                                                 {"papers/sun_tables_3_4.csv", 16},
+                                                {"papers/ghia_1982_vertical_centreline.csv", 119},
+                                                {"papers/ghia_1982_horizontal_centreline.csv", 119},
                                                 {"peers/poiseuille_run_time.csv", 3}};
   for (const auto& [name, count] : rows) EXPECT_EQ(read_any(data / name).rows(), count) << name;
 }

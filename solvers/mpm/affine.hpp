@@ -33,8 +33,7 @@ class Affine {
         dt_(settings.time_step),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
-        particles_(at_rest<AffineParticles<Number>>(lattice(scene.filled, settings.spacing, scene.domain.box), grid_,
-                                                    scene.fluid)),
+        particles_(at_rest<AffineParticles<Number>>(scene, settings.spacing, grid_)),
         nodes_(grid_, lanes_of<Number>),
         mirrors_(scene.walls, grid_) {
     require_positive("mpm", "time step [s]", dt_);

@@ -179,9 +179,12 @@ TEST(AffineTransfer, EqualsThePlainLoopForAnInviscidFluidInACorner) {
 /// Particles of mass 1 in a box of 6 x 5 cells, on their own: nothing but the transfer acts on them.
 struct Alone {
   static constexpr double time_step = 1e-3;  // s
-  const Grid grid{{.box = {.high = {1.2, 0.5}}}, 0.1};
-  const Tait fluid{.density = 1000, .bulk_modulus = 1e-200};
-  AffineParticles<> particles = at_rest<AffineParticles<>>(lattice({{0.2, 0.1}, {1, 0.4}}, 0.03), grid, fluid);
+  const Scene<Tait> scene{.domain = {.box = {.high = {1.2, 0.5}}},
+                          .fluid = {.density = 1000, .bulk_modulus = 1e-200},
+                          .filled = {{0.2, 0.1}, {1, 0.4}}};
+  const Grid grid{scene.domain, 0.1};
+  const Tait fluid = scene.fluid;
+  AffineParticles<> particles = at_rest<AffineParticles<>>(scene, 0.03, grid);
   CentreNodes nodes{grid, lanes};
   std::vector<char> calm{};
 

@@ -48,6 +48,10 @@ class Grid {
     return box.low + Vec2((the_cell % columns + X) * cell.x(), (the_cell / columns + Y) * cell.y());
   }
 
+  Vec2 place_of(int node) const {  // m
+    return box.low + cell.cwiseProduct(Vec2(node % node_columns(), node / node_columns()));
+  }
+
   /// The grid line of a wall, counted from the low edge. Throws std::invalid_argument if it stands off the grid.
   int line_of(const Wall& wall) const {
     const double line = (wall.position - box.low[wall.axis]) / cell[wall.axis];

@@ -20,7 +20,8 @@ namespace touchstone::mpm {
 /// conserve, mass on the grid and momentum, is conserved to the order of the method only.
 ///
 /// Before the flow has strained the particles' lattice so far that fits would suffer they are put back onto it, with
-/// velocities and densities from the fits (remeshing; Cottet & Koumoutsakos, Vortex Methods (2000), chapter 7).
+/// velocities and densities from the fits (remeshing; Cottet & Koumoutsakos, Vortex Methods (2000), chapter 7). They
+/// stand for equal parts of the volume that they fill, so the mean of their densities is kept, and with it the mass.
 template <class Integrator, class FluidLaw, class Force>
 class LeastSquares {
  public:
@@ -59,6 +60,8 @@ class LeastSquares {
     lap(SubStep::sorting);
     integrator_.step(*this, time(), dt_, lap);
     strained_ += dt_ * strain_rate_;
+    all_.rho += mean_density_ - all_.rho.mean();
+    lap(SubStep::motion);
     ++steps_;
   }
 
@@ -92,7 +95,8 @@ class LeastSquares {
 
   static constexpr double most_strain = 0.25;    // of the particles' lattice
   static constexpr double damping_of_rho = 0.5;  // of what the fits leave, while sound travels a cell
-  static constexpr double damping_of_v = 4;      // likewise, while the fluid is strained by as much as it is long
+  static constexpr double damping_of_v =
+      4;  // likewise, while the fluid is strained by as much as it is long; no faster
 
   struct AtWall {
     int node;
@@ -115,13 +119,19 @@ class LeastSquares {
     for (Scalars* field : {&all_.x, &all_.y, &all_.vx, &all_.vy, &all_.rho, &all_.ax, &all_.ay, &all_.drho})
       field->setZero(all_.fluid);
     all_.past.assign(Integrator::past_fields, Scalars::Zero(all_.fluid));
-    take_seats();
+    const Vectors places = places_in(scene_.domain.box, scene_.start, lattice_);
+    if (places.cols() != all_.fluid)
+      throw std::invalid_argument(
+          fmt::format("mpm: {} particles to start with, wanted the {} of the lattice", places.cols(), all_.fluid));
     for (Index i = 0; i < all_.fluid; ++i) {
-      const Vec2 v = scene_.start.velocity_at(seats_.col(i));
+      const Vec2 x = places.col(i), v = scene_.start.velocity_at(x);
+      all_.x[i] = x.x();
+      all_.y[i] = x.y();
       all_.vx[i] = v.x();
       all_.vy[i] = v.y();
-      all_.rho[i] = scene_.fluid.density_at(scene_.start.pressure_at(seats_.col(i)));
+      all_.rho[i] = scene_.fluid.density_at(scene_.start.pressure_at(x));
     }
+    mean_density_ = all_.rho.mean();
     nodes_.fit(all_, scene_.fluid.density, threads_);
     std::vector<std::array<double, 2>> jump(nodes_.count());
     for (const auto& [node, wall] : at_walls_) {
@@ -260,7 +270,7 @@ class LeastSquares {
 
   void read_rates() {
     const double of_rho = damping_of_rho * scene_.fluid.sound_speed() / grid_.cell.minCoeff(),
-                 of_v = damping_of_v * strain_rate_;
+                 of_v = std::min(damping_of_v * strain_rate_, of_rho);
     share_out(threads_, all_.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) {
         const NearNode at = nodes_.near(all_.x[i], all_.y[i]);
@@ -301,6 +311,7 @@ class LeastSquares {
   std::vector<AtWall> at_walls_;
   FluidState all_;
   Integrator integrator_;
+  double mean_density_ = 0;                // kg/m³
   double strain_rate_ = 0, strained_ = 0;  // 1/s, -  of the lattice since it was laid out
   long steps_ = 0;
 };

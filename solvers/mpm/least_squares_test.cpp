@@ -109,6 +109,21 @@ TEST(LeastSquaresMpm, FluidSlidesFreelyAlongASlipperyWall) {
   EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
 }
 
+TEST(LeastSquaresMpm, ALidDrivesTheFluidInAClosedBoxAndNoneLeaves) {
+  expect_driven_by_the_lid(after<LeastSquaresMethod>(2000, under_a_lid()));
+}
+
+TEST(LeastSquaresMpm, ALidDrivesAlikeWhicheverWallItIs) {
+  expect_a_quarter_turn_on(after<LeastSquaresMethod>(100, under_a_lid()),
+                           after<LeastSquaresMethod>(100, beside_a_lid()), 20, 1e-9);
+}
+
+TEST(LeastSquaresMpm, TheMeanDensityOfAClosedBoxStaysWhatItWas) {
+  const Samples s = after<LeastSquaresMethod>(500, under_a_lid());
+  EXPECT_NEAR(s.density.mean(), oil.density, 1e-12 * oil.density);
+  EXPECT_GT((s.density - oil.density).abs().maxCoeff(), 1e-4 * oil.density);  // though it changes from place to place
+}
+
 TEST(LeastSquaresMpm, ThreadsDoNotChangeABit) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
   Settings settings = coarse;

@@ -31,10 +31,9 @@ class Mpm {
         dt_(settings.time_step),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
-        particles_(at_rest<Particles<FluidLaw, Number>>(lattice(scene.filled, settings.spacing, scene.domain.box),
-                                                        grid_, scene.fluid)),
+        particles_(at_rest<Particles<FluidLaw, Number>>(scene, settings.spacing, grid_)),
         nodes_(grid_, lanes_of<Number>),
-        wall_nodes_(scene.walls, grid_, nodes_) {
+        wall_nodes_(scene.walls, scene.start, grid_, nodes_) {
     require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
     set_going(particles_, scene.start, grid_, scene.fluid, dt_);

@@ -18,12 +18,14 @@ inline std::vector<int> cells_of(const Vectors& places, const Grid& grid) {
   return cells;
 }
 
-/// Particles at rest at the points of a lattice, in the order of their cells.
-template <class Particles, class FluidLaw>
-Particles at_rest(const Lattice& points, const Grid& grid, const FluidLaw& fluid) {
-  const Vectors places = points.places();
+/// Particles at rest where a scene puts them, in the order of their cells. Throws std::invalid_argument for a spacing
+/// larger than the filled box, or water outside the domain.
+template <class Particles, class AnyScene>
+Particles at_rest(const AnyScene& scene, double spacing, const Grid& grid) {
+  const Lattice points = lattice(scene.filled, spacing, scene.domain.box);
+  const Vectors places = places_in(scene.domain.box, scene.start, points);
   const std::vector<int> cells = cells_of(places, grid);
-  Particles particles(places.cols(), fluid.density * points.volume(), {grid.columns, grid.rows, cells});
+  Particles particles(places.cols(), scene.fluid.density * points.volume(), {grid.columns, grid.rows, cells});
   std::vector<int> taken(grid.cells(), 0);
   for (int p = 0; p < particles.count; ++p) {
     const int slot = particles.order.slot(cells[p], taken[cells[p]]++);

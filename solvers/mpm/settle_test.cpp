@@ -18,7 +18,8 @@ struct Pool {
 
   explicit Pool(bool periodic_x)
       : grid({.box = {.high = {0.4, 0.3}}, .periodic_x = periodic_x}, 0.1),
-        particles(at_rest<Particles<Tait>>(lattice(grid.box, 0.1), grid, water)) {}
+        particles(at_rest<Particles<Tait>>(Scene<Tait>{.domain = {.box = grid.box}, .fluid = water, .filled = grid.box},
+                                           0.1, grid)) {}
 
   int slot(int cell) const { return particles.order.slot(cell, 0); }
   double& X(int cell) { return particles.X[slot(cell)]; }

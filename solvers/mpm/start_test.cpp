@@ -44,6 +44,18 @@ TYPED_TEST(MpmStart, ARunWithoutAWordIsAtRest) {
   EXPECT_EQ(s.pressure.abs().maxCoeff(), 0);
 }
 
+TYPED_TEST(MpmStart, ASceneMayPutItsParticlesElsewhere) {
+  expect_rearranged(after<TypeParam>(0, endless({}), coarse),
+                    after<TypeParam>(0, endless({.places = rearranged}), coarse));
+}
+
+TYPED_TEST(MpmStart, RefusesAParticleOutsideTheDomainAndNoneAtAll) {
+  const auto outside = [](const Vectors& lattice) -> Vectors { return 2 * lattice; };
+  const auto none = [](const Vectors&) { return Vectors(2, 0); };
+  EXPECT_THROW(after<TypeParam>(0, endless({.places = outside}), coarse), std::invalid_argument);
+  EXPECT_THROW(after<TypeParam>(0, endless({.places = none}), coarse), std::invalid_argument);
+}
+
 TYPED_TEST(MpmStart, UniformFlowCrossesBothSeamsUnchanged) {
   const Vec2 v(7, -5), size(0.7, 0.9);
   const Scene<Newtonian> scene = endless(uniform_flow(v), size);

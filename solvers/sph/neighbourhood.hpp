@@ -46,7 +46,7 @@ class Neighbourhood {
         throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
                                                 farthest, period[axis]));
     const Lattice cells = lattice(scene.filled, spacing, domain_.box);
-    place(cells.places());
+    place(places_in(domain_.box, scene.start, cells));
     all.mass = density_ * cells.volume();
     if (!scene.start.at_rest()) set_going(scene.start, scene.fluid);
     list_anew();

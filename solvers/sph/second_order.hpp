@@ -15,8 +15,12 @@ namespace touchstone::sph {
 /// conserve, momentum and its moment, is conserved to the order of the method only.
 ///
 /// Particles move with the fluid and drift besides from where they are dense, so that they stay evenly spread for any
-/// length of time; on the way their velocity and density change by the slopes that the fits have found. What a fit
-/// leaves, of fourth order in the spacing, is damped: motion that the particles cannot resolve.
+/// length of time; on the way their velocity and density change by the slopes that the fits have found. So they do on
+/// the short way back from a wall that their inertia took them too near to, as where a lid carries them into a corner.
+/// What a fit leaves, of fourth order in the spacing, is damped: motion that the particles cannot resolve.
+///
+/// Evenly spread particles stand for equal parts of the volume that they fill, so the mean of their densities is that
+/// of the fluid's mass, and is kept. Continuity at each of them alone lets it creep, and the mean pressure with it.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force>
 class SecondOrder {
  public:
@@ -29,6 +33,7 @@ class SecondOrder {
               settings.threads) {
     require_filled("sph", scene.filled, scene.domain.box);
     near_.carry(drift_fields, Integrator::past_fields);
+    mean_density_ = near_.all.rho.mean();
   }
 
   /// The particles drift, then one step of the integrator. `lap` is told what was done.
@@ -39,6 +44,8 @@ class SecondOrder {
     drift(time_step());
     lap(SubStep::motion);
     integrator_.step(*this, time_, time_step(), lap);
+    near_.all.rho += mean_density_ - near_.all.rho.mean();
+    lap(SubStep::rates);
     time_ = static_cast<double>(++steps_) * time_step();
   }
 
@@ -57,9 +64,12 @@ class SecondOrder {
   friend Integrator;
   friend PredictorCorrector;  // starts others
 
-  static constexpr double spreading = 1;         // of the speed of sound, where the neighbours' centre is off by h
-  static constexpr double damping_of_rho = 0.5;  // of what a fit leaves, while sound travels a spacing
-  static constexpr double damping_of_v = 8;      // likewise, while the fluid is strained by as much as it is long
+  static constexpr double spreading = 1;          // of the speed of sound, where the neighbours' centre is off by h
+  static constexpr double least_distance = 0.25;  // spacings from a wall; half of one at the start
+  static constexpr double nearest_wall = 0.4;     // likewise, of fluid that tells ghosts its velocity as it is
+  static constexpr double damping_of_rho = 0.5;   // of what a fit leaves, while sound travels a spacing
+  static constexpr double damping_of_v =
+      8;  // likewise, while the fluid is strained by as much as it is long; no faster
 
   /// What a particle carries from the rates to the next drift: its velocity and the slopes of what changes with it.
   enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
@@ -86,15 +96,32 @@ class SecondOrder {
       all.vx(part) += change(vx_along_x, vx_along_y);
       all.vy(part) += change(vy_along_x, vy_along_y);
       all.rho(part) += change(rho_along_x, rho_along_y);
+      for (const Wall& wall : scene_.walls)
+        for (Index i = begin; i < end; ++i) keep_off(wall, i);
     });
+  }
+
+  /// Puts a particle back that is too near to a wall.
+  void keep_off(const Wall& wall, Index i) {
+    Particles& all = near_.all;
+    const double missing = least_distance * settings_.spacing - wall.distance({all.x[i], all.y[i]});
+    if (!(missing > 0)) return;
+    const double back = wall.inward * missing;
+    const auto change = [&](DriftField slope_x, DriftField slope_y) {
+      return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
+    };
+    (wall.axis == 0 ? all.x : all.y)[i] += back;
+    all.vx[i] += change(vx_along_x, vx_along_y);
+    all.vy[i] += change(vy_along_x, vy_along_y);
+    all.rho[i] += change(rho_along_x, rho_along_y);
   }
 
   template <class Laps>
   void find_rates(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
-    extrapolate_to_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, scene_.fluid, scene_.body_force,
-                                  time);
+    extrapolate_to_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, nearest_wall * settings_.spacing,
+                                  scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
     fit_and_move();
     lap(SubStep::pairs);
@@ -140,10 +167,10 @@ class SecondOrder {
     Particles& all = near_.all;
     const double *const vx = fit.data(), *const vy = vx + 6, *const p = vx + 12;
     const double rho = all.rho[i], c = scene_.fluid.sound_speed(), per_c2 = 1 / scene_.fluid.pressure_slope(rho);
-    const double per_time = c / settings_.spacing;
-    all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + damping_of_rho * per_time * per_c2 * p[rest];
-    all.ax[i] = -p[along_x] / rho + damping_of_v * strain_rate_ * vx[rest];
-    all.ay[i] = -p[along_y] / rho + damping_of_v * strain_rate_ * vy[rest];
+    const double of_rho = damping_of_rho * c / settings_.spacing, of_v = std::min(damping_of_v * strain_rate_, of_rho);
+    all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + of_rho * per_c2 * p[rest];
+    all.ax[i] = -p[along_x] / rho + of_v * vx[rest];
+    all.ay[i] = -p[along_y] / rho + of_v * vy[rest];
     if constexpr (Viscous<FluidLaw>) {
       const double nu = scene_.fluid.viscosity / rho;
       all.ax[i] += nu * (vx[xx] + vx[yy] + (vx[xx] + vy[xy]) / 3);
@@ -164,6 +191,7 @@ class SecondOrder {
   Settings settings_;
   Neighbourhood<Record<Real>> near_;
   Integrator integrator_;
+  double mean_density_ = 0;            // kg/m³
   double time_ = 0, strain_rate_ = 0;  // s; 1/s  the largest slope of a velocity
   long steps_ = 0;
 };

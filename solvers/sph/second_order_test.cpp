@@ -65,6 +65,21 @@ TEST(SecondOrderSph, AForceMovesAllAlike) {
   EXPECT_LT((s.v.colwise() - Vec2(0.2, -0.3)).norm(), 1e-9);
 }
 
+TEST(SecondOrderSph, ALidDrivesTheFluidInAClosedBoxAndNoneLeaves) {
+  expect_driven_by_the_lid(after<SecondOrderMethod>(2000, under_a_lid()));
+}
+
+TEST(SecondOrderSph, ALidDrivesAlikeWhicheverWallItIs) {
+  expect_a_quarter_turn_on(after<SecondOrderMethod>(100, under_a_lid()), after<SecondOrderMethod>(100, beside_a_lid()),
+                           20, 1e-9);
+}
+
+TEST(SecondOrderSph, TheMeanDensityOfAClosedBoxStaysWhatItWas) {
+  const Samples s = after<SecondOrderMethod>(500, under_a_lid());
+  EXPECT_NEAR(s.density.mean(), oil.density, 1e-12 * oil.density);
+  EXPECT_GT((s.density - oil.density).abs().maxCoeff(), 1e-4 * oil.density);  // though it changes from place to place
+}
+
 TEST(SecondOrderSph, ThreadsDoNotChangeABit) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
   const Samples one = after<SecondOrderMethod>(60, endless(start)),

@@ -43,6 +43,10 @@ TYPED_TEST(SphStart, ARunHasTheVelocityAndThePressureOfItsScene) {
   expect_as_in(varied_start(), after<TypeParam>(0, endless(varied_start())), 1e-14, 1e-8);
 }
 
+TYPED_TEST(SphStart, ASceneMayPutItsParticlesElsewhere) {
+  expect_rearranged(after<TypeParam>(0, endless({})), after<TypeParam>(0, endless({.places = rearranged})));
+}
+
 TYPED_TEST(SphStart, UniformFlowCrossesBothSeamsUnchanged) {
   const Vec2 v(7, -5);
   const Scene<Newtonian> scene = endless(uniform_flow(v));

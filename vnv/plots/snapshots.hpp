@@ -1,13 +1,15 @@
 #pragma once
 #include "vnv/case.hpp"
+#include "vnv/measures/profile.hpp"
 
 #include <fmt/format.h>
 
 namespace touchstone::vnv {
 
-/// Particles coloured by pressure: a column of panels per method (of the first rung named that it has), a row per time
+/// Particles coloured by a field: a column of panels per method (of the first rung named that it has), a row per time
 /// [s].
-inline Plot snapshots(Figure frame, std::vector<std::string> rungs, std::vector<double> times) {
+inline Plot snapshots(Figure frame, std::vector<std::string> rungs, std::vector<double> times,
+                      Field colour = pressure) {
   return [=](const Results& results, Record& record) {
     Figure figure = frame;
     figure.equal_axes = true;
@@ -21,7 +23,7 @@ inline Plot snapshots(Figure frame, std::vector<std::string> rungs, std::vector<
           for (Eigen::Index p = 0; p < s->size(); ++p) {
             cloud.x.push_back(s->x(0, p));
             cloud.y.push_back(s->x(1, p));
-            cloud.colour.push_back(s->pressure[p]);
+            cloud.colour.push_back(colour(*s, p));
           }
           record.clouds.push_back(std::move(cloud));
         }

@@ -9,6 +9,7 @@ struct NodeAtWall {
   Vec2 before, after;  // m/s
   double start, end;   // s
   bool first_step;
+  Vec2 of_scene = Vec2::Zero();  // m/s  of the fluid here as the scene starts, which a wall may jump to its own
 };
 
 }  // namespace touchstone::mpm

@@ -1,6 +1,7 @@
 #pragma once
 #include "solvers/mpm/nodes.hpp"
 #include "solvers/mpm/walls/node_at_wall.hpp"
+#include "solvers/scene.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -12,10 +13,11 @@ namespace touchstone::mpm {
 class WallNodes {
  public:
   /// Throws std::invalid_argument for a wall off the grid.
-  WallNodes(const std::vector<Wall>& walls, const Grid& grid, const Nodes& nodes) : walls_(walls) {
+  WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Nodes& nodes) : walls_(walls) {
     for (std::size_t wall = 0; wall < walls.size(); ++wall)
       for (int node : grid.nodes_on(walls[wall]))
-        for (int image : nodes.images(node, grid)) all_.push_back({image, static_cast<int>(wall)});
+        for (int image : nodes.images(node, grid))
+          all_.push_back({image, static_cast<int>(wall), start.velocity_at(grid.place_of(node))});
     std::stable_sort(all_.begin(), all_.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
   }
 
@@ -34,7 +36,7 @@ class WallNodes {
     for (auto held = held_.begin(); held < held_.end();) {
       const int node = held->node;
       const Vec2 v = nodes.velocity[node];
-      NodeAtWall at_wall{v, v + nodes.change[node], start, start + dt, start == 0};
+      NodeAtWall at_wall{v, v + nodes.change[node], start, start + dt, start == 0, held->of_scene};
       for (; held < held_.end() && held->node == node; ++held) Treatment::hold(walls_[held->wall], at_wall);
       if (!nodes.moves(node)) continue;
       nodes.change.set(node, at_wall.after - at_wall.before);
@@ -52,6 +54,7 @@ class WallNodes {
  private:
   struct Held {
     int node, wall;
+    Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
   };
   std::vector<Wall> walls_;
   std::vector<Held> all_, held_;

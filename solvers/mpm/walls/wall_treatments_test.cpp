@@ -12,7 +12,7 @@ namespace {
 const Vec2 before(3, 5), after(4, 7), wall_velocity(10, 0);  // m/s
 
 NodeAtWall node(bool first_step) {
-  return {.before = before, .after = after, .start = 2, .end = 2.5, .first_step = first_step};
+  return {.before = before, .after = after, .start = 2, .end = 2.5, .first_step = first_step, .of_scene = before};
 }
 
 template <class Treatment>
@@ -34,6 +34,17 @@ TEST(PrescribedMotion, TellsTheParticlesOfTheStartOnly) {
   const Wall sliding = ceiling_at(1, no_slip(wall_velocity));
   EXPECT_EQ(change_at<PrescribedMotion>(sliding, true), wall_velocity - before);
   EXPECT_EQ(change_at<PrescribedMotion>(sliding, false), Vec2(0, 0));
+}
+
+TEST(PrescribedMotion, IsNoJumpForFluidThatStartsAsTheWallMoves) {
+  NodeAtWall held = node(true);
+  held.of_scene = wall_velocity;  // whatever the mean over the particles near it
+  PrescribedMotion::hold(ceiling_at(1, no_slip(wall_velocity)), held);
+  EXPECT_EQ(held.after - held.before, Vec2(0, 0));
+  held = node(true);
+  held.of_scene = {3, 0};
+  PrescribedMotion::hold(floor_at(0, free_slip()), held);
+  EXPECT_EQ(held.after - held.before, Vec2(1, 0));
 }
 
 TEST(PrescribedVelocity, NeverTellsTheParticlesOfTheStart) {

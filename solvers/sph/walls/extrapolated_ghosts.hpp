@@ -7,10 +7,13 @@ namespace touchstone::sph {
 /// kernel, through the velocity at the wall: exact for a velocity that is linear from the wall on. The pressure is that
 /// mean and what the body force adds on the way. A ghost out of reach is at rest, without pressure.
 ///
+/// Fluid that has come closer to the wall than `nearest` [m] is taken for as far from it: else what noise it has would
+/// be thrown far beyond the wall (Morris, Fox & Zhu 1997 limit likewise).
+///
 /// `fill_ghosts` mirrors the mean as if it stood where the ghost's mirror image does.
 template <class Kernel, class Record, class FluidLaw, class Force>
-void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, const FluidLaw& fluid,
-                           const Force& body_force, double time) {
+void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, double nearest,
+                           const FluidLaw& fluid, const Force& body_force, double time) {
   const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
     const auto sides = apart(j, g);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
@@ -32,7 +35,7 @@ void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>&
     double p = sums[3] / sums[0];
     for (const int w : ghost.behind) {
       const Wall& wall = walls[w];
-      const double ratio = wall.distance(ghost.x) / std::max(wall.distance(from), 1e-3 * h);
+      const double ratio = wall.distance(ghost.x) / std::max(wall.distance(from), nearest);
       const Vec2 at_wall = wall.at_wall(v, time);
       v = at_wall + ratio * (v - at_wall);
     }

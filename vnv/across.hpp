@@ -1,0 +1,50 @@
+#pragma once
+/// Ladders of flows that one length measures: so many particles across a side or a gap.
+
+#include "vnv/case.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchstone::vnv {
+
+inline const std::string ladder_across = "particles across";
+
+/// So many particles across, and how far each suite runs them [s].
+struct Across {
+  int particles;
+  double acceptance, report, nightly;
+};
+
+/// In MPM with four particles to a cell.
+inline std::vector<Rung> rungs_across(double length, const std::vector<Across>& all) {
+  std::vector<Rung> rungs;
+  for (const Across& a : all)
+    rungs.push_back({.name = std::to_string(a.particles) + " across",
+                     .spacing = length / a.particles,
+                     .cell = 2 * length / a.particles,
+                     .acceptance = a.acceptance,
+                     .report = a.report,
+                     .nightly = a.nightly});
+  return rungs;
+}
+
+/// A method with rungs that are one ladder, and what is claimed of it.
+inline Method up(const std::vector<Rung>& rungs, Method method, std::vector<Claim> claims = {}) {
+  Ladder all{ladder_across, {}};
+  for (const Rung& rung : rungs) all.rungs.push_back(rung.name);
+  method.rungs = rungs;
+  method.ladders = {all};
+  method.claims = std::move(claims);
+  return method;
+}
+
+/// The step in which sound travels a share of a length [m], or less: there is a whole number of them in `whole` [s].
+template <class AnyScene>
+double step_for(const AnyScene& scene, double share, double length, double whole) {
+  return whole / std::ceil(whole * scene.fluid.sound_speed() / (share * length) * (1 - 1e-9));
+}
+
+}  // namespace touchstone::vnv

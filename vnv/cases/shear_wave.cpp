@@ -1,0 +1,61 @@
+/// A decaying wave of shear: the viscous term alone, in a fluid whose rows of particles slip past each other.
+
+#include "reference/shear_wave.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/plots/over_time.hpp"
+#include "vnv/square.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::square;
+
+namespace {
+
+constexpr double early = 0.1, end = 1;                 // s
+constexpr double U = 1, c = 10, rho = 1000, Re = 100;  // m/s, m/s, kg/m³, -
+constexpr Newtonian fluid{{.density = rho, .bulk_modulus = rho * c * c / 7}, rho* U* side / Re};
+const reference::ShearWave exact{.L = side, .U = U, .nu = fluid.kinematic_viscosity()};
+
+Vec2 velocity(const Vec2& x, double t) { return {exact(x.y(), t), 0}; }
+
+const Scene<Newtonian> scene{.domain = domain, .fluid = fluid, .filled = box, .start = {.velocity = [](const Vec2& x) {
+                                                                                return velocity(x, 0);
+                                                                              }}};
+
+const std::vector<Rung> levels = rungs_across(
+    side, {{32, early, 0, end}, {44, early, 0, end}, {64, 0, 0, end}, {88, 0, 0, early}, {128, 0, 0, early}});
+/// Where errors of fourth order no longer hide those of second.
+const std::vector<Rung> finer_levels = rungs_across(
+    side, {{64, early, 0, end}, {88, early, 0, early}, {128, 0, 0, early}, {176, 0, 0, early}, {256, 0, 0, early}});
+
+Claim of_second_order(const std::string& words) {
+  return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory(words)).at(early).over(5);
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return with_plots(
+      {.title = "A decaying wave of shear",
+       .description =
+           "In a periodic square of 1 m fluid moves along x with sin(2 pi y / m) m/s; Reynolds number 100, Mach "
+           "number 0.1. The oracle solves the whole equations of motion: pressure and density stay uniform, "
+           "and the wave decays by viscosity alone.",
+       .times = {early, end},
+       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
+       .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
+       .methods = {up(levels, mpm_as_printed(scene, whole)), up(levels, mpm_affine(scene, whole)),
+                   up(finer_levels, mpm_least_squares(scene, whole), {of_second_order("fits and differences")}),
+                   up(levels, sph_as_printed(scene, whole)), up(levels, sph_transport_velocity(scene, whole)),
+                   up(finer_levels, sph_second_order(scene, whole), {of_second_order("fits of second degree")})},
+       .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
+                           {"32 across"}),
+                 exact_over_time(
+                     "energy",
+                     [](double t) {
+                       const double v = exact(side / 4, t);
+                       return rho * side * side * v * v / 4;
+                     },
+                     end)}},
+      figures(early, l2_velocity, 10));
+}

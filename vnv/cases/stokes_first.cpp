@@ -1,0 +1,37 @@
+/// Stokes' first problem: a plate below fluid at rest slides from t = 0 on, and its layer grows into the fluid.
+
+#include "reference/stokes.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "vnv/channel_flow.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+constexpr double V = 1 * mm;  // m/s
+
+/// The layer is a tenth of the gap thick when the run ends: of what the oracle has at the ceiling, 1e-12 is left.
+const Scene<Newtonian> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = water,
+    .filled = gap,
+    .walls = {floor_at(0, no_slip({V, 0})), ceiling_at(H, free_slip())},
+};
+constexpr double early = 2.5e-3, end = 10e-3;  // s
+
+const reference::StokesFirst exact{.V = V, .nu = water.kinematic_viscosity()};
+
+}  // namespace
+
+Case vnv::the_case() {
+  Case declared = flow_along(scene, {early, end}, exact, {40, 48, 56, 80, 112});
+  declared.title = "Stokes' first problem";
+  declared.description =
+      "A plate below water at rest slides at 1 mm/s from t = 0 on. The oracle is Stokes' (1851), erfc(y / 2 sqrt(nu t)); the "
+      "layer is 0.1 mm thick at the end, a tenth of the depth, so that the ceiling, along which water slides freely, is "
+      "beyond all motion.";
+  return declared;
+}

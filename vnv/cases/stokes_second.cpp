@@ -1,0 +1,42 @@
+/// Stokes' second problem: a plate below a fluid swings along itself, and its motion dies out with the height.
+
+#include "reference/stokes.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/oscillating.hpp"
+#include "vnv/channel_flow.hpp"
+
+#include <numbers>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+namespace {
+
+constexpr double V = 1 * mm;      // m/s
+constexpr double period = 20e-3;  // s  the layer is 0.08 mm thick: 4e-6 of the motion is left at the ceiling
+constexpr double omega = 2 * std::numbers::pi / period;
+
+const reference::StokesSecond exact{.V = V, .omega = omega, .nu = water.kinematic_viscosity()};
+
+const Scene<Newtonian> scene{
+    .domain = {.box = gap, .periodic_x = true},
+    .fluid = water,
+    .filled = gap,
+    .walls = {floor_at(0, oscillating({V, 0}, omega)), ceiling_at(H, free_slip())},
+    .start = {.velocity = [](const Vec2& x) -> Vec2 {
+      return {exact(x.y(), 0), 0};
+    }},
+};
+
+}  // namespace
+
+Case vnv::the_case() {
+  Case declared = flow_along(scene, {period / 4, 3 * period / 4}, exact, {40, 48, 56, 80, 112});
+  declared.title = "Stokes' second problem";
+  declared.description =
+      "A plate below water swings along itself at up to 1 mm/s, once in 20 ms; water far above is at rest. The oracle is "
+      "Stokes' (1851) for a plate that has swung for ever, whose motion at t = 0 is the start; its layer is 0.08 mm thick, a "
+      "twelfth of the depth.";
+  return declared;
+}

@@ -1,0 +1,77 @@
+#pragma once
+/// Flows along a channel that the paper has not: its geometry and its water, six methods, each with particles across
+/// the gap for its ladder.
+
+#include "vnv/across.hpp"
+#include "vnv/channel.hpp"
+#include "vnv/methods.hpp"
+
+#include <map>
+
+namespace touchstone::vnv::channel {
+
+/// Of which every step divides the times at which these flows are looked at [s].
+inline constexpr double whole = 0.5e-3;
+
+template <class SceneOfChannel>
+std::vector<Method> methods_along(const SceneOfChannel& scene) {
+  return {vnv::mpm_as_printed(scene, whole),
+          vnv::mpm_affine(scene, whole),
+          vnv::mpm_least_squares(scene, whole),
+          vnv::sph_as_printed(scene, whole),
+          {.name = "sph_regularised",
+           .description = sph_regularised_words,
+           .run = sph_with_transport_velocity(scene),
+           .tolerance = stretched,
+           .relative_cost = 2},
+          vnv::sph_second_order(scene, whole)};
+}
+
+/// A flow along the channel with an oracle, looked at at some times [s], the last of which ends it, with so many
+/// particles across. Acceptance runs its two coarsest levels. Three methods claim to be of second order.
+template <class SceneOfChannel>
+Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, const Truth& exact,
+                const std::vector<int>& levels) {
+  const double end = times.back();
+  std::vector<Across> all;
+  for (const int particles : levels) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
+  const std::vector<Rung> rungs = rungs_across(H, all);
+  Case declared{
+      .times = times,
+      .measurements = {norms_of("v_x, per particle", by_particles, exact)},
+      .methods = {},
+      .plots = {
+          profiles({"profile",
+                    "Velocity profiles",
+                    "Each particle of the runs with 40 and 80 across.",
+                    {"y [mm]", 1e3},
+                    {"v_x [mm/s]", 1e3}},
+                   by_particles, exact, H, {"40 across", "80 across"}),
+          along_ladders({"convergence",
+                         "Error over spacing",
+                         fmt::format("L2 error of the velocity, particle by particle, at t = {:g} s.", end),
+                         {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
+                         {.label = "L2 v_x [%]", .logarithmic = true}},
+                        {}, spacing(), {{"", error_of(l2, end)}}),
+          along_ladders(
+              {"cost",
+               "Error over run time",
+               fmt::format("The same over the CPU seconds from the start to t = {:g} s; lower left is better.", end),
+               {.label = "CPU time [s]", .logarithmic = true},
+               {.label = "L2 v_x [%]", .logarithmic = true}},
+              {}, cpu_time_until(end), {{"", error_of(l2, end)}})}};
+  const std::map<std::string, std::string> of_second_order = {
+      {"mpm", "linear hats, central quadrature where particles keep their rows"},
+      {"mpm_least_squares", "fits and differences of second order"},
+      {"sph_second_order", "fits of second degree"}};
+  for (const Method& method : methods_along(scene)) {
+    const auto theirs = of_second_order.find(method.name);
+    declared.methods.push_back(
+        theirs == of_second_order.end()
+            ? up(rungs, method)
+            : up(rungs, method, {order_at_least(ladder_across, l2, 1.8, 1.5, theory(theirs->second)).at(end).over(5)}));
+  }
+  return declared;
+}
+
+}  // namespace touchstone::vnv::channel

@@ -1,0 +1,121 @@
+#pragma once
+/// Methods made of parts (solvers/mpm/composed.hpp, solvers/sph/free_surface.hpp), as flows with a free surface run
+/// them.
+
+#include "solvers/mpm/composed.hpp"
+#include "solvers/mpm/densities/affine_density.hpp"
+#include "solvers/mpm/shapes/b_spline.hpp"
+#include "solvers/mpm/transfers/apic.hpp"
+#include "solvers/mpm/transfers/xpic.hpp"
+#include "solvers/mpm/updates/modified_stress_last.hpp"
+#include "solvers/sph/diffusion/antuono.hpp"
+#include "solvers/sph/free_surface.hpp"
+#include "solvers/sph/gradients/bonet_lok.hpp"
+#include "solvers/sph/terms/bonet_lok_pressure.hpp"
+#include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
+#include "vnv/methods.hpp"
+
+namespace touchstone::vnv {
+
+/// With quadratic B-splines, MUSL and affine densities; `share` of a cell is what sound travels in a step.
+template <class Transfer, class AnyScene>
+Method mpm_of_b_splines(const AnyScene& scene, double whole, const std::string& name, const std::string& transfer,
+                        double share = 0.5) {
+  return {
+      .name = name,
+      .description = fmt::format(
+          "Material point method with quadratic B-splines that are right at walls, MUSL, {}, and densities that are smoothed "
+          "over the nodes without flattening a pressure that bears weight; four particles in a cell. Sound travels {:g} "
+          "cells in a step.",
+          transfer, share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            return record(mpm::composed<mpm::BSpline<2>, Transfer, mpm::ModifiedStressLast, mpm::AffineDensity>(
+                              scene, {.cell = rung.cell,
+                                      .spacing = rung.spacing,
+                                      .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
+                          when);
+          },
+      .tolerance = stretched,
+      .relative_cost = 2};
+}
+
+template <class AnyScene>
+Method mpm_apic(const AnyScene& scene, double whole) {
+  return mpm_of_b_splines<mpm::Apic>(scene, whole, "mpm_apic", "affine particle velocities (APIC, Jiang et al. 2015)");
+}
+template <class AnyScene>
+Method mpm_xpic(const AnyScene& scene, double whole) {
+  return mpm_of_b_splines<mpm::Xpic<5>>(scene, whole, "mpm_xpic", "velocities by XPIC(5) (Hammerquist & Nairn 2017)");
+}
+
+/// What a method of smoothed particle hydrodynamics for free surfaces may be told besides its parts.
+struct SphChoice {
+  double ratio = 2;     // -  h over the spacing
+  double alpha = 0.02;  // -  artificial viscosity, where the fluid has none of its own
+  double share = 0.5;   // -  of h, that sound travels in a step
+};
+
+namespace detail {
+template <class FluidLaw>
+auto viscosity_of(const FluidLaw& fluid, double alpha, double h) {
+  if constexpr (Viscous<FluidLaw>)
+    return sph::momentum(sph::MonaghanClearyViscosity{.mu = fluid.viscosity});
+  else
+    return sph::momentum(sph::ArtificialViscosity{.alpha = alpha, .sound_speed = fluid.sound_speed(), .h = h});
+}
+
+template <class MakeParts, class AnyScene>
+Method sph_of_parts(const AnyScene& scene, double whole, const std::string& name, const std::string& words,
+                    const SphChoice& choice, const MakeParts& parts) {
+  const std::string viscosity =
+      Viscous<decltype(scene.fluid)> ? "" : fmt::format("artificial viscosity {:g}, ", choice.alpha);
+  return {
+      .name = name,
+      .description = fmt::format(
+          "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), Wendland's C2 "
+          "kernel with h = {:g} spacings, kick-drift-kick. Sound travels {:g} h in a step.",
+          words, viscosity, choice.ratio, choice.share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            const double h = rung.smoothing_or(choice.ratio * rung.spacing);
+            return record(
+                sph::free_surface<sph::WendlandC2>(scene,
+                                                   {.spacing = rung.spacing,
+                                                    .smoothing_length = h,
+                                                    .time_step = rung.step_or(step_for(scene, choice.share, h, whole))},
+                                                   viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h)),
+                when);
+          },
+      .tolerance = stretched,
+      .relative_cost = 4};
+}
+}  // namespace detail
+
+/// delta-SPH [Antuono et al. 2010].
+template <class AnyScene>
+Method sph_delta(const AnyScene& scene, double whole, const SphChoice& choice = {}) {
+  return detail::sph_of_parts(
+      scene, whole, "sph_delta",
+      "diffusion of density less its linear part with delta = 0.1 (Antuono et al. 2010), sums of pressures", choice,
+      [](const auto& fluid, double h) {
+        return sph::Parts{.pressure = sph::PressureSum{},
+                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
+      });
+}
+
+/// The same with gradients of the kernel that are exact for linear fields.
+template <class AnyScene>
+Method sph_corrected(const AnyScene& scene, double whole, const SphChoice& choice = {}) {
+  return detail::sph_of_parts(
+      scene, whole, "sph_corrected",
+      "gradients corrected after Bonet & Lok (1999), diffusion of density less its linear part with delta = 0.1 (Antuono et "
+      "al. 2010)",
+      choice, [](const auto& fluid, double h) {
+        return sph::Parts{.pressure = sph::BonetLokPressure{},
+                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h},
+                          .gradient = sph::BonetLok{}};
+      });
+}
+
+}  // namespace touchstone::vnv

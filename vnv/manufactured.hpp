@@ -1,0 +1,40 @@
+#pragma once
+/// A flow in a periodic square that was chosen so that every term of the equations of motion takes part, sustained by
+/// a body force (reference/manufactured.hpp).
+
+#include "reference/manufactured.hpp"
+#include "vnv/square.hpp"
+
+namespace touchstone::vnv::manufactured {
+
+inline constexpr double rho0 = 1000, c = 10;  // kg/m³, m/s
+inline constexpr Newtonian fluid{{.density = rho0, .bulk_modulus = rho0 * c * c / 7}, 10};
+inline constexpr reference::Manufactured exact{.L = square::side,
+                                               .U = 1,
+                                               .omega = 5,
+                                               .rho0 = rho0,
+                                               .ripple = 0.02,
+                                               .K = fluid.bulk_modulus,
+                                               .mu = fluid.viscosity};
+
+inline Vec2 velocity(const Vec2& x, double t) {
+  const auto v = exact.velocity(x.x(), x.y(), t);
+  return {v[0], v[1]};
+}
+inline double pressure(const Vec2& x, double /*t*/) { return exact.pressure(x.x(), x.y()); }
+
+struct Sustaining {
+  Vec2 operator()(const Vec2& x, double t) const {
+    const auto b = exact.force(x.x(), x.y(), t);
+    return {b[0], b[1]};
+  }
+};
+
+inline const Scene<Newtonian, Sustaining> scene{.domain = square::domain,
+                                                .fluid = fluid,
+                                                .filled = square::box,
+                                                .body_force = {},
+                                                .start = {.velocity = [](const Vec2& x) { return velocity(x, 0); },
+                                                          .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
+
+}  // namespace touchstone::vnv::manufactured

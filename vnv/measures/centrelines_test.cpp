@@ -1,0 +1,127 @@
+#include "vnv/measures/centrelines.hpp"
+
+#include "solvers/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace touchstone::vnv {
+namespace {
+
+constexpr double spacing = 0.05;
+constexpr Cavity cavity{.side = 2, .lid_speed = 3};
+
+/// A field of second degree.
+double bowl(const Vec2& x) {
+  return 0.3 - x.x() + 0.5 * x.y() + x.x() * x.x() - 2 * x.x() * x.y() + 0.7 * x.y() * x.y();
+}
+
+/// Particles off their lattice, which move as a field says, with v_y its opposite.
+template <class Moving>
+Samples scattered(const Moving& field) {
+  const Vectors places = lattice({.high = {2, 2}}, spacing).places();
+  Samples s{
+      1, places, places, Scalars::Ones(places.cols()), Scalars::Ones(places.cols()), Scalars::Zero(places.cols())};
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    s.x.col(p) +=
+        0.3 * spacing * Vec2(std::sin(37.0 * static_cast<double>(p)), std::cos(53.0 * static_cast<double>(p)));
+    const double value = field(Vec2(s.x.col(p)));
+    s.v.col(p) = Vec2(value, -value);
+  }
+  return s;
+}
+
+vnv::Run ended_with(Samples s) {
+  vnv::Run run{.summary = {.end_time = 1, .finished = true}};
+  run.samples.push_back(std::move(s));
+  return run;
+}
+
+/// The field of the samples as it would be published.
+Centreline published(Centreline::Direction direction, double sign) {
+  Centreline line{direction, {0.03, 0.4, 0.97}, {}};
+  for (const double at : line.at)
+    line.velocity.push_back(sign * bowl(direction == Centreline::vertical ? Vec2(1, 2 * at) : Vec2(2 * at, 1)) / 3);
+  return line;
+}
+
+const Rung rung{.name = "M1", .spacing = spacing};
+
+TEST(FittedAt, IsExactForAFieldOfSecondDegreeAlsoAtAWall) {
+  const Samples s = scattered(bowl);
+  for (const Vec2& x : {Vec2(1, 1), Vec2(0.33, 1.71), Vec2(0, 1), Vec2(2, 2)})
+    EXPECT_NEAR(fitted_at(s, velocity_x, x, 2.5 * spacing), bowl(x), 1e-10);
+}
+
+TEST(FittedAt, ConvergesWithThirdOrderOrBetter) {
+  const auto wave = [](const Vec2& x) { return std::sin(3 * x.x() + x.y()); };
+  const Samples s = scattered(wave);
+  const Vec2 x(1.013, 0.97);
+  EXPECT_NEAR(fitted_at(s, velocity_x, x, 2.5 * spacing), wave(x), 0.1 * std::pow(3 * 2.5 * spacing, 3));
+}
+
+TEST(FittedAt, WhereThereAreNoParticlesIsNotANumber) {
+  EXPECT_TRUE(std::isnan(fitted_at(scattered(bowl), velocity_x, {5, 5}, 2.5 * spacing)));
+}
+
+TEST(CentrelineErrors, OfWhatWasPublishedAreNone) {
+  const vnv::Run run = ended_with(scattered(bowl));
+  for (const Centreline& line : {published(Centreline::vertical, 1), published(Centreline::horizontal, -1)})
+    for (const Error& e : cavity.compare(rung, run, line)) EXPECT_NEAR(e.value, 0, 1e-8) << e.quantity;
+}
+
+TEST(CentrelineErrors, AreInPerCentOfTheSpeedOfTheLid) {
+  Centreline line = published(Centreline::vertical, 1);
+  line.velocity[1] += 0.03;
+  const std::vector<Error> errors = cavity.compare(rung, ended_with(scattered(bowl)), line);
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[0].quantity, "L2 v_x, vertical centreline [%]");
+  EXPECT_NEAR(errors[0].value, 3 / std::sqrt(3), 1e-8);
+  EXPECT_EQ(errors[1].quantity, "Linf v_x, vertical centreline [%]");
+  EXPECT_NEAR(errors[1].value, 3, 1e-8);
+}
+
+TEST(CentrelineErrors, OfWhatIsNoNumberAreNoNumbers) {
+  Samples s = scattered(bowl);
+  s.v.row(1).setConstant(not_a_number);
+  for (const Error& e : cavity.compare(rung, ended_with(s), published(Centreline::horizontal, -1)))
+    EXPECT_TRUE(std::isnan(e.value)) << e.quantity;
+}
+
+TEST(CentrelineErrors, OfARunThatDivergedAreNotTold) {
+  vnv::Run run = ended_with(scattered(bowl));
+  run.summary.finished = false;
+  EXPECT_TRUE(cavity.compare(rung, run, published(Centreline::vertical, 1)).empty());
+}
+
+TEST(GhiasCentrelines, HaveTheirWallsAndDoubtfulEntriesLeftOut) {
+  for (const int Re : {100, 400, 1000}) {
+    EXPECT_EQ(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::vertical, Re).at.size(), 15u);
+    EXPECT_EQ(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::horizontal, Re).at.size(), Re == 400 ? 14u : 15u);
+  }
+  EXPECT_THROW(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::vertical, 200), BadData);
+}
+
+/// Fluid is not made: what flows one way through a centreline flows back the other way.
+TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
+  for (const int Re : {100, 400, 1000})
+    for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
+      Centreline line = ghia_centreline(TOUCHSTONE_DATA_DIR, direction, Re);
+      const bool is_vertical = direction == Centreline::vertical;
+      line.at.insert(line.at.begin(), 1);
+      line.velocity.insert(line.velocity.begin(), is_vertical ? 1 : 0);
+      line.at.push_back(0);
+      line.velocity.push_back(0);
+      double net = 0, all = 0;
+      for (std::size_t k = 1; k < line.at.size(); ++k) {
+        const double flow = (line.at[k - 1] - line.at[k]) * (line.velocity[k - 1] + line.velocity[k]) / 2;
+        net += flow;
+        all += std::abs(flow);
+      }
+      EXPECT_LT(std::abs(net), 0.08 * all) << Re << line.field();  // the trapezia between sixteen points
+    }
+}
+
+}  // namespace
+}  // namespace touchstone::vnv

@@ -1,0 +1,168 @@
+#pragma once
+/// The methods as any flow may run them, whose steps follow from how far sound travels. `whole` [s] holds a whole
+/// number of steps; a rung that names its own step or kernel has them.
+
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/mpm/affine.hpp"
+#include "solvers/mpm/least_squares.hpp"
+#include "solvers/mpm/mpm.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/kernels/quintic_spline.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/printed.hpp"
+#include "solvers/sph/second_order.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/morris_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/transport_velocity.hpp"
+#include "vnv/across.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+/// Flow that stretches its fluid, or whose rows slip past each other, doubles a rounding error every so often.
+inline const Tolerance stretched{0.02, "tuned and portable builds differ by less"};
+
+/// `share` of a cell is what sound travels in a step, here and below.
+template <class AnyScene>
+Method mpm_as_printed(const AnyScene& scene, double whole, double share = 0.5) {
+  return {.name = "mpm",
+          .description = fmt::format(
+              "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, FLIP, MUSL; four "
+              "particles in a cell. Sound travels {:g} cells in a step.",
+              share),
+          .run =
+              [=](const Rung& rung, const Schedule& when) {
+                return record(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+                                  scene, {.cell = rung.cell,
+                                          .spacing = rung.spacing,
+                                          .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
+                              when);
+              },
+          .tolerance = stretched};
+}
+
+template <class AnyScene>
+Method mpm_affine(const AnyScene& scene, double whole, double share = 0.8) {
+  return {
+      .name = "mpm_affine",
+      .description = fmt::format(
+          "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
+          "cell. Sound travels {:g} cells in a step; each step damps, so that long ones are the more accurate.",
+          share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            return record(mpm::affine(scene, {.cell = rung.cell,
+                                              .spacing = rung.spacing,
+                                              .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
+                          when);
+          },
+      .tolerance = stretched};
+}
+
+/// For fluid that fills its domain.
+template <class AnyScene>
+Method mpm_least_squares(const AnyScene& scene, double whole, double share = 0.3) {
+  return {
+      .name = "mpm_least_squares",
+      .description = fmt::format(
+          "Material point method by least squares: nodes know the fluid by fits of second degree to its particles, the "
+          "equations are solved by central differences on the nodes, particles are put back onto their lattice before it "
+          "is strained by a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells in a "
+          "step.",
+          share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            return record(
+                mpm::least_squares(scene, {.cell = rung.cell,
+                                           .spacing = rung.spacing,
+                                           .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
+                when);
+          },
+      .tolerance = stretched};
+}
+
+namespace detail {
+/// The terms of the printed method: without a laminar viscosity where the fluid has none.
+template <class FluidLaw>
+auto printed_terms(const FluidLaw& fluid, double h) {
+  const sph::ArtificialViscosity artificial{.alpha = 0.01, .sound_speed = fluid.sound_speed(), .h = h};
+  if constexpr (Viscous<FluidLaw>)
+    return sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = fluid.kinematic_viscosity(), .eta = 0.1 * h},
+                         artificial);
+  else
+    return sph::momentum(sph::Pressure{}, artificial);
+}
+}  // namespace detail
+
+template <class AnyScene>
+Method sph_as_printed(const AnyScene& scene, double whole, double share = 0.25) {
+  return {
+      .name = "sph",
+      .description = fmt::format(
+          "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term and "
+          "an artificial viscosity of 0.01. Sound travels {:g} spacings in a step.",
+          share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            const double h = rung.smoothing_or(1.2 * rung.spacing);
+            return record(
+                sph::printed<sph::CubicSpline>(scene,
+                                               {.spacing = rung.spacing,
+                                                .smoothing_length = h,
+                                                .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))},
+                                               detail::printed_terms(scene.fluid, h)),
+                when);
+          },
+      .tolerance = stretched,
+      .relative_cost = 2};
+}
+
+/// For fluid without a free surface.
+template <class AnyScene>
+Method sph_transport_velocity(const AnyScene& scene, double whole, double share = 0.25) {
+  return {
+      .name = "sph_transport_velocity",
+      .description = fmt::format(
+          "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = 1 "
+          "spacing, density by continuity, conservative pressure. Sound travels {:g} spacings in a step.",
+          share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            return record(sph::transport_velocity<sph::QuinticSpline>(
+                              scene,
+                              {.spacing = rung.spacing,
+                               .smoothing_length = rung.smoothing_or(rung.spacing),
+                               .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))},
+                              sph::momentum(sph::Pressure{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity})),
+                          when);
+          },
+      .tolerance = stretched,
+      .relative_cost = 2};
+}
+
+/// For fluid that fills its domain.
+template <class AnyScene>
+Method sph_second_order(const AnyScene& scene, double whole, double share = 0.3) {
+  return {
+      .name = "sph_second_order",
+      .description = fmt::format(
+          "Smoothed particle hydrodynamics of second order: fits of second degree to velocity and pressure around each "
+          "particle, drift from where particles are dense, third-order Adams-Bashforth, Wendland's C2 kernel with h = 1.3 "
+          "spacings. Sound travels {:g} spacings in a step.",
+          share),
+      .run =
+          [=](const Rung& rung, const Schedule& when) {
+            return record(sph::second_order<sph::WendlandC2>(
+                              scene, {.spacing = rung.spacing,
+                                      .smoothing_length = rung.smoothing_or(1.3 * rung.spacing),
+                                      .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))}),
+                          when);
+          },
+      .tolerance = stretched,
+      .relative_cost = 2};
+}
+
+}  // namespace touchstone::vnv

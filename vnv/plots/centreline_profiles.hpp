@@ -1,0 +1,24 @@
+#pragma once
+#include "vnv/measures/centrelines.hpp"
+
+namespace touchstone::vnv {
+
+/// Velocity along a centreline at the end of a rung, as a line through the published points.
+inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string rung) {
+  return [=](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    record.curves.push_back(
+        {frame.id, "Ghia, Ghia & Shin 1982", Role::published, published.at, published.velocity, true});
+    const Run* run = results.run(rung);
+    if (!run || !run->summary.finished) return;
+    Curve ours{frame.id, results.method.name, Role::ours, {}, {}, false};
+    for (int k = 0; k <= 100; ++k) {
+      ours.x.push_back(0.01 * k);
+      ours.y.push_back(
+          cavity.velocity_at(run->samples.back(), published.direction, ours.x.back(), run->summary.spacing));
+    }
+    record.curves.push_back(std::move(ours));
+  };
+}
+
+}  // namespace touchstone::vnv
