@@ -38,11 +38,9 @@ using SplineApic = Of<BSpline<2>, Apic, ModifiedStressLast>;
 template <class Parts>
 class ComposedMpm : public testing::Test {};
 using Variants =
-    testing::Types<HatFlip, Of<LinearHat, Pic, ModifiedStressLast>, Of<LinearHat, Apic, StressFirst>,
-                   Of<Gimp, Flip, ModifiedStressLast>, Of<Gimp, Blend<std::ratio<9, 10>>, StressLast>,
-                   Of<BSpline<2>, Flip, StressFirst>, SplineApic, Of<BSpline<2>, Xpic<2>, ModifiedStressLast>,
-                   Of<BSpline<3>, Apic, StressLast>, Of<BSpline<2>, Xpic<5>, ModifiedStressLast, AffineDensity>,
-                   Of<BSpline<3>, Xpic<5>, ModifiedStressLast>>;
+    testing::Types<HatFlip, Of<LinearHat, Apic, StressFirst>, Of<Gimp, Blend<std::ratio<9, 10>>, StressLast>,
+                   SplineApic, Of<BSpline<2>, Xpic<5>, ModifiedStressLast, AffineDensity>,
+                   Of<BSpline<3>, Pic, StressLast>>;
 TYPED_TEST_SUITE(ComposedMpm, Variants);
 
 /// A square of fluid in the middle of nowhere.
