@@ -13,10 +13,10 @@ namespace touchstone::vnv {
 
 /// A method, whole or without one ingredient.
 struct Variant {
-  std::string name;  // "without artificial viscosity"; that of the whole method is `whole`
+  std::string name;  // "without artificial viscosity"; that of the whole method is `whole_method`
   std::function<Run(const Rung&, const Schedule&)> run;
 };
-inline const std::string whole = "whole";
+inline const std::string whole_method = "whole";
 
 /// What a variant came to.
 struct Outcomes {
