@@ -28,7 +28,7 @@ double change_in_percent(double of_whole, double without) { return 100 * (withou
 
 std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes& all, const Outcomes& one,
                          bool has_more) {
-  const bool is_whole = run.summary.rung == whole_method;
+  const bool is_whole = run.summary.rung == unabridged;
   std::vector<Cell> row = {results.method.name, run.summary.rung, run.summary.end_time};
   const auto add = [&](double scale, double Outcomes::*value) {
     row.push_back(scale * one.*value);
@@ -51,12 +51,12 @@ std::string needed_for(const Outcomes& whole_method, const Outcomes& without) {
 }
 
 Method ablation(Method method, const Rung& rung, std::vector<Variant> variants) {
-  if (variants.empty() || variants.front().name != whole_method)
-    throw std::invalid_argument(fmt::format("{}: wanted the {} method as first variant", method.name, whole_method));
+  if (variants.empty() || variants.front().name != unabridged)
+    throw std::invalid_argument(fmt::format("{}: wanted the {} method as first variant", method.name, unabridged));
   for (const Variant& variant : variants) {
     method.rungs.push_back(rung);
     method.rungs.back().name = variant.name;
-    method.rungs.back().may_diverge = variant.name != whole_method;
+    method.rungs.back().may_diverge = variant.name != unabridged;
   }
   method.run = [variants](const Rung& one, const Schedule& when) {
     return std::ranges::find(variants, one.name, &Variant::name)->run(one, when);

@@ -13,10 +13,10 @@ namespace touchstone::vnv {
 
 /// A method, whole or without one ingredient.
 struct Variant {
-  std::string name;  // "without artificial viscosity"; that of the whole method is `whole_method`
+  std::string name;  // "without artificial viscosity"; that of the whole method is `unabridged`
   std::function<Run(const Rung&, const Schedule&)> run;
 };
-inline const std::string whole_method = "whole";
+inline const std::string unabridged = "whole";
 
 /// What a variant came to.
 struct Outcomes {
@@ -29,7 +29,7 @@ struct Outcomes {
 /// "accuracy", "stability", "accuracy and stability" or "neither": what the ingredient that a variant lacks is needed
 /// for. Needed for accuracy: without it the error grows by more than a tenth. Needed for stability: without it the run
 /// does not end, or the critical step falls by more than a twentieth.
-std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
+std::string needed_for(const Outcomes& unabridged, const Outcomes& without);
 
 inline const std::string critical_step_found = "critical time step [us]";
 

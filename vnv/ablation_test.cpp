@@ -30,7 +30,7 @@ TEST(Ablation, RunsTheVariantThatTheRungNames) {
     return [time](const Rung&, const Schedule&) { return vnv::Run{.summary = {.end_time = time}}; };
   };
   const Method method = ablation({.name = "made_up"}, {.spacing = 0.5, .report = 1},
-                                 {{whole_method, ends_at(1)}, {"without glue", ends_at(2)}});
+                                 {{unabridged, ends_at(1)}, {"without glue", ends_at(2)}});
   ASSERT_EQ(method.rungs.size(), 2u);
   EXPECT_EQ(method.rungs[1].name, "without glue");
   EXPECT_EQ(method.rungs[1].report, 1);
