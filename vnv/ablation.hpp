@@ -29,7 +29,7 @@ struct Outcomes {
 /// "accuracy", "stability", "accuracy and stability" or "neither": what the ingredient that a variant lacks is needed
 /// for. Needed for accuracy: without it the error grows by more than a tenth. Needed for stability: without it the run
 /// does not end, or the critical step falls by more than a twentieth.
-std::string needed_for(const Outcomes& unabridged, const Outcomes& without);
+std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
 
 inline const std::string critical_step_found = "critical time step [us]";
 
