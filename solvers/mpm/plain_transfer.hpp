@@ -39,7 +39,10 @@ struct PlainNodes {
 template <class Work>
 void for_particles(const PlainParticles& particles, int threads, const Work& work) {
   share_out(threads, particles.count(), [&](Index begin, Index end) {
-    for (Index p = begin; p < end; ++p) work(p);
+    for (Index p = begin; p < end; ++p) {
+      one_by_one();
+      work(p);
+    }
   });
 }
 

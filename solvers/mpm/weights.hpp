@@ -11,6 +11,11 @@
 
 namespace touchstone::mpm {
 
+/// To be called in loops over particles: keeps them from being vectorised across particles. The remainder of a
+/// vectorised loop may round otherwise than its body (fused multiply-adds), and where the remainder begins depends on
+/// the number of threads.
+inline void one_by_one() { asm volatile(""); }
+
 /// What ties a particle to a node.
 struct Tie {
   double weight;      // -
@@ -75,6 +80,7 @@ class Weights {
     near_.resize(places.cols());
     share_out(threads, places.cols(), [&](Index begin, Index end) {
       for (Index p = begin; p < end; ++p) {
+        one_by_one();
         const Vec2 along = (places.col(p) - grid_.box.low).cwiseQuotient(grid_.cell);
         near_[p] = {NearAlong(along_[0].near(along.x())), NearAlong(along_[1].near(along.y()))};
       }
