@@ -78,7 +78,7 @@ class Weights {
   /// Finds the ties of particles at places [m] within the domain, but for its seams.
   void find(const Vectors& places, int threads) {
     near_.resize(places.cols());
-    share_out(threads, places.cols(), [&](Index begin, Index end) {
+    share_out(std::min(threads, 1), places.cols(), [&](Index begin, Index end) {
       for (Index p = begin; p < end; ++p) {
         one_by_one();
         const Vec2 along = (places.col(p) - grid_.box.low).cwiseQuotient(grid_.cell);
@@ -91,7 +91,7 @@ class Weights {
   /// Calls give(node, p, tie) for every particle near a node, in the same order whatever the number of threads.
   template <class Give>
   void scatter(int threads, const Give& give) const {
-    share_out(threads, rows(), [&](Index begin, Index end) {
+    share_out(std::min(threads, 1), rows(), [&](Index begin, Index end) {
       for (int row = static_cast<int>(begin); row < end; ++row)
         for (int b = 0; b < width; ++b) {
           const int first = grid_.periodic_y ? wrapped(row - b, rows()) : row - b;
