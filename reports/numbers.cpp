@@ -69,13 +69,6 @@ std::string with_unit(const std::string& quantity, const std::string& unit) {
   return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
 }
 
-std::pair<std::string, std::string> name_and_unit(const std::string& quantity) {
-  const std::size_t open = quantity.rfind(" [");
-  if (open == std::string::npos || !quantity.ends_with(']')) return {quantity, ""};
-  const std::string unit = quantity.substr(open + 2, quantity.size() - open - 3);
-  return {quantity.substr(0, open), unit == "-" ? "" : unit};
-}
-
 // Two digits after the point, or up to four so that a narrow interval is not 0.
 std::string with_interval(double value, double half_width) {
   const bool narrow = half_width > 0 && half_width < 0.01;

@@ -5,7 +5,6 @@
 #include "vnv/record.hpp"
 
 #include <string>
-#include <utility>
 
 namespace touchstone::reports {
 
@@ -30,9 +29,6 @@ std::string limit(const vnv::Verdict& verdict);
 
 /// "L2 v_x [%]"; without brackets if the unit is empty.
 std::string with_unit(const std::string& quantity, const std::string& unit);
-
-/// "L2 v_x [%]" -> "L2 v_x", "%"; a pure number, "[-]", has no unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& quantity);
 
 /// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
 std::string with_interval(double value, double half_width);

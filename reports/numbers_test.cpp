@@ -47,12 +47,6 @@ TEST(Numbers, StandBesideTheirUnit) {
   EXPECT_EQ(valued(2, ""), "2");
 }
 
-TEST(Quantities, EndWithTheirUnit) {
-  EXPECT_EQ(name_and_unit("L2 v_x, row means [%]"), std::pair(std::string("L2 v_x, row means"), std::string("%")));
-  EXPECT_EQ(name_and_unit("growth [-]"), std::pair(std::string("growth"), std::string()));
-  EXPECT_EQ(name_and_unit("order"), std::pair(std::string("order"), std::string()));
-}
-
 TEST(Limits, AreReadAsTheyWereClaimed) {
   EXPECT_EQ(limit(between({}, 0.07)), "<= 0.07");
   EXPECT_EQ(limit(between(0.8, {})), ">= 0.8");

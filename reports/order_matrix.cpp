@@ -5,6 +5,7 @@
 #include "reports/numbers.hpp"
 #include "reports/orders.hpp"
 #include "reports/trends.hpp"
+#include "vnv/quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ struct Flow {
   OrderComparison comparison;
 
   std::string figure_link() const { return fmt::format("{}/index.html#{}", records->name, comparison.id()); }
-  std::string unit() const { return name_and_unit(comparison.subject.quantity).second; }
+  std::string unit() const { return vnv::name_and_unit(comparison.subject.quantity).second; }
 };
 
 std::vector<Flow> flows_with(Field field, const std::vector<CaseRecords>& cases) {
@@ -104,9 +105,9 @@ HtmlCell cheapest_cell(const Flow& flow) {
 }
 
 HtmlCell heading(const Flow& flow) {
-  return {fmt::format("<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(),
-                      escape(flow.records->title()), typeset(name_and_unit(flow.comparison.subject.quantity).first),
-                      printed(flow.comparison.subject.time))};
+  return {fmt::format(
+      "<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(), escape(flow.records->title()),
+      typeset(vnv::name_and_unit(flow.comparison.subject.quantity).first), printed(flow.comparison.subject.time))};
 }
 
 std::string notes_html(const std::set<char>& used) {

@@ -1,5 +1,7 @@
 #include "vnv/claims.hpp"
 
+#include "vnv/quantity.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,14 +9,6 @@
 
 namespace touchstone::vnv {
 namespace {
-
-/// "L2 v_x [%]" -> "L2 v_x", "%"; a pure number "[-]" has no unit.
-std::pair<std::string, std::string> name_and_unit(const std::string& quantity) {
-  const std::size_t open = quantity.rfind(" [");
-  if (open == std::string::npos || quantity.back() != ']') return {quantity, ""};
-  const std::string unit = quantity.substr(open + 2, quantity.size() - open - 3);
-  return {quantity.substr(0, open), unit == "-" ? "" : unit};
-}
 
 /// Share of a limit that is left, or of half the width between two.
 double margin_of(const Claim& claim, double value) {

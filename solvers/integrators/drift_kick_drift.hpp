@@ -1,7 +1,6 @@
 #pragma once
-#include "solvers/fluid_state.hpp"
+#include "solvers/integrators/motions.hpp"
 #include "solvers/laps.hpp"
-#include "solvers/threads.hpp"
 
 namespace touchstone {
 
@@ -15,46 +14,20 @@ class DriftKickDrift {
 
   template <class Flow, class Laps>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
-    drift(flow, dt / 2);
+    FluidState& all = flow.state();
+    const int threads = flow.threads();
+    drift(all, threads, dt / 2);
     lap(SubStep::motion);
     flow.find_density_rate(time + dt / 2, lap);
-    thicken(flow, dt / 2);
+    thicken(all, threads, dt / 2);
     lap(SubStep::motion);
     flow.find_accelerations(time + dt / 2, lap);
-    kick(flow, dt);
+    kick(all, threads, dt);
     lap(SubStep::motion);
     flow.find_density_rate(time + dt / 2, lap);
-    thicken(flow, dt / 2);
-    drift(flow, dt / 2);
+    thicken(all, threads, dt / 2);
+    drift(all, threads, dt / 2);
     lap(SubStep::motion);
-  }
-
- private:
-  template <class Flow>
-  static void drift(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.x(part) += dt * all.vx(part);
-      all.y(part) += dt * all.vy(part);
-    });
-  }
-  template <class Flow>
-  static void thicken(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.rho(part) += dt * all.drho(part);
-    });
-  }
-  template <class Flow>
-  static void kick(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.vx(part) += dt * all.ax(part);
-      all.vy(part) += dt * all.ay(part);
-    });
   }
 };
 

@@ -1,7 +1,6 @@
 #pragma once
-#include "solvers/fluid_state.hpp"
+#include "solvers/integrators/motions.hpp"
 #include "solvers/laps.hpp"
-#include "solvers/threads.hpp"
 
 namespace touchstone {
 
@@ -14,45 +13,28 @@ class KickDriftKick {
 
   template <class Flow, class Laps>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
+    FluidState& all = flow.state();
+    const int threads = flow.threads();
     if (!started_) flow.find_accelerations(time, lap);
     started_ = true;
-    kick_and_drift(flow, dt);
+    kick_and_drift(all, threads, dt);
     lap(SubStep::motion);
     flow.find_density_rate(time + dt, lap);
-    thicken(flow, dt);
+    thicken(all, threads, dt);
     lap(SubStep::motion);
     flow.find_accelerations(time + dt, lap);
-    kick(flow, dt / 2);
+    kick(all, threads, dt / 2);
     lap(SubStep::motion);
   }
 
  private:
-  template <class Flow>
-  static void kick_and_drift(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+  static void kick_and_drift(FluidState& all, int threads, double dt) {
+    share_out(threads, all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.vx(part) += dt / 2 * all.ax(part);
       all.vy(part) += dt / 2 * all.ay(part);
       all.x(part) += dt * all.vx(part);
       all.y(part) += dt * all.vy(part);
-    });
-  }
-  template <class Flow>
-  static void thicken(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.rho(part) += dt * all.drho(part);
-    });
-  }
-  template <class Flow>
-  static void kick(Flow& flow, double dt) {
-    FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.vx(part) += dt * all.ax(part);
-      all.vy(part) += dt * all.ay(part);
     });
   }
 

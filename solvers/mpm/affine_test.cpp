@@ -1,4 +1,5 @@
 #include "solvers/mpm/affine.hpp"
+#include "solvers/mpm/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
 
@@ -9,34 +10,6 @@
 namespace touchstone::mpm {
 namespace {
 
-constexpr Tait soft_water{.density = 1000, .bulk_modulus = 143};  // sound travels at 1 m/s
-
-/// A force that acts in the first step only.
-template <class Field>
-struct Blow {
-  Field acceleration;
-
-  Vec2 operator()(const Vec2& x, double time) const { return time == 0 ? acceleration(x) : Vec2(0, 0); }
-};
-template <class Field>
-Blow(Field) -> Blow<Field>;
-
-/// A square of fluid in the middle of nowhere.
-template <class Force>
-Scene<Tait, Force> drop(const Force& force) {
-  return {.domain = {.box = {.low = {-1, -1}, .high = {2, 2}}},
-          .fluid = soft_water,
-          .filled = {.high = {1, 1}},
-          .body_force = force};
-}
-
-Scene<Tait, Uniform> dam() {
-  return {.domain = {.box = {.high = {1, 2}}},
-          .fluid = {.density = 1000, .bulk_modulus = 2000},
-          .filled = {.high = {0.4, 0.6}},
-          .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
-          .body_force = {{0, -1}}};
-}
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.04, .time_step = 4e-3};
 
 Scene<Newtonian> plates() {

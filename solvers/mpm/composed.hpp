@@ -1,7 +1,6 @@
 #pragma once
 /// The material point method made of parts that are chosen by type: shape, transfer, order of updates, density, walls.
-/// Plain loops over particles and nodes, a reference for variants, on one thread whatever is asked for; `Mpm` and
-/// `Affine` are faster at what they do.
+/// Plain loops over particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
 #include "solvers/diverged.hpp"
 #include "solvers/laps.hpp"

@@ -5,8 +5,6 @@
 #include "solvers/mpm/stress.hpp"
 #include "solvers/mpm/weights.hpp"
 
-#include <algorithm>
-
 namespace touchstone::mpm {
 
 /// All particles, in the order of their numbers.
@@ -40,12 +38,7 @@ struct PlainNodes {
 /// Calls work(p) for every particle.
 template <class Work>
 void for_particles(const PlainParticles& particles, int threads, const Work& work) {
-  share_out(std::min(threads, 1), particles.count(), [&](Index begin, Index end) {
-    for (Index p = begin; p < end; ++p) {
-      one_by_one();
-      work(p);
-    }
-  });
+  one_by_one(threads, particles.count(), work);
 }
 
 /// m_i = sum m_p N_i.

@@ -11,10 +11,19 @@
 
 namespace touchstone::mpm {
 
-/// To be called in loops over particles: keeps them from being vectorised across particles. The remainder of a
-/// vectorised loop may round otherwise than its body (fused multiply-adds), and where the remainder begins depends on
-/// the number of threads.
-inline void one_by_one() { asm volatile(""); }
+/// Calls work(k) for each k of [0, count), shared between threads, with the same bits for any number of them: one copy
+/// of the loop, which is not vectorised across indices. In two copies, or in the body and the remainder of a vectorised
+/// loop, a compiler may fuse multiply-adds differently.
+template <class Work>
+void one_by_one(int threads, Index count, const Work& work) {
+  const auto some = [&](Index begin, Index end) __attribute__((noinline, noclone)) {
+    for (Index k = begin; k < end; ++k) {
+      asm volatile("");
+      work(k);
+    }
+  };
+  share_out(threads, count, some);
+}
 
 /// What ties a particle to a node.
 struct Tie {
@@ -78,12 +87,9 @@ class Weights {
   /// Finds the ties of particles at places [m] within the domain, but for its seams.
   void find(const Vectors& places, int threads) {
     near_.resize(places.cols());
-    share_out(std::min(threads, 1), places.cols(), [&](Index begin, Index end) {
-      for (Index p = begin; p < end; ++p) {
-        one_by_one();
-        const Vec2 along = (places.col(p) - grid_.box.low).cwiseQuotient(grid_.cell);
-        near_[p] = {NearAlong(along_[0].near(along.x())), NearAlong(along_[1].near(along.y()))};
-      }
+    one_by_one(threads, places.cols(), [&](Index p) {
+      const Vec2 along = (places.col(p) - grid_.box.low).cwiseQuotient(grid_.cell);
+      near_[p] = {NearAlong(along_[0].near(along.x())), NearAlong(along_[1].near(along.y()))};
     });
     sort_by_row();
   }
@@ -91,16 +97,16 @@ class Weights {
   /// Calls give(node, p, tie) for every particle near a node, in the same order whatever the number of threads.
   template <class Give>
   void scatter(int threads, const Give& give) const {
-    share_out(std::min(threads, 1), rows(), [&](Index begin, Index end) {
-      for (int row = static_cast<int>(begin); row < end; ++row)
-        for (int b = 0; b < width; ++b) {
-          const int first = grid_.periodic_y ? wrapped(row - b, rows()) : row - b;
-          if (first < 0) continue;
-          for (int k = first_[first]; k < first_[first + 1]; ++k) {
-            const int p = order_[k];
-            for (int a = 0; a < width; ++a) give(node_at(near_[p].x.first + a, row), p, tie(near_[p], a, b));
-          }
+    one_by_one(threads, rows(), [&](Index at) {
+      const int row = static_cast<int>(at);
+      for (int b = 0; b < width; ++b) {
+        const int first = grid_.periodic_y ? wrapped(row - b, rows()) : row - b;
+        if (first < 0) continue;
+        for (int k = first_[first]; k < first_[first + 1]; ++k) {
+          const int p = order_[k];
+          for (int a = 0; a < width; ++a) give(node_at(near_[p].x.first + a, row), p, tie(near_[p], a, b));
         }
+      }
     });
   }
 
