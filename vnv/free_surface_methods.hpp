@@ -11,6 +11,7 @@
 #include "solvers/sph/diffusion/antuono.hpp"
 #include "solvers/sph/free_surface.hpp"
 #include "solvers/sph/gradients/bonet_lok.hpp"
+#include "solvers/sph/shifting/tangential.hpp"
 #include "solvers/sph/terms/bonet_lok_pressure.hpp"
 #include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
 #include "vnv/methods.hpp"
@@ -104,7 +105,22 @@ Method sph_delta(const AnyScene& scene, double whole, const SphChoice& choice = 
       });
 }
 
-/// The same with gradients of the kernel that are exact for linear fields.
+/// The same with particles that are shifted from where they are crowded [Lind et al. 2012; Sun et al. 2017].
+template <class AnyScene>
+Method sph_shifted(const AnyScene& scene, double whole, const SphChoice& choice = {}) {
+  return detail::sph_of_parts(
+      scene, whole, "sph_shifted",
+      "diffusion of density less its linear part with delta = 0.1 (Antuono et al. 2010), sums of pressures, particles "
+      "shifted from where they are crowded, along a surface only (Sun et al. 2017)",
+      choice, [](const auto& fluid, double h) {
+        return sph::Parts{.pressure = sph::PressureSum{},
+                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h},
+                          .gradient = sph::PlainGradient{},
+                          .shifting = sph::TangentialShifting{}};
+      });
+}
+
+/// delta-SPH with gradients of the kernel that are exact for linear fields.
 template <class AnyScene>
 Method sph_corrected(const AnyScene& scene, double whole, const SphChoice& choice = {}) {
   return detail::sph_of_parts(

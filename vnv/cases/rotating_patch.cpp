@@ -1,0 +1,144 @@
+/// A square patch that rotates and that nothing holds together [Colagrossi 2005]: what it must keep, under tension.
+
+#include "reference/rotating_patch.hpp"
+#include "vnv/disturbed.hpp"
+#include "vnv/free_surface_methods.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/measures/half_axes.hpp"
+#include "vnv/norms.hpp"
+#include "vnv/plots/along_ladders.hpp"
+#include "vnv/plots/over_time.hpp"
+#include "vnv/plots/snapshots.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+constexpr double L = 1, omega = 1, rho0 = 1000, c = 20;  // m, 1/s, kg/m³, m/s
+constexpr double end = 1;                                // s
+constexpr double whole = 0.1;                            // s  of which every step divides the times
+const reference::RotatingPatch exact{.L = L, .omega = omega, .rho = rho0};
+
+const std::string with_disorder = ", disturbed";
+
+/// On the lattice that the sides follow, which keeps the symmetry of a square whatever a method does, or on one whose
+/// particles are moved by up to a tenth of a spacing.
+Scene<Tait> scene_of(const Rung& rung) {
+  Scene<Tait> scene{
+      .domain = {.box = {.low = {-1.5, -1.5}, .high = {1.5, 1.5}}},
+      .fluid = {.density = rho0, .bulk_modulus = rho0 * c * c / 7},
+      .filled = {.low = {-L / 2, -L / 2}, .high = {L / 2, L / 2}},
+      .start = {.velocity = [](const Vec2& x) -> Vec2 {
+                  return {exact.v_x(x.y()), exact.v_y(x.x())};
+                },
+                .pressure = [](const Vec2& x) { return exact.p(x.x(), x.y()); }},
+  };
+  if (rung.name.ends_with(with_disorder))
+    scene.start.places = [by = rung.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
+  return scene;
+}
+
+/// What is watched.
+enum Column : std::size_t { momentum_x, momentum_y, angular_momentum, energy, longer, shorter, middle };
+
+/// Mean pressure [Pa] over the particles within a tenth of a side from the middle.
+double pressure_in_the_middle(const Samples& s) {
+  double sum = 0, count = 0;
+  for (Eigen::Index p = 0; p < s.size(); ++p)
+    if (s.x.col(p).norm() < 0.1 * L) sum += s.pressure[p], ++count;
+  return sum / count;
+}
+
+std::vector<double> look(const Samples& s) {
+  double turning = 0;  // kg m/s
+  for (Eigen::Index p = 0; p < s.size(); ++p) turning += s.mass[p] * (s.x(0, p) * s.v(1, p) - s.x(1, p) * s.v(0, p));
+  const auto axes = half_axes(s);
+  const Vec2 momentum = s.v * s.mass.matrix();
+  return {momentum.x(), momentum.y(), turning, kinetic_energy(s), axes[0], axes[1], pressure_in_the_middle(s)};
+}
+
+const std::string drift = "momentum, largest change over mass times omega L [-]";
+const std::string torque = "angular momentum, farthest from that at the start [%]";
+const std::string loss = "kinetic energy lost [%]";
+const std::string skew = "half-axes of its second moments, by how much they differ [%]";
+
+std::vector<Error> what_is_not_kept(const Rung& rung, const Run& run) {
+  if (!run.summary.finished) return {};
+  const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
+  double largest = 0, farthest = 0;
+  for (const std::vector<double>& seen : run.history.seen) {
+    largest = norms::larger_magnitude(
+        largest, std::hypot(seen[momentum_x] - first[momentum_x], seen[momentum_y] - first[momentum_y]));
+    farthest = norms::larger_magnitude(farthest, seen[angular_momentum] / first[angular_momentum] - 1);
+  }
+  const auto at_the_end = [&](const std::string& quantity, double value) {
+    return Error{rung.name, rung.spacing, run.summary.end_time, quantity, value};
+  };
+  return {at_the_end(drift, largest / (exact.mass() * omega * L)), at_the_end(torque, 100 * std::abs(farthest)),
+          at_the_end(loss, 100 * (1 - last[energy] / first[energy])),
+          at_the_end(skew, 100 * (last[longer] / last[shorter] - 1))};
+}
+
+std::vector<Rung> levels() {
+  std::vector<Rung> all = rungs_across(L, {{20, end, 0, end}, {40, end, 0, end}, {80, 0, 0, end}});
+  all.push_back(all[1]);
+  all.back().name += with_disorder;
+  return all;
+}
+
+Claim keeps_momentum() { return at_most(drift, 1e-9, theory("no force acts on it")); }
+
+/// A method, which `make` makes for a scene, on its ladder and once from a disturbed lattice.
+template <class Make>
+Method turned_by(const Make& make, std::vector<Claim> claims = {}) {
+  claims.push_back(at_most(skew, 1, theory("a quarter turn changes nothing")));
+  Method rotating = up(levels(), make(scene_of({})), std::move(claims));
+  rotating.ladders[0].rungs.pop_back();
+  rotating.run = [=](const Rung& rung, const Schedule& when) { return make(scene_of(rung)).run(rung, when); };
+  return rotating;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Rotating square patch",
+      .description =
+          "A square patch of an inviscid fluid begins to rotate as if rigid, in nothing (Colagrossi 2005; Le Touzé et al. "
+          "2013). Arms grow from its corners, and its pressure, negative but for ripples of sound, tears at methods whose "
+          "particles do not bear tension. Momentum, angular momentum and the symmetry of a square stay; kinetic energy too, "
+          "as far as the fluid is incompressible. One run starts from a disturbed lattice, which has not that symmetry to "
+          "begin with. Mach number of a corner 1/28.",
+      .times = {0.5, end},
+      .watch = {.every = 0.02, .see = look},
+      .measurements = {what_is_not_kept},
+      .methods = {turned_by([](const auto& scene) { return mpm_as_printed(scene, whole, 0.4); }, {keeps_momentum()}),
+                  turned_by([](const auto& scene) { return mpm_apic(scene, whole); }, {keeps_momentum()}),
+                  turned_by([](const auto& scene) { return sph_delta(scene, whole); },
+                            {keeps_momentum(),
+                             at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
+                  turned_by([](const auto& scene) { return sph_shifted(scene, whole); })},
+      .plots = {snapshots({"patch",
+                           "Patch and its pressure",
+                           "Particles coloured by pressure in Pa, 40 across.",
+                           {"x [m]"},
+                           {"y [m]"}},
+                          {"40 across"}, {0.5, end}),
+                over_time({"energy",
+                           "Kinetic energy over time",
+                           fmt::format("At the start it is {:.2f} J per metre of depth.", exact.kinetic_energy()),
+                           {"t [s]"},
+                           {"kinetic energy [J/m]"}},
+                          energy, {"40 across"}),
+                exact_over_time(
+                    "energy", [](double) { return exact.kinetic_energy(); }, end),
+                over_time({"middle",
+                           "Pressure in the middle",
+                           "Mean within a tenth of a side. Exact is the pressure at the start.",
+                           {"t [s]"},
+                           {"p [Pa]"}},
+                          middle, {"40 across"}),
+                exact_over_time(
+                    "middle", [](double) { return exact.p(0, 0); }, 0.05)}};
+}
