@@ -56,7 +56,7 @@ std::string logarithmic_commands(const char* name, double low, double high) {
 
 // Limits from the data move out to the next tick; a hair beyond a tick, such as -1e-19, counts as on it.
 std::string linear_commands(const char* name, const vnv::Axis& axis, double low, double high) {
-  const double step = above((high - low) / most_steps), hair = 1e-6;
+  const double step = tick_step(high - low, most_steps), hair = 1e-6;
   const double from = axis.low ? low : step * std::floor(low / step + hair) + 0.0;
   const double to = axis.high ? high : step * std::ceil(high / step - hair);
   return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics {3:.9g}\n", name, from, to, step);
@@ -83,6 +83,8 @@ std::pair<double, double> Extent::range(double air) const {
   if (low < high) return {axis_.low ? low : low - air * (high - low), axis_.high ? high : high + air * (high - low)};
   return axis_.logarithmic ? std::pair(low / 2, high * 2) : std::pair(low - 0.5, low + 0.5);
 }
+
+double tick_step(double span, double most_steps) { return above(span / most_steps); }
 
 std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent) {
   const auto [low, high] = extent.range();

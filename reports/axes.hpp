@@ -28,6 +28,9 @@ class Extent {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
+/// The distance of ticks, 1, 2 or 5 times a power of ten, that makes at most so many steps of a span.
+double tick_step(double span, double most_steps);
+
 /// The commands for one axis, named "x" or "y".
 std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent);
 

@@ -12,10 +12,11 @@ namespace touchstone::reports {
 namespace {
 
 constexpr int width = 760;                                                              // px
-constexpr int left = 62, right = 12, top = 28, gap_x = 18, gap_y = 30, axis_band = 52;  // px  around the panels
+constexpr int left = 62, right = 12, top = 42, gap_x = 18, gap_y = 30, axis_band = 52;  // px  around the panels
 constexpr int bar_bottom = 46, bar_height = 11, bar_band = 70;  // px  the colour bar and its labels
 constexpr double tallest_panel = 560;                           // px
 constexpr double default_ratio = 0.62;                          // height to width of a panel
+constexpr double tick_width = 30, tick_height = 24;             // px  that a label of an axis takes at least
 
 // Viridis by Smith & van der Walt (2015): even to the eye, and in grey, and to the colour-blind.
 constexpr auto palette =
@@ -97,6 +98,12 @@ double particle_size(const vnv::Cloud& cloud, const Panels& panels, const Layout
   return bin * std::sqrt(static_cast<double>(covered.size()) / count);
 }
 
+// The row, and above the uppermost the column.
+std::string title_of(const Panel& panel) {
+  const std::string row = gnuplot_string(panel.cloud->row);
+  return panel.row == 0 ? gnuplot_string(panel.cloud->column) + " . \"\\n\" . " + row : row;
+}
+
 std::string panel_commands(const Panel& panel, const Panels& panels, const Layout& layout, const vnv::Figure& figure) {
   const bool is_lowest = panel.row + 1 == static_cast<int>(panels.rows.size());
   const double l = layout.left_of(panel), t = layout.top_of(panel);
@@ -105,8 +112,7 @@ std::string panel_commands(const Panel& panel, const Panels& panels, const Layou
   std::string commands =
       fmt::format("set margins at screen {:.6f}, screen {:.6f}, screen {:.6f}, screen {:.6f}\n", share_x(l),
                   share_x(l + layout.panel_width), share_y(t - layout.panel_height), share_y(t));
-  commands += fmt::format("set title {} noenhanced offset 0,-0.6\n",
-                          gnuplot_string(panel.cloud->column + ", " + panel.cloud->row));
+  commands += fmt::format("set title {} noenhanced offset 0,-0.6\n", title_of(panel));
   commands += fmt::format("set xlabel {} offset 0,0.3\nset format x '{}'\n",
                           gnuplot_string(is_lowest ? gnuplot_label(figure.x.label) : ""), is_lowest ? "%g" : "");
   commands += fmt::format("set ylabel {}\nset format y '{}'\n",
@@ -144,6 +150,8 @@ set tics out nomirror scale 0.5 textcolor rgb '#111111'
 )",
                                  figure.id, 2 * width, 2 * layout.height);
   text += palette + range_command("x", aired(panels.x)) + range_command("y", aired(panels.y));
+  text += fmt::format("set xtics {:g}\nset ytics {:g}\n", tick_step(span(panels.x), layout.panel_width / tick_width),
+                      tick_step(span(panels.y), layout.panel_height / tick_height));
   text += axis_commands("cb", figure.colour, panels.colour) + range_command("cb", panels.colour.range());
   text += "set cblabel offset 0,0.4\nset multiplot\n" + bar_command(layout);
   for (const auto& panel : panels.all) {
