@@ -5,6 +5,7 @@
 #include "vnv/free_surface_methods.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/half_axes.hpp"
+#include "vnv/measures/roughness.hpp"
 #include "vnv/norms.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
@@ -115,7 +116,7 @@ Case vnv::the_case() {
           "begin with. Mach number of a corner 1/28.",
       .times = {0.5, end},
       .watch = {.every = 0.02, .see = look},
-      .measurements = {what_is_not_kept},
+      .measurements = {what_is_not_kept, roughness_of("p", pressure, "rho omega² L²", rho0 * omega * omega * L * L)},
       .methods = {turned_by([](const auto& scene) { return mpm_as_printed(scene, whole, 0.4); }, {keeps_momentum()}),
                   turned_by([](const auto& scene) { return mpm_apic(scene, whole); }, {keeps_momentum()}),
                   turned_by([](const auto& scene) { return sph_delta(scene, whole); },
