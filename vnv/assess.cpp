@@ -133,7 +133,7 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
   }
 }
 
-/// What a baseline holds of a run must still be measured.
+/// What a baseline holds of a run must still be measured, unless it is told of the end of a run and this one went on.
 void miss_lost_values(const Baselines& baselines, Record& record) {
   for (const Baseline& last : baselines.rows) {
     const auto run = std::ranges::find(record.runs, last.rung, &RunSummary::rung);
@@ -141,7 +141,10 @@ void miss_lost_values(const Baselines& baselines, Record& record) {
     const bool measured = std::ranges::any_of(record.errors, [&](const Error& e) {
       return baselines.find(record.method, e.rung, e.time, e.quantity) == &last;
     });
-    if (!measured)
+    const bool told_later = std::ranges::any_of(record.errors, [&](const Error& e) {
+      return e.rung == last.rung && e.quantity == last.quantity && e.time > last.time;
+    });
+    if (!measured && !told_later)
       record.verdicts.push_back(judge(between(last.quantity, last.lower, last.upper, baseline(last.basis)),
                                       {record.case_name, record.method, last.rung, run->spacing, last.time},
                                       not_a_number));

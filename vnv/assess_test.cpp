@@ -104,6 +104,14 @@ TEST(Assess, IsInconclusiveWithoutABaselineAndFailsForOneThatIsNoLongerMeasured)
   EXPECT_EQ(count(record, Outcome::fails), 1);
 }
 
+TEST(Assess, MissesNoValueOfTheEndOfARunThatGoesOnLongerThanTheAcceptedOne) {
+  Baselines of_shorter = accepted(0.04);
+  of_shorter.rows.push_back({"made_up", "coarse", 0.5, "L2 v_x [%]", 0.03, 0.02, 0.04, "made up"});
+  EXPECT_EQ(count(assessed(second_order(), of_shorter), Outcome::fails), 0);
+  of_shorter.rows.back().quantity = "L2 v_y [%]";  // told of no time any more
+  EXPECT_EQ(count(assessed(second_order(), of_shorter), Outcome::fails), 1);
+}
+
 TEST(Assess, RunsToATimeThatTheCaseDoesNotName) {
   Case declared = second_order();
   declared.methods[0].rungs = {{.name = "coarse", .spacing = 0.2, .acceptance = 0.3},
