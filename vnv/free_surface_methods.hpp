@@ -66,6 +66,11 @@ auto viscosity_of(const FluidLaw& fluid, double alpha, double h) {
     return sph::momentum(sph::ArtificialViscosity{.alpha = alpha, .sound_speed = fluid.sound_speed(), .h = h});
 }
 
+template <class FluidLaw>
+sph::Antuono diffusion_in(const FluidLaw& fluid, double h) {
+  return {.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h};
+}
+
 template <class MakeParts, class AnyScene>
 Method sph_of_parts(const AnyScene& scene, double whole, const std::string& name, const std::string& words,
                     const SphChoice& choice, const MakeParts& parts) {
@@ -100,8 +105,7 @@ Method sph_delta(const AnyScene& scene, double whole, const SphChoice& choice = 
       scene, whole, "sph_delta",
       "diffusion of density less its linear part with delta = 0.1 (Antuono et al. 2010), sums of pressures", choice,
       [](const auto& fluid, double h) {
-        return sph::Parts{.pressure = sph::PressureSum{},
-                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
+        return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = detail::diffusion_in(fluid, h)};
       });
 }
 
@@ -114,7 +118,7 @@ Method sph_shifted(const AnyScene& scene, double whole, const SphChoice& choice 
       "shifted from where they are crowded, along a surface only (Sun et al. 2017)",
       choice, [](const auto& fluid, double h) {
         return sph::Parts{.pressure = sph::PressureSum{},
-                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h},
+                          .diffusion = detail::diffusion_in(fluid, h),
                           .gradient = sph::PlainGradient{},
                           .shifting = sph::TangentialShifting{}};
       });
@@ -129,7 +133,7 @@ Method sph_corrected(const AnyScene& scene, double whole, const SphChoice& choic
       "al. 2010)",
       choice, [](const auto& fluid, double h) {
         return sph::Parts{.pressure = sph::BonetLokPressure{},
-                          .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h},
+                          .diffusion = detail::diffusion_in(fluid, h),
                           .gradient = sph::BonetLok{}};
       });
 }
