@@ -1,8 +1,6 @@
 #pragma once
 #include "solvers/samples.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <array>
 #include <cmath>
 
@@ -14,8 +12,8 @@ inline std::array<double, 2> half_axes(const Samples& samples) {
   const Vec2 centre = samples.x * samples.mass.matrix() / mass;
   const Vectors from = samples.x.colwise() - centre;
   const Mat2 moments = from * samples.mass.matrix().asDiagonal() * from.transpose() / mass;
-  const Vec2 along = Eigen::SelfAdjointEigenSolver<Mat2>(moments).eigenvalues();  // rising
-  return {2 * std::sqrt(along[1]), 2 * std::sqrt(along[0])};
+  const double middle = moments.trace() / 2, half = std::hypot((moments(0, 0) - moments(1, 1)) / 2, moments(0, 1));
+  return {2 * std::sqrt(middle + half), 2 * std::sqrt(middle - half)};
 }
 
 }  // namespace touchstone::vnv
