@@ -92,7 +92,16 @@ std::vector<Error> against_ghia(const Rung& rung, const Run& run) {
   return errors;
 }
 
-const Author first_measured = baseline("half as much again as first measured");
+const Author first_measured =
+    baseline("half as much again as first measured, the worst of five runs where they differ");
+
+/// Particles that are not put back on a lattice mix: with 24 across, five runs whose steps differ by up to a per cent
+/// ended 0.5 to 2.0 % off in v_x and 1.0 to 2.7 % in v_y.
+Method mixing(Method method) {
+  method.tolerance = {1.2,
+                      "particles mix: runs with other steps, or of another build, differ by factors of two to four"};
+  return method;
+}
 
 /// Both components at most so far from the tables, in per cent of the lid's speed.
 std::vector<Claim> within(double percent, const std::string& rung, const Author& author) {
@@ -146,8 +155,8 @@ Case vnv::the_case() {
                              within(6, flows[0].at(24), first_measured)),
                    in_cavity([](const auto& scene) { return mpm_least_squares(scene, whole, 0.5); }, all_rungs(),
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
-                   in_cavity([](const auto& scene) { return sph_second_order(scene, whole, 0.45); }, all_rungs(),
-                             near_ghia(3, {flows.begin(), flows.end()}))},
+                   in_cavity([](const auto& scene) { return mixing(sph_second_order(scene, whole, 0.45)); },
+                             all_rungs(), near_ghia(4, {flows.begin(), flows.end()}))},
        .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
                            {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
                  snapshots({"speed",
