@@ -63,16 +63,21 @@ const std::string l2_p = "L2 p, per particle [%]";
 const std::string energy = "kinetic over potential energy, largest after 1 s [-]";
 const std::string surface = "highest particle, farthest from where it started, over the depth [%]";
 
+/// At each time of the case once the start has died away: the largest until then.
 std::vector<Error> unrest(const Rung& rung, const Run& run) {
-  if (!run.summary.finished) return {};
-  double largest = 0, farthest = 0;
-  for (std::size_t k = 0; k < run.history.time.size(); ++k) {
-    const std::vector<double>& seen = run.history.seen[k];
-    if (run.history.time[k] >= settled) largest = std::max(largest, seen[0]);
-    farthest = std::max(farthest, std::abs(seen[1] - run.history.seen[0][1]));
+  std::vector<Error> errors;
+  for (const Samples& s : run.samples) {
+    if (s.time <= settled * (1 + 1e-9)) continue;
+    double largest = 0, farthest = 0;
+    for (std::size_t k = 0; k < run.history.time.size() && run.history.time[k] <= s.time * (1 + 1e-9); ++k) {
+      const std::vector<double>& seen = run.history.seen[k];
+      if (run.history.time[k] >= settled) largest = std::max(largest, seen[0]);
+      farthest = std::max(farthest, std::abs(seen[1] - run.history.seen[0][1]));
+    }
+    errors.push_back({rung.name, rung.spacing, s.time, energy, largest});
+    errors.push_back({rung.name, rung.spacing, s.time, surface, 100 * farthest / depth});
   }
-  return {{rung.name, rung.spacing, run.summary.end_time, energy, largest},
-          {rung.name, rung.spacing, run.summary.end_time, surface, 100 * farthest / depth}};
+  return errors;
 }
 
 /// Kinetic over potential energy, and the highest particle [m].
