@@ -17,6 +17,7 @@ constexpr int bar_bottom = 46, bar_height = 11, bar_band = 70;  // px  the colou
 constexpr double tallest_panel = 560;                           // px
 constexpr double default_ratio = 0.62;                          // height to width of a panel
 constexpr double tick_width = 30, tick_height = 24;             // px  that a label of an axis takes at least
+constexpr double most_ticks = 8;
 
 // Viridis by Smith & van der Walt (2015): even to the eye, and in grey, and to the colour-blind.
 constexpr auto palette =
@@ -150,8 +151,9 @@ set tics out nomirror scale 0.5 textcolor rgb '#111111'
 )",
                                  figure.id, 2 * width, 2 * layout.height);
   text += palette + range_command("x", aired(panels.x)) + range_command("y", aired(panels.y));
-  text += fmt::format("set xtics {:g}\nset ytics {:g}\n", tick_step(span(panels.x), layout.panel_width / tick_width),
-                      tick_step(span(panels.y), layout.panel_height / tick_height));
+  text += fmt::format("set xtics {:g}\nset ytics {:g}\n",
+                      tick_step(span(panels.x), std::min(most_ticks, layout.panel_width / tick_width)),
+                      tick_step(span(panels.y), std::min(most_ticks, layout.panel_height / tick_height)));
   text += axis_commands("cb", figure.colour, panels.colour) + range_command("cb", panels.colour.range());
   text += "set cblabel offset 0,0.4\nset multiplot\n" + bar_command(layout);
   for (const auto& panel : panels.all) {
