@@ -42,6 +42,12 @@ Claim no_worse_than(double percent) {
   return at_most(l2_velocity, percent, baseline("half as much again as first measured")).on("50 across").at(early);
 }
 
+/// Particles that spread do not go back to any lattice: where they are in the end depends on rounding.
+Method spreading(Method method) {
+  method.tolerance = {0.1, "particles spread: a sanitized build ended 5 % off in pressure"};
+  return method;
+}
+
 }  // namespace
 
 Case vnv::the_case() {
@@ -56,6 +62,6 @@ Case vnv::the_case() {
                       up(finely, mpm_least_squares(scene, whole), claims_of_second_order(of_least_squares())),
                       up(coarsely, sph_as_printed(scene, whole), {no_worse_than(92)}),
                       up(coarsely, sph_transport_velocity(scene, whole), {no_worse_than(15)}),
-                      up(finely, sph_second_order(scene, whole), claims_of_second_order(of_sph()))};
+                      up(finely, spreading(sph_second_order(scene, whole)), claims_of_second_order(of_sph()))};
   return declared;
 }
