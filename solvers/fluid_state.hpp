@@ -7,7 +7,7 @@ namespace touchstone {
 
 /// What an integrator moves: places, velocities and densities of the particles of a fluid, and how they change.
 struct FluidState {
-  Index fluid = 0;     // particles; what else a method keeps stands behind them
+  Index fluid = 0;            // particles; what else a method keeps stands behind them
   Scalars x, y;               // m
   Scalars vx, vy, rho;        // m/s, kg/m³
   Scalars ax, ay, drho;       // m/s², kg/m³ s

@@ -1,7 +1,6 @@
 #pragma once
 #include "solvers/fields.hpp"
 
-#include <cstdint>
 #include <random>
 
 namespace touchstone::vnv {

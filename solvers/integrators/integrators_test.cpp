@@ -1,58 +1,22 @@
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
+#include "solvers/integrators/testing.hpp"
 
 #include <gtest/gtest.h>
 
 namespace touchstone {
 namespace {
 
-/// A standing sound wave in one particle: density [kg/m³] and velocity [m/s] turn into each other, with one radian a
-/// second, while the particle moves along with the velocity.
-class Wave {
- public:
-  Wave() {
-    all_.fluid = 1;
-    for (Scalars* field : {&all_.x, &all_.y, &all_.vx, &all_.vy, &all_.rho, &all_.ax, &all_.ay, &all_.drho})
-      field->setZero(1);
-    all_.past.assign(6, Scalars::Zero(1));
-    all_.rho = 1;
-  }
-  FluidState& state() { return all_; }
-  int threads() const { return 1; }
-  void find_density_rate(double, NoLaps) {
-    all_.drho = -all_.vx;
-    ++evaluations_;
-  }
-  void find_accelerations(double, NoLaps) {
-    all_.ax = all_.rho;
-    ++evaluations_;
-  }
-  void find_rates(double, NoLaps) {
-    all_.drho = -all_.vx;
-    all_.ax = all_.rho;
-    ++evaluations_;
-  }
-  int evaluations() const { return evaluations_; }
-
- private:
-  FluidState all_;
-  int evaluations_ = 0;
-};
-
 template <class Integrator>
-Wave after(double end, int steps) {
-  Wave wave;
-  Integrator integrator;
-  const double dt = end / steps;
-  for (int k = 0; k < steps; ++k) integrator.step(wave, k * dt, dt, NoLaps{});
-  return wave;
+Oscillators after(double end, int steps) {
+  return moved<Integrator>(Oscillators(), end / steps, steps);
 }
 
 /// rho = cos t, v = sin t, x = 1 - cos t.
 template <class Integrator>
 double error(int steps) {
-  Wave wave = after<Integrator>(2, steps);
+  Oscillators wave = after<Integrator>(2, steps);
   const FluidState& all = wave.state();
   return std::abs(all.rho[0] - std::cos(2)) + std::abs(all.vx[0] - std::sin(2)) + std::abs(all.x[0] - 1 + std::cos(2));
 }
@@ -89,7 +53,7 @@ TEST(Integrators, AreStableUpToThePhaseTheyPromise) {
 }
 
 TEST(Integrators, PredictorCorrectorGrowsByAnEighthOfThePhaseToTheFourth) {
-  Wave wave = after<PredictorCorrector>(0.1 * 4000, 4000);
+  Oscillators wave = after<PredictorCorrector>(0.1 * 4000, 4000);
   const double energy = std::pow(wave.state().rho[0], 2) + std::pow(wave.state().vx[0], 2);
   EXPECT_NEAR(std::log(energy) / 2 / 4000, std::pow(0.1, 4) / 8, 0.02 * std::pow(0.1, 4) / 8);
 }

@@ -1,57 +1,18 @@
 #include "solvers/integrators/drift_kick_drift.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/symplectic.hpp"
+#include "solvers/integrators/testing.hpp"
 
 #include <gtest/gtest.h>
 
 namespace touchstone {
 namespace {
 
-/// A standing sound wave in one particle, on a mean density that keeps it positive, and a spring that holds the
-/// particle along y: both go through one radian a second.
-class Oscillators {
- public:
-  static constexpr double mean = 10;  // kg/m³
-
-  Oscillators() {
-    all_.fluid = 1;
-    for (Scalars* field : {&all_.x, &all_.y, &all_.vx, &all_.vy, &all_.rho, &all_.ax, &all_.ay, &all_.drho})
-      field->setZero(1);
-    all_.rho = mean + 1;
-    all_.y = 1;
-  }
-  FluidState& state() { return all_; }
-  int threads() const { return 1; }
-  void find_density_rate(double, NoLaps) {
-    all_.drho = -all_.vx;
-    ++evaluations_;
-  }
-  void find_accelerations(double, NoLaps) {
-    all_.ax = all_.rho - mean;
-    all_.ay = -all_.y;
-    ++evaluations_;
-  }
-  void find_rates(double, NoLaps) {
-    all_.drho = -all_.vx;
-    all_.ax = all_.rho - mean;
-    all_.ay = -all_.y;
-    ++evaluations_;
-  }
-  int evaluations() const { return evaluations_; }
-  double energy_of_sound() const { return std::pow(all_.rho[0] - mean, 2) + all_.vx[0] * all_.vx[0]; }
-  double energy_of_spring() const { return all_.y[0] * all_.y[0] + all_.vy[0] * all_.vy[0]; }
-
- private:
-  FluidState all_;
-  int evaluations_ = 0;
-};
+constexpr double mean = 10;  // kg/m³  keeps the density positive
 
 template <class Integrator>
 Oscillators after(double dt, int steps) {
-  Oscillators wave;
-  Integrator integrator;
-  for (int k = 0; k < steps; ++k) integrator.step(wave, k * dt, dt, NoLaps{});
-  return wave;
+  return moved<Integrator>(Oscillators(mean, 1), dt, steps);
 }
 
 /// rho = mean + cos t, v_x = sin t, x = 1 - cos t; y = cos t, v_y = -sin t.
@@ -59,7 +20,7 @@ template <class Integrator>
 double error(int steps) {
   Oscillators wave = after<Integrator>(2.0 / steps, steps);
   const FluidState& all = wave.state();
-  return std::abs(all.rho[0] - Oscillators::mean - std::cos(2)) + std::abs(all.vx[0] - std::sin(2)) +
+  return std::abs(all.rho[0] - mean - std::cos(2)) + std::abs(all.vx[0] - std::sin(2)) +
          std::abs(all.x[0] - 1 + std::cos(2)) + std::abs(all.y[0] - std::cos(2)) + std::abs(all.vy[0] + std::sin(2));
 }
 

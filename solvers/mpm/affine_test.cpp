@@ -128,19 +128,8 @@ TEST(Affine, RerunsBitByBitOnAnyNumberOfThreads) {
 }
 
 TEST(Affine, NamesTheParticleThatWasSpoilt) {
-  const auto planted = [](const Vec2& x, double time) -> Vec2 {
-    return {time > 0.065 && (x - Vec2(0.95, 0.95)).norm() < 0.01 ? std::numeric_limits<double>::quiet_NaN() : 0.0, 0};
-  };
-  auto poisoned = affine(drop(planted), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01});
-  run(poisoned, 7);
-  try {
-    poisoned.step();
-    FAIL() << "nothing was noticed";
-  } catch (const Diverged& diverged) {
-    EXPECT_EQ(diverged.fault.step, 8);
-    EXPECT_TRUE(std::isnan(diverged.fault.value));
-    EXPECT_EQ(diverged.fault.particle, 77);  // in one step number 99 spoils two cells on every side
-  }
+  // In one step number 99 spoils two cells on every side.
+  expect_stop_of_spoilt(affine(drop(Spoilt{}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
 }
 
 TEST(Affine, DiagnosesACollapse) {

@@ -1,10 +1,17 @@
 #pragma once
-/// Scenes that the tests of all material point methods share.
+/// Scenes that the tests of all material point methods share, and what all of them must notice.
 
+#include "solvers/diverged.hpp"
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "solvers/walls/free_slip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace touchstone::mpm {
 
@@ -27,6 +34,44 @@ Scene<Tait, Force> drop(const Force& force) {
           .fluid = soft_water,
           .filled = {.high = {1, 1}},
           .body_force = force};
+}
+
+/// A force that is not a number from the eighth step of 10 ms on, near the last of a hundred particles of the drop.
+struct Spoilt {
+  Vec2 operator()(const Vec2& x, double time) const {
+    const bool is_there = time > 0.065 && (x - Vec2(0.95, 0.95)).norm() < 0.01;
+    return {is_there ? std::numeric_limits<double>::quiet_NaN() : 0.0, 0};
+  }
+};
+
+/// Expects a drop of a hundred particles, which falls by 10 m/s², to be stopped as it leaves its domain.
+template <class Solver>
+void expect_stop_of_a_fall(Solver falling) {
+  try {
+    for (int k = 0; k < 200; ++k) falling.step();
+    FAIL() << "nothing was noticed";
+  } catch (const Diverged& diverged) {
+    EXPECT_EQ(diverged.fault.quantity, "y [m]");
+    EXPECT_LT(diverged.fault.value, -1);
+    EXPECT_EQ(diverged.fault.particle, 0);
+    EXPECT_EQ(diverged.fault.step, falling.steps());
+    EXPECT_NEAR(diverged.fault.time, std::sqrt(2 * 1.05 / 10), 0.02);  // the fall from 0.05 m to -1 m
+  }
+}
+
+/// Expects a drop under the force `Spoilt` to be stopped in the step that spoils it; the particle that is named, if
+/// any.
+template <class Solver>
+void expect_stop_of_spoilt(Solver poisoned, std::optional<long> particle = {}) {
+  for (int k = 0; k < 7; ++k) poisoned.step();
+  try {
+    poisoned.step();
+    FAIL() << "nothing was noticed";
+  } catch (const Diverged& diverged) {
+    EXPECT_EQ(diverged.fault.step, 8);
+    EXPECT_TRUE(std::isnan(diverged.fault.value));
+    EXPECT_EQ(diverged.fault.particle, particle.value_or(diverged.fault.particle));
+  }
 }
 
 /// A column that collapses in a tank of that height [m].

@@ -7,7 +7,6 @@
 #include "vnv/measures/half_axes.hpp"
 #include "vnv/measures/roughness.hpp"
 #include "vnv/norms.hpp"
-#include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
 
