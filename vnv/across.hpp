@@ -4,6 +4,7 @@
 #include "vnv/case.hpp"
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +40,16 @@ inline Method up(const std::vector<Rung>& rungs, Method method, std::vector<Clai
   method.ladders = {all};
   method.claims = std::move(claims);
   return method;
+}
+
+/// The same of several, with what is claimed of some of them, by name.
+inline std::vector<Method> up(const std::vector<Rung>& rungs, std::vector<Method> methods,
+                              const std::map<std::string, std::vector<Claim>>& claims) {
+  for (Method& method : methods) {
+    const auto of_it = claims.find(method.name);
+    method = up(rungs, std::move(method), of_it == claims.end() ? std::vector<Claim>{} : of_it->second);
+  }
+  return methods;
 }
 
 /// The step in which sound travels a share of a length [m], or less: there is a whole number of them in `whole` [s].

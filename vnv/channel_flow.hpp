@@ -6,8 +6,6 @@
 #include "vnv/channel.hpp"
 #include "vnv/methods.hpp"
 
-#include <map>
-
 namespace touchstone::vnv::channel {
 
 /// Of which every step divides the times at which these flows are looked at [s].
@@ -60,17 +58,13 @@ Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, c
                {.label = "CPU time [s]", .logarithmic = true},
                {.label = "L2 v_x [%]", .logarithmic = true}},
               {}, cpu_time_until(end), {{"", error_of(l2, end)}})}};
-  const std::map<std::string, std::string> of_second_order = {
-      {"mpm", "linear hats, central quadrature where particles keep their rows"},
-      {"mpm_least_squares", "fits and differences of second order"},
-      {"sph_second_order", "fits of second degree"}};
-  for (const Method& method : methods_along(scene)) {
-    const auto theirs = of_second_order.find(method.name);
-    declared.methods.push_back(
-        theirs == of_second_order.end()
-            ? up(rungs, method)
-            : up(rungs, method, {order_at_least(ladder_across, l2, 1.8, 1.5, theory(theirs->second)).at(end).over(5)}));
-  }
+  const auto of_second_order = [&](const std::string& words) -> std::vector<Claim> {
+    return {order_at_least(ladder_across, l2, 1.8, 1.5, theory(words)).at(end).over(5)};
+  };
+  declared.methods = up(rungs, methods_along(scene),
+                        {{"mpm", of_second_order("linear hats, central quadrature where particles keep their rows")},
+                         {"mpm_least_squares", of_second_order("fits and differences of second order")},
+                         {"sph_second_order", of_second_order("fits of second degree")}});
   return declared;
 }
 

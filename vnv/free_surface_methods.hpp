@@ -2,6 +2,8 @@
 /// Methods made of parts (solvers/mpm/composed.hpp, solvers/sph/free_surface.hpp), as flows with a free surface run
 /// them.
 
+#include "solvers/fluids/tait.hpp"
+#include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/composed.hpp"
 #include "solvers/mpm/densities/affine_density.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
@@ -137,5 +139,17 @@ Method sph_corrected(const AnyScene& scene, double whole, const SphChoice& choic
                           .gradient = sph::BonetLok{}};
       });
 }
+
+// Compiled once, in free_surface_methods.cpp.
+#define TOUCHSTONE_FREE_SURFACE_METHODS(declare, ...)                     \
+  declare Method mpm_as_printed(const __VA_ARGS__&, double, double);      \
+  declare Method mpm_affine(const __VA_ARGS__&, double, double);          \
+  declare Method mpm_apic(const __VA_ARGS__&, double);                    \
+  declare Method mpm_xpic(const __VA_ARGS__&, double);                    \
+  declare Method sph_as_printed(const __VA_ARGS__&, double, double);      \
+  declare Method sph_delta(const __VA_ARGS__&, double, const SphChoice&); \
+  declare Method sph_corrected(const __VA_ARGS__&, double, const SphChoice&);
+TOUCHSTONE_FREE_SURFACE_METHODS(extern template, Scene<Tait>)
+TOUCHSTONE_FREE_SURFACE_METHODS(extern template, Scene<Newtonian, Uniform>)
 
 }  // namespace touchstone::vnv

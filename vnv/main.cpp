@@ -118,7 +118,8 @@ int explore(const Case& declared) {
   return EXIT_SUCCESS;
 }
 
-/// Makes today's values the baselines, unless a claim of theory or literature fails.
+/// Makes today's values the baselines, and forgets those of methods and rungs that are gone, unless a claim of theory
+/// or literature fails.
 int accept(const Case& declared) {
   const auto is_run = [](const Rung& rung) { return rung.until(options.suite) > 0; };
   if (std::ranges::none_of(declared.methods, [&](const Method& m) { return std::ranges::any_of(m.rungs, is_run); })) {
@@ -126,6 +127,9 @@ int accept(const Case& declared) {
     return EXIT_SUCCESS;
   }
   Baselines baselines = read_baselines(baselines_file()).value_or(Baselines{});
+  std::erase_if(baselines.rows, [&](const Baseline& old) {
+    return std::ranges::none_of(declared.methods, [&](const Method& m) { return m.name == old.method; });
+  });
   for (const Method* method : chosen_methods(declared)) {
     const Record record = assess(case_name, declared, *method, options.suite, std::nullopt);
     print(record);
@@ -135,8 +139,9 @@ int accept(const Case& declared) {
         return EXIT_FAILURE;
       }
     std::erase_if(baselines.rows, [&](const Baseline& old) {
-      return old.method == method->name &&
-             std::ranges::any_of(record.runs, [&](const RunSummary& run) { return run.rung == old.rung; });
+      const auto is_its_rung = [&](const auto& rung) { return rung == old.rung; };
+      return old.method == method->name && (std::ranges::any_of(record.runs, is_its_rung, &RunSummary::rung) ||
+                                            std::ranges::none_of(method->rungs, is_its_rung, &Rung::name));
     });
     const std::vector<Baseline> rows = baselines_from(record, method->tolerance);
     baselines.rows.insert(baselines.rows.end(), rows.begin(), rows.end());

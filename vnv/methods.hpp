@@ -6,6 +6,7 @@
 #include "solvers/mpm/affine.hpp"
 #include "solvers/mpm/least_squares.hpp"
 #include "solvers/mpm/mpm.hpp"
+#include "solvers/scene.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/kernels/wendland_c2.hpp"
@@ -164,5 +165,16 @@ Method sph_second_order(const AnyScene& scene, double whole, double share = 0.3)
       .tolerance = stretched,
       .relative_cost = 2};
 }
+
+// A method takes ten seconds to compile for a scene: for scenes that several cases have it is done once, in
+// methods.cpp.
+#define TOUCHSTONE_METHODS(declare, ...)                                     \
+  declare Method mpm_as_printed(const __VA_ARGS__&, double, double);         \
+  declare Method mpm_affine(const __VA_ARGS__&, double, double);             \
+  declare Method mpm_least_squares(const __VA_ARGS__&, double, double);      \
+  declare Method sph_as_printed(const __VA_ARGS__&, double, double);         \
+  declare Method sph_transport_velocity(const __VA_ARGS__&, double, double); \
+  declare Method sph_second_order(const __VA_ARGS__&, double, double);
+TOUCHSTONE_METHODS(extern template, Scene<Newtonian>)
 
 }  // namespace touchstone::vnv

@@ -1,0 +1,55 @@
+/// A stretching drop that is mirrored, carried along, turned, on a disturbed lattice and with particles numbered anew:
+/// a free surface all around.
+
+#include "vnv/drop.hpp"
+#include "vnv/views.hpp"
+
+#include <numbers>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::drop;
+
+namespace {
+
+constexpr double spacing_of_all = 2 * R / 30;  // m
+
+/// About the line x = y: the drop is stretched along y.
+const View mirrored = views::mirrored(Mat2{{0, 1}, {1, 0}}, Vec2::Zero());
+const View turned = views::turned(Eigen::Rotation2Dd(std::numbers::pi / 6).toRotationMatrix());
+
+const SeveralViews in_views{.views = {views::plain(), mirrored, views::carried_along({0.3, 0.2}), turned,
+                                      views::on_disturbed_lattice(0.1 * spacing_of_all), views::numbered_anew()},
+                            .spacing = spacing_of_all,
+                            .cell = 2 * spacing_of_all,
+                            .end = end,
+                            .error = axes_error};
+
+Scene<Tait> scene_of(const View& view) {
+  Scene<Tait> seen = scene();
+  seen.start = {.velocity = [=](const Vec2& x) { return view.velocity(velocity, x, 0); },
+                .pressure = [=](const Vec2& x) { return view.pressure(pressure, x, 0); },
+                .places = [=](const Vectors& lattice) { return view.places_on(within(lattice)); }};
+  return seen;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Invariance: a drop",
+      .description =
+          "A round drop of an inviscid fluid is stretched to twice its length, 30 particles across, seen in other ways: "
+          "mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; turned by 30 degrees; from a "
+          "disturbed lattice; with particles numbered anew. Physics knows no difference. Every method claims the "
+          "mirror image and the numbers; SPH, which knows no grid, also the view of one who is carried along. Turned, "
+          "the drop is stretched along no row of its particles.",
+      .times = {end},
+      .watch = watch_axes(),
+      .measurements = {error_of_axes},
+      .findings = {in_views.changes()},
+      .claims = in_views.claims_of_all(),
+      .methods = in_views.methods(scene_of, methods_on, {"sph", "sph_corrected"}),
+      .plots = {in_views.table("Carried along: all moves with (0.3, 0.2) m/s besides. Turned: by 30 degrees. Disturbed "
+                               "lattice: each particle starts up to a tenth of a spacing off its place.")}};
+}

@@ -1,0 +1,19 @@
+/// Taylor-Green vortices that are mirrored, carried along, turned, on a disturbed lattice and with particles numbered
+/// anew.
+
+#include "vnv/square_views.hpp"
+#include "vnv/taylor_green.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+Case vnv::the_case() {
+  const taylor_green::Flow flow{.reynolds = 100, .sound_speed = 10};
+  Case declared = square::in_several_views({flow.fluid(), flow.velocity(), flow.pressure()}, 0.2);
+  declared.title = "Invariance: vortices";
+  declared.description =
+      "Taylor-Green vortices, Reynolds number 100 and Mach number 0.1, 34 particles across a period, seen in other ways: "
+      "mirrored, carried along, turned, from a disturbed lattice, with particles numbered anew. " +
+      square::claimed_of_views;
+  return declared;
+}

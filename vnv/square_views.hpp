@@ -1,0 +1,64 @@
+#pragma once
+/// Flows in a square that repeats along both axes, in several views, by six methods.
+
+#include "vnv/square.hpp"
+#include "vnv/views.hpp"
+
+namespace touchstone::vnv::square {
+
+/// A flow in the whole plane, of which a square of 1 m repeats.
+struct PlaneFlow {
+  Newtonian fluid;
+  VelocityTruth velocity;
+  PressureTruth pressure;
+};
+
+/// By the angle of the direction (2, 1), 26.6 degrees: the only one below 30 degrees for which a square of less than
+/// ten periods repeats.
+inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5); }
+
+inline std::vector<Method> methods_on(const Scene<Newtonian>& scene) {
+  return {mpm_as_printed(scene, whole),         mpm_affine(scene, whole),
+          mpm_least_squares(scene, whole),      sph_as_printed(scene, whole),
+          sph_transport_velocity(scene, whole), sph_second_order(scene, whole)};
+}
+
+/// Looked at at `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
+/// those of the cells.
+inline Case in_several_views(const PlaneFlow& flow, double end) {
+  constexpr double spacing = side / 34;
+  const View turned = views::turned(oblique());
+  const SeveralViews flows{.views = {views::plain(), views::mirrored_about_x(0), views::carried_along({1, 0.5}), turned,
+                                     views::on_disturbed_lattice(0.1 * spacing), views::numbered_anew()},
+                           .spacing = spacing,
+                           .cell = 2 * spacing,
+                           .end = end,
+                           .error = l2_velocity};
+  const auto scene_of = [=](const View& view) -> Scene<Newtonian> {
+    const double period = view.name == turned.name ? std::sqrt(5) * side : side;
+    const Box repeated{.high = {period, period}};
+    return {.domain = {.box = repeated, .periodic_x = true, .periodic_y = true},
+            .fluid = flow.fluid,
+            .filled = repeated,
+            .start = {.velocity = [=](const Vec2& x) { return view.velocity(flow.velocity, x, 0); },
+                      .pressure = [=](const Vec2& x) { return view.pressure(flow.pressure, x, 0); },
+                      .places = view.rearranged}};
+  };
+  return {.times = {end},
+          .measurements = {flows.measured(velocity_errors(flow.velocity))},
+          .findings = {flows.changes()},
+          .claims = flows.claims_of_all(),
+          .methods = flows.methods(scene_of, methods_on, {"sph", "sph_second_order"}),
+          .plots = {flows.table(
+              "Carried along: all moves with (1, 0.5) m/s besides. Turned: by 26.6 degrees against the lattice. "
+              "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.")}};
+}
+
+/// What methods claim of the views, for the description of a case.
+inline const std::string claimed_of_views =
+    "Physics knows no difference. A method claims what follows from its equations: every method the mirror image and the "
+    "numbers; SPH, which knows no grid, also the view of one who is carried along, but for the transport velocity, whose "
+    "drift carries momentum as it is at rest. None is the same in all directions or from every lattice: there the "
+    "figures show how much it loses.";
+
+}  // namespace touchstone::vnv::square
