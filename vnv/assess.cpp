@@ -128,7 +128,7 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
       record.verdicts.push_back(
           judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
     else if (suite == Suite::acceptance)
-      record.verdicts.push_back(inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place,
+      record.verdicts.push_back(inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place, e.value,
                                              "no baseline was accepted for this yet"));
   }
 }

@@ -47,14 +47,20 @@ Verdict verdict_of(const Claim& claim, const Place& place, double value) {
   return v;
 }
 
+/// "poiseuille.mpm M2: L2 v_x = 0.0641 % at 1 s", with a remark behind the value.
+std::string value_in_words(const Verdict& v, std::string_view remark = "") {
+  const std::string rung = v.rung.empty() ? "" : " " + v.rung;
+  const std::string unit = v.unit.empty() ? "" : " " + v.unit;
+  const std::string time = std::isnan(v.time) ? "" : fmt::format(" at {:.4g} s", v.time);
+  return fmt::format("{}.{}{}: {} = {:.6g}{}{}{}", v.case_name, v.method, rung, v.quantity, v.value, unit, remark,
+                     time);
+}
+
 void conclude(Verdict& v, const Claim& claim, Outcome outcome, std::string_view remark) {
   v.outcome = outcome;
-  const std::string rung = v.rung.empty() ? "" : " " + v.rung;
-  const std::string time = std::isnan(v.time) ? "" : fmt::format(" at {:.4g} s", v.time);
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
-  v.sentence =
-      fmt::format("{}.{}{}: {} = {:.6g}{}{}{}, {}{} ({}), margin {:.0f} %: {}", v.case_name, v.method, rung, v.quantity,
-                  v.value, unit, remark, time, limits_of(claim), unit, v.author, 100 * v.margin, word_of(outcome));
+  v.sentence = fmt::format("{}, {}{} ({}), margin {:.0f} %: {}", value_in_words(v, remark), limits_of(claim), unit,
+                           v.author, 100 * v.margin, word_of(outcome));
 }
 
 bool within(const Claim& claim, double value) {
@@ -110,9 +116,10 @@ Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order
   return claim.surely_above ? judge_convergence(claim, place, order) : judge_slope(claim, place, order);
 }
 
-Verdict inconclusive(const Claim& claim, const Place& place, std::string_view why) {
-  Verdict v = verdict_of(claim, place, not_a_number);
-  conclude(v, claim, Outcome::inconclusive, fmt::format(" ({})", why));
+Verdict inconclusive(const Claim& claim, const Place& place, double value, std::string_view why) {
+  Verdict v = verdict_of(claim, place, value);
+  v.outcome = Outcome::inconclusive;
+  v.sentence = fmt::format("{}: {}: {}", value_in_words(v), why, word_of(v.outcome));
   return v;
 }
 

@@ -88,7 +88,7 @@ Verdict judge(const Claim& claim, const Place& place, double value);
 /// Judges an observed order.
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order);
 
-/// A verdict on something that could not be judged.
-Verdict inconclusive(const Claim& claim, const Place& place, std::string_view why);
+/// A verdict on a value that nothing judges.
+Verdict inconclusive(const Claim& claim, const Place& place, double value, std::string_view why);
 
 }  // namespace touchstone::vnv
