@@ -31,7 +31,7 @@ std::vector<Error> error_of_pressure(const Rung& rung, const Run& run) {
 }
 
 const std::vector<Rung> levels =
-    rungs_across(2 * R, {{40, end, 0, end}, {60, end, 0, end}, {80, 0, 0, end}, {120, 0, 0, end}});
+    rungs_across(2 * R, {{40, end, 0, end}, {60, 0, 0, end}, {80, 0, 0, end}, {120, 0, 0, end}});
 
 std::map<std::string, std::vector<Claim>> claims() {
   const Claim holds_its_shape =
@@ -62,7 +62,7 @@ Case vnv::the_case() {
                            "From the second moments of the particles.",
                            {"t [s]"},
                            {"half-axis [m]"}},
-                          0, {"60 across"}),
+                          0, {"40 across"}),
                 exact_over_time("length", length, end),
                 along_ladders({"order",
                                "Error over spacing",
