@@ -125,16 +125,15 @@ struct SeveralViews {
   /// One row a method; `words` say what the views are.
   Plot table(const std::string& words) const {
     return [*this, words](const Results& results, Record& record) {
-      Table table{"changes",
-                  "What another view of the same flow changes",
-                  fmt::format("Change of \"{}\" at t = {:g} s against the plain flow, in per cent of it. {}", error,
-                              end, words),
-                  {"method", "plain [%]"},
+      Table table{"views",
+                  "The same flow in several views",
+                  fmt::format("\"{}\" at t = {:g} s. {}", error, end, words),
+                  {"method"},
                   {}};
-      std::vector<Cell> row{results.method.name, error_in(views.front(), results, record)};
-      for (const Error& e : changes()(results, record)) {
-        table.columns.push_back(e.rung + " [%]");
-        row.emplace_back(e.value);
+      std::vector<Cell> row{results.method.name};
+      for (const View& view : views) {
+        table.columns.push_back(view.name);
+        row.emplace_back(error_in(view, results, record));
       }
       table.rows.push_back(std::move(row));
       record.tables.push_back(std::move(table));
