@@ -44,14 +44,10 @@ inline Case in_several_views(const PlaneFlow& flow, double end) {
                       .pressure = [=](const Vec2& x) { return view.pressure(flow.pressure, x, 0); },
                       .places = view.rearranged}};
   };
-  return {.times = {end},
-          .measurements = {flows.measured(velocity_errors(flow.velocity))},
-          .findings = {flows.changes()},
-          .claims = flows.claims_of_all(),
-          .methods = flows.methods(scene_of, methods_on, {"sph", "sph_second_order"}),
-          .plots = {flows.table(
-              "Carried along: all moves with (1, 0.5) m/s besides. Turned: by 26.6 degrees against the lattice. "
-              "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.")}};
+  return flows.declared(
+      velocity_errors(flow.velocity), flows.methods(scene_of, methods_on, {"sph", "sph_second_order"}),
+      "Carried along: all moves with (1, 0.5) m/s besides. Turned: by 26.6 degrees against the lattice. "
+      "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
 }
 
 /// What methods claim of the views, for the description of a case.

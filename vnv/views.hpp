@@ -140,6 +140,17 @@ struct SeveralViews {
     };
   }
 
+  /// All of a case but its words and what it watches; `views_in_words` stands at its table.
+  Case declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views,
+                const std::string& views_in_words) const {
+    return {.times = {end},
+            .measurements = {measured(of_plain_flow)},
+            .findings = {changes()},
+            .claims = claims_of_all(),
+            .methods = std::move(methods_in_views),
+            .plots = {table(views_in_words)}};
+  }
+
   Claim unchanged(const View& view, const std::string& why) const {
     return between(change(), -1, 1, theory(why)).on(view.name).at(end);
   }

@@ -39,19 +39,17 @@ Scene<Newtonian> scene_of(const View& view) {
 }  // namespace
 
 Case vnv::the_case() {
-  return {
-      .title = "Invariance: a flow between walls",
-      .description =
-          "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, seen in other ways: "
-          "mirrored, so that the lower plate slides; carried along at 2 mm/s with both plates; from a disturbed "
-          "lattice; with particles numbered anew. Physics knows no difference. Every method claims the mirror image "
-          "and the numbers. None claims more: the particles that make the walls of SPH stand still, even where "
-          "the walls move, and the fluid's lattice passes them.",
-      .times = {end},
-      .measurements = {in_views.measured(norms_of("v_x, per particle", by_particles, exact))},
-      .findings = {in_views.changes()},
-      .claims = in_views.claims_of_all(),
-      .methods = in_views.methods(scene_of, [](const Scene<Newtonian>& seen) { return methods_along(seen); }),
-      .plots = {in_views.table("Carried along: all moves with 2 mm/s besides. Disturbed lattice: each particle starts "
-                               "up to a tenth of a spacing off its place.")}};
+  Case declared =
+      in_views.declared(norms_of("v_x, per particle", by_particles, exact),
+                        in_views.methods(scene_of, [](const Scene<Newtonian>& seen) { return methods_along(seen); }),
+                        "Carried along: all moves with 2 mm/s besides. Disturbed lattice: each particle starts "
+                        "up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: a flow between walls";
+  declared.description =
+      "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, seen in other ways: "
+      "mirrored, so that the lower plate slides; carried along at 2 mm/s with both plates; from a disturbed "
+      "lattice; with particles numbered anew. Physics knows no difference. Every method claims the mirror image "
+      "and the numbers. None claims more: the particles that make the walls of SPH stand still, even where "
+      "the walls move, and the fluid's lattice passes them.";
+  return declared;
 }

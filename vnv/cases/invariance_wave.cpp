@@ -30,20 +30,18 @@ Scene<Newtonian, Uniform> scene_of(const View& view) {
 }  // namespace
 
 Case vnv::the_case() {
-  return {
-      .title = "Invariance: a gravity wave",
-      .description =
-          "A standing gravity wave of small amplitude, 40 particles to its length, seen in other ways: carried along "
-          "at 0.5 m/s; from a disturbed lattice; with particles numbered anew. Physics knows no difference. Every "
-          "method claims the numbers. None claims more: the particles that make the floor of SPH are no even floor to "
-          "slide along.",
-      .times = {end},
-      .measurements = {in_views.measured(velocity_errors([](const Vec2& x, double t) -> Vec2 {
-        return {exact.v_x(x.x(), x.y(), t), exact.v_y(x.x(), x.y(), t)};
-      }))},
-      .findings = {in_views.changes()},
-      .claims = in_views.claims_of_all(),
-      .methods = in_views.methods(scene_of, methods_on),
-      .plots = {in_views.table("Carried along: all moves with 0.5 m/s besides. Disturbed lattice: each particle starts "
-                               "up to a tenth of a spacing off its place.")}};
+  Case declared =
+      in_views.declared(velocity_errors([](const Vec2& x, double t) -> Vec2 {
+                          return {exact.v_x(x.x(), x.y(), t), exact.v_y(x.x(), x.y(), t)};
+                        }),
+                        in_views.methods(scene_of, methods_on),
+                        "Carried along: all moves with 0.5 m/s besides. Disturbed lattice: each particle starts "
+                        "up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: a gravity wave";
+  declared.description =
+      "A standing gravity wave of small amplitude, 40 particles to its length, seen in other ways: carried along "
+      "at 0.5 m/s; from a disturbed lattice; with particles numbered anew. Physics knows no difference. Every "
+      "method claims the numbers. None claims more: the particles that make the floor of SPH are no even floor to "
+      "slide along.";
+  return declared;
 }
