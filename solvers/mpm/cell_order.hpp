@@ -24,6 +24,8 @@ class CellOrder {
 
   class Block {
    public:
+    static constexpr bool is_single = false;
+
     Block(int its_row, int its_column) : row(its_row), column(its_column) {}
 
     int row, column;  // of its first cell
@@ -42,6 +44,17 @@ class CellOrder {
 
    private:
     int least_ = 0, most_ = 0;
+  };
+
+  /// A block known to hold one particle in each of its cells: loops over its particles dissolve.
+  class Single : public Block {
+   public:
+    static constexpr bool is_single = true;
+
+    explicit Single(const Block& block) : Block(block) {}
+
+    static constexpr int least() { return 1; }
+    static constexpr int most() { return 1; }
   };
 
   /// Makes room for particles of which `cell_of` names the cell of each, cells numbered row by row.
@@ -73,6 +86,16 @@ class CellOrder {
   const std::vector<Block>& blocks() const { return blocks_; }
   /// Where in `blocks` each row begins, and the end.
   const std::vector<int>& rows() const { return rows_; }
+  /// Calls work(block_at) for the blocks from `begin` to `end` of a row, where block_at(i) is the i-th block: as a
+  /// `Single` if every cell of the row has one particle.
+  template <class Work>
+  void with_row(int begin, int end, const Work& work) const {
+    const auto one_each = [](const Block& block) { return block.least() == 1 && block.most() == 1; };
+    if (std::all_of(&blocks_[begin], &blocks_[end - 1] + 1, one_each))
+      work([this](int i) { return Single(blocks_[i]); });
+    else
+      work([this](int i) -> const Block& { return blocks_[i]; });
+  }
   /// True if a block has come or has been emptied since then.
   bool is_stale() const { return stale_; }
 

@@ -48,7 +48,7 @@ class Mpm {
     lap(SubStep::scatter);
     accelerate(nodes_, scene_.body_force, grid_.cell, dt_, threads_);      // (10), (11), (14)
     wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt_);  // (14) at walls
-    scatter_changes<Shape>(particles_.order, masses_, threads_, nodes_);   // (16) as (17) sees it
+    scatter_changes<Shape>(particles_, masses_, threads_, nodes_);         // (16) as (17) sees it
     remap_velocity(nodes_, threads_);                                      // (17)
     wall_nodes_.hold_remapped(nodes_, time() + dt_);                       // (17) at walls
     lap(SubStep::grid);

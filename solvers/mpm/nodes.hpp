@@ -103,12 +103,10 @@ class Nodes {
       std::copy_n(&from_below[what][top_], stride, &from_below[what][0]);
     }
   }
-  /// Adds the sums of both images of a node, from a row of cells, for the quantities from `first` to `last`.
-  void close_seam(int row, Given first, Given last) {
-    for (int what = first; what <= last; ++what) {
-      join_images(from_above[what], row * stride);
-      join_images(from_below[what], (row + 1) * stride);
-    }
+  /// Adds what both images of the first node of a row hold.
+  void join_images(Field<double>& half, int first) const {
+    half[first] += half[first + columns_];
+    half[first + columns_] = half[first];
   }
 
  private:
@@ -125,11 +123,6 @@ class Nodes {
     for (Field<double>& half : from_above) store(Lanes{}, &half[node]);
     for (Field<double>& half : from_below) store(Lanes{}, &half[node]);
   }
-  void join_images(Field<double>& half, int first) {
-    half[first] += half[first + columns_];
-    half[first + columns_] = half[first];
-  }
-
   /// Adds the nodes below a row of cells, ascending.
   template <class Block>
   void add_row(const Block* begin, const Block* end, std::vector<int>& nodes) const {

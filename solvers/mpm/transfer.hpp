@@ -18,17 +18,13 @@
 
 namespace touchstone::mpm {
 
-/// What rows of cells give to their nodes, block by block from left to right. The nodes between two blocks belong to
+/// What a row of cells gives to its nodes, block by block from left to right. The nodes between two blocks belong to
 /// both: what the one on the left gives them waits for the one on the right.
 template <Given first, Given last>
-class GivenByRows {
+class GivenByRow {
  public:
-  explicit GivenByRows(Nodes& nodes) : nodes_(nodes) {}
+  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
 
-  void begin(int row) {
-    low_ = row * nodes_.stride;
-    high_ = low_ + nodes_.stride;
-  }
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
     Waiting& waiting = waiting_[what - first];
@@ -44,13 +40,20 @@ class GivenByRows {
     else
       with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
   }
+  /// Adds what both images of a node on the seam were given.
+  void close_seam() {
+    with_indices<last - first + 1>([&](auto... i) {
+      (nodes_.join_images(nodes_.from_above[first + i], low_), ...);
+      (nodes_.join_images(nodes_.from_below[first + i], high_), ...);
+    });
+  }
 
  private:
   struct Waiting {
     Lanes low{}, high{};
   };
   Nodes& nodes_;
-  int low_ = 0, high_ = 0;
+  int low_, high_;  // the first nodes below and above the row
   std::array<Waiting, last - first + 1> waiting_;
 };
 
@@ -62,35 +65,32 @@ void share_out_rows(const CellOrder<width>& order, int threads, const Work& work
   share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
 }
 
-/// Calls work(begin, end) for the blocks of each row.
+/// Calls work(begin, end, block_at) for the blocks of each row. Rows of cells with one particle each have code of their
+/// own, in which no loop over particles takes registers.
 template <int width, class Work>
 void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
-  share_out_rows(
-      order, threads, [&](auto row, auto end) __attribute__((flatten)) {
-        for (; row < end; ++row) work(row[0], row[1]);
-      });
+  share_out_rows(order, threads, [&](auto row, auto rows_end) {
+    for (; row < rows_end; ++row)
+      order.with_row(row[0], row[1], [&](const auto& block_at) { work(row[0], row[1], block_at); });
+  });
 }
 
-/// Has the blocks of each row give to their nodes, `give(block index, to)`, and closes the seams.
+/// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the seams.
 template <Given first, Given last, int width, class Give>
 void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
-  const auto& blocks = order.blocks();
-  const auto scatter_row = [&](int begin, int end, auto& to) {
-    const int row = blocks[begin].row;
-    const bool seam = nodes.at_seam(blocks[end - 1].column + width);
-    if (seam) nodes.open_seam(row);
-    to.begin(row);
+  const auto scatter_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
+    const int row = block_at(begin).row;
+    const bool seam = nodes.at_seam(block_at(end - 1).column + width);
+    if (seam && block_at(begin).column > 0) nodes.open_seam(row);
+    GivenByRow<first, last> to(nodes, row);
     for (int i = begin; i < end; ++i) {
-      give(i, to);
-      const int next = blocks[i].column + width;
-      if (i + 1 == end || blocks[i + 1].column > next) to.finish(next);
+      give(i, block_at(i), to);
+      const int next = block_at(i).column + width;
+      if (i + 1 == end || block_at(i + 1).column > next) to.finish(next);
     }
-    if (seam) nodes.close_seam(row, first, last);
+    if (seam) to.close_seam();
   };
-  share_out_rows(order, threads, [&](auto row, auto rows_end) {
-    GivenByRows<first, last> to(nodes);
-    for (; row < rows_end; ++row) scatter_row(row[0], row[1], to);
-  });
+  for_rows(order, threads, scatter_row);
   nodes.join_rows(first, last);
 }
 
@@ -140,38 +140,35 @@ void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
 template <class Shape, int part>
 void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
 
-/// Gives the corners of a part of a block their masses, momenta and forces (12), (13); returns what its cells weigh.
+/// Gives the corners of a part of a block their masses, momenta and forces (12), (13).
 template <class Shape, int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
-CellMass<Lanes> give(int column, const Mass& mass_sums, const Velocity& v, const StressSums& stress,
-                     const BodyForce& body_force, const Vec2& per_cell, To& to) {
-  const CellMass<Lanes> m = widened<part>(mass_sums);
-  to.template give<mass>(column, at_corners<Shape>(Moments<Lanes>{m.one, m.X, m.Y, m.XY}));
+void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
+          const Vec2& per_cell, To& to) {
+  to.template give<mass>(column, at_corners<Shape>(widened<part>(Moments{m.one, m.X, m.Y, m.XY})));
   to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
   to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
   CornerForces<Lanes> forces = stress.template as_doubles<part>().template forces<Shape>(per_cell);
   add_body_force<Shape, part>(body_force, forces);
   to.template give<force_x>(column, forces.x);
   to.template give<force_y>(column, forces.y);
-  return m;
 }
 
-/// Masses, momenta and forces of the nodes; keeps what each cell weighs for `scatter_changes`.
+/// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
 template <class Shape, class FluidLaw, class Number, class Force>
 void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
              int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
-  const auto& blocks = particles.order.blocks();
   constexpr int parts = lanes_of<Number> / lanes;
-  masses.resize(blocks.size() * parts);
+  masses.resize(particles.order.blocks().size() * parts);
   const Vec2 per_cell = grid.cell.cwiseInverse();
-  const auto give_block = [&](int i, auto& to) __attribute__((flatten)) {
-    const auto m = mass_of(particles, blocks[i]);
-    const auto v = momentum_of(particles, blocks[i]);
-    const auto stress = stress_of(particles, blocks[i]);
-    const auto b = body_force_of(particles, blocks[i], grid, force, time);
-    with_indices<parts>([&](auto... part) {
-      ((masses[i * parts + part] = give<Shape, part>(blocks[i].column + part * lanes, m, v, stress, b, per_cell, to)),
-       ...);
-    });
+  const auto give_block = [&]<class Block>(int i, const Block& block, auto& to) {
+    const auto m = mass_of(particles, block);
+    const auto v = momentum_of(particles, block);
+    const auto stress = stress_of(particles, block);
+    const auto b = body_force_of(particles, block, grid, force, time);
+    with_indices<parts>(
+        [&](auto... part) { (give<Shape, part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
+    if constexpr (!Block::is_single)
+      with_indices<parts>([&](auto... part) { ((masses[i * parts + part] = widened<part>(m)), ...); });
   };
   scatter_rows<mass, force_y>(particles.order, threads, nodes, give_block);
 }
@@ -192,24 +189,39 @@ Moments<Lanes> moments_of(const Within& q, const CellMass<Lanes>& m) {
           m.XY * q.q0 + m.XXY * q.qX + m.XYY * q.qY + m.XXYY * q.qXY};
 }
 
+template <class Real, class Within>
+Real at(const Real& X, const Real& Y, const Within& q) {
+  return q.q0 + X * q.qX + Y * (q.qY + X * q.qXY);
+}
+
 /// Gives the nodes what (16) adds to the momentum of the particles, with which it becomes that of (17):
 /// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its share of M_ij.
-template <class Shape, int width>
-void scatter_changes(const CellOrder<width>& order, const std::vector<CellMass<Lanes>>& masses, int threads,
-                     Nodes& nodes) {
-  constexpr int parts = width / lanes;
-  scatter_rows<momentum_x, momentum_y>(
-      order, threads, nodes, [&](int i, auto& to) __attribute__((flatten)) {
-        for (int part = 0; part < parts; ++part) {
-          const CellMass<Lanes>& m = masses[i * parts + part];
-          const int column = order.blocks()[i].column + part * lanes,
-                    node = order.blocks()[i].row * nodes.stride + column;
-          to.template give<momentum_x>(
-              column, at_corners<Shape>(moments_of(laid_out<Shape>(nodes.change.x, node, nodes.stride), m)));
-          to.template give<momentum_y>(
-              column, at_corners<Shape>(moments_of(laid_out<Shape>(nodes.change.y, node, nodes.stride), m)));
-        }
-      });
+/// The only particle of a cell gives its own change.
+template <class Shape, class FluidLaw, class Number>
+void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
+                     int threads, Nodes& nodes) {
+  using Real = LanesOf<Number>;
+  constexpr int parts = lanes_of<Number> / lanes;
+  const auto give_part = [&]<class Block>(int i, const Block& block, auto part, auto& to) {
+    const int column = block.column + part * lanes, node = block.row * nodes.stride + column;
+    const auto moments = [&](const auto& q) {
+      if constexpr (Block::is_single) {
+        const Lanes X = widened<part>(load<Real>(&particles.X[block.first])),
+                    Y = widened<part>(load<Real>(&particles.Y[block.first]));
+        return Moments<Lanes>::of(at(X, Y, q), X, Y, X * Y);
+      } else {
+        return moments_of(q, masses[i * parts + part]);
+      }
+    };
+    const auto along = [&](const Field<double>& change) {
+      return at_corners<Shape>(moments(laid_out<Shape>(change, node, nodes.stride)));
+    };
+    to.template give<momentum_x>(column, along(nodes.change.x));
+    to.template give<momentum_y>(column, along(nodes.change.y));
+  };
+  scatter_rows<momentum_x, momentum_y>(particles.order, threads, nodes, [&](int i, const auto& block, auto& to) {
+    with_indices<parts>([&](auto... part) { (give_part(i, block, part, to), ...); });
+  });
 }
 
 /// The same in the lanes of particles.
@@ -287,11 +299,6 @@ void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fl
                                          FirstLane{});
 }
 
-template <class Real, class Field>
-Real at(const Real& X, const Real& Y, const Field& q) {
-  return q.q0 + X * q.qX + Y * (q.qY + X * q.qXY);
-}
-
 /// Place (15) and velocity (16); true if the particles are still in their cells.
 template <class Real, class Number, class FluidLaw, class Vectors, class Write>
 Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors& displacement, const Vectors& change,
@@ -324,23 +331,33 @@ template <class Shape, class FluidLaw, class Number>
 void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
             Particles<FluidLaw, Number>& particles, std::vector<char>& calm) {
   using Real = LanesOf<Number>;
-  const auto& blocks = particles.order.blocks();
-  calm.resize(blocks.size());
-  for_rows(
-      particles.order, threads, [&](int begin, int end) __attribute__((flatten)) {
-        const FluidLaw fluid = law;  // a copy, known not to change while particles are written
-        const Vec2 per_cell = grid.cell.cwiseInverse();
-        for (int i = begin; i < end; ++i) {
-          const int node = blocks[i].row * nodes.stride + blocks[i].column;
-          const FieldPair<Shape, Real> v(nodes.velocity, node, nodes.stride);
-          const FieldPair<Shape, Real> displacement(nodes.displacement, node, nodes.stride);
-          const FieldPair<Shape, Real> change(nodes.change, node, nodes.stride);
-          calm[i] = for_all<Real>(blocks[i], [&](int slot, const auto& write) {
-            const auto dense = strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
-            return dense & move<Real>(particles, slot, displacement, change, write);
-          });
-        }
-      });
+  using Fields = FieldPair<Shape, Real>;
+  calm.resize(particles.order.blocks().size());
+  const auto gather_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
+    const FluidLaw fluid = law;  // a copy, known not to change while particles are written
+    const Vec2 per_cell = grid.cell.cwiseInverse();
+    for (int i = begin; i < end; ++i) {
+      const auto& block = block_at(i);
+      const auto fields = [&, node = block.row * nodes.stride + block.column](const NodeVectors& of) {
+        return Fields(of, node, nodes.stride);
+      };
+      if constexpr (std::remove_cvref_t<decltype(block)>::is_single) {
+        // Each field is laid out where it is needed: all three are more than the registers hold.
+        const auto dense =
+            strain<Real>(particles, block.first, fields(nodes.velocity), per_cell, dt, fluid, Everywhere{});
+        calm[i] = all<Real>(
+            dense & move<Real>(particles, block.first, fields(nodes.displacement), fields(nodes.change), Everywhere{}));
+      } else {
+        const Fields v = fields(nodes.velocity), displacement = fields(nodes.displacement),
+                     change = fields(nodes.change);
+        calm[i] = for_all<Real>(block, [&](int slot, const auto& write) {
+          const auto dense = strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
+          return dense & move<Real>(particles, slot, displacement, change, write);
+        });
+      }
+    }
+  };
+  for_rows(particles.order, threads, gather_row);
 }
 
 }  // namespace touchstone::mpm
