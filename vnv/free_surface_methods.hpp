@@ -150,6 +150,7 @@ Method sph_corrected(const AnyScene& scene, double whole, const SphChoice& choic
   declare Method sph_delta(const __VA_ARGS__&, double, const SphChoice&); \
   declare Method sph_corrected(const __VA_ARGS__&, double, const SphChoice&);
 TOUCHSTONE_FREE_SURFACE_METHODS(extern template, Scene<Tait>)
+TOUCHSTONE_FREE_SURFACE_METHODS(extern template, Scene<Tait, Uniform>)
 TOUCHSTONE_FREE_SURFACE_METHODS(extern template, Scene<Newtonian, Uniform>)
 
 }  // namespace touchstone::vnv

@@ -4,6 +4,7 @@
 
 #include "reference/manufactured.hpp"
 #include "vnv/square.hpp"
+#include "vnv/views.hpp"
 
 namespace touchstone::vnv::manufactured {
 
@@ -24,9 +25,12 @@ inline Vec2 velocity(const Vec2& x, double t) {
 inline double pressure(const Vec2& x, double /*t*/) { return exact.pressure(x.x(), x.y()); }
 
 struct Sustaining {
+  View seen = views::plain();
+
   Vec2 operator()(const Vec2& x, double t) const {
-    const auto b = exact.force(x.x(), x.y(), t);
-    return {b[0], b[1]};
+    const Vec2 place = seen.place_in_plain_flow(x, t);
+    const auto b = exact.force(place.x(), place.y(), t);
+    return seen.turned * Vec2(b[0], b[1]);
   }
 };
 
@@ -38,3 +42,7 @@ inline const Scene<Newtonian, Sustaining> scene{.domain = square::domain,
                                                           .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
 
 }  // namespace touchstone::vnv::manufactured
+
+namespace touchstone::vnv {
+TOUCHSTONE_METHODS(extern template, Scene<Newtonian, manufactured::Sustaining>)
+}

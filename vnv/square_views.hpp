@@ -7,17 +7,20 @@
 namespace touchstone::vnv::square {
 
 /// A flow in the whole plane, of which a square of 1 m repeats.
+template <class Force = NoForce>
 struct PlaneFlow {
   Newtonian fluid;
   VelocityTruth velocity;
   PressureTruth pressure;
+  std::function<Force(const View&)> body_force = [](const View&) { return Force{}; };
 };
 
 /// By the angle of the direction (2, 1), 26.6 degrees: the only one below 30 degrees for which a square of less than
 /// ten periods repeats.
 inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5); }
 
-inline std::vector<Method> methods_on(const Scene<Newtonian>& scene) {
+template <class Force>
+std::vector<Method> methods_on(const Scene<Newtonian, Force>& scene) {
   return {mpm_as_printed(scene, whole),         mpm_affine(scene, whole),
           mpm_least_squares(scene, whole),      sph_as_printed(scene, whole),
           sph_transport_velocity(scene, whole), sph_second_order(scene, whole)};
@@ -25,7 +28,8 @@ inline std::vector<Method> methods_on(const Scene<Newtonian>& scene) {
 
 /// Looked at at `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
 /// those of the cells.
-inline Case in_several_views(const PlaneFlow& flow, double end) {
+template <class Force>
+Case in_several_views(const PlaneFlow<Force>& flow, double end) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
   const SeveralViews flows{.views = {views::plain(), views::mirrored_about_x(0), views::carried_along({1, 0.5}), turned,
@@ -34,18 +38,19 @@ inline Case in_several_views(const PlaneFlow& flow, double end) {
                            .cell = 2 * spacing,
                            .end = end,
                            .error = l2_velocity};
-  const auto scene_of = [=](const View& view) -> Scene<Newtonian> {
+  const auto scene_of = [=](const View& view) -> Scene<Newtonian, Force> {
     const double period = view.name == turned.name ? std::sqrt(5) * side : side;
     const Box repeated{.high = {period, period}};
     return {.domain = {.box = repeated, .periodic_x = true, .periodic_y = true},
             .fluid = flow.fluid,
             .filled = repeated,
+            .body_force = flow.body_force(view),
             .start = {.velocity = [=](const Vec2& x) { return view.velocity(flow.velocity, x, 0); },
                       .pressure = [=](const Vec2& x) { return view.pressure(flow.pressure, x, 0); },
                       .places = view.rearranged}};
   };
   return flows.declared(
-      velocity_errors(flow.velocity), flows.methods(scene_of, methods_on, {"sph", "sph_second_order"}),
+      velocity_errors(flow.velocity), flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
       "Carried along: all moves with (1, 0.5) m/s besides. Turned: by 26.6 degrees against the lattice. "
       "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
 }

@@ -2,21 +2,17 @@
 /// steady, at Reynolds numbers of 100, 400 and 1000: walls all around, corners where the velocity jumps, and a shear
 /// that never ends.
 
-#include "solvers/walls/no_slip.hpp"
+#include "vnv/lid_driven.hpp"
 #include "vnv/measures/steadiness.hpp"
-#include "vnv/methods.hpp"
 #include "vnv/plots/centreline_profiles.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
+using namespace touchstone::vnv::lid_driven;
 
 namespace {
-
-constexpr Cavity cavity{.side = 1, .lid_speed = 1};
-constexpr double rho = 1000, c = 5;  // kg/m³, m/s
-constexpr double whole = 0.25;       // s  holds a whole number of steps
 
 /// A Reynolds number, and when its flow is steady.
 struct Flow {
@@ -34,16 +30,6 @@ const Flow& flow_of(const Rung& rung) {
   return named == flows.end() ? flows.front() : *named;
 }
 
-/// Where walls meet the last one holds: the lid reaches from wall to wall.
-Scene<Newtonian> scene_of(const Flow& flow) {
-  const Vec2 corner(cavity.side, cavity.side), sliding(cavity.lid_speed, 0);
-  return {.domain = {.box = {.high = corner}},
-          .fluid = {{.density = rho, .bulk_modulus = rho * c * c / 7}, rho * cavity.lid_speed * cavity.side / flow.Re},
-          .filled = {.high = corner},
-          .walls = {floor_at(0, no_slip()), left_at(0, no_slip()), right_at(cavity.side, no_slip()),
-                    ceiling_at(cavity.side, no_slip(sliding))}};
-}
-
 std::string ladder_at(int Re) { return fmt::format("particles across at Re {}", Re); }
 
 Rung rung_of(const Flow& flow, int particles, double acceptance, double nightly) {
@@ -57,8 +43,10 @@ Rung rung_of(const Flow& flow, int particles, double acceptance, double nightly)
 /// A method in the flow that each rung names.
 template <class MakeMethod>
 Method in_cavity(const MakeMethod& make, std::vector<Rung> rungs, std::vector<Claim> claims) {
-  Method method = make(scene_of(flows.front()));
-  method.run = [make](const Rung& rung, const Schedule& when) { return make(scene_of(flow_of(rung))).run(rung, when); };
+  Method method = make(scene_at(flows.front().Re));
+  method.run = [make](const Rung& rung, const Schedule& when) {
+    return make(scene_at(flow_of(rung).Re)).run(rung, when);
+  };
   method.rungs = std::move(rungs);
   for (const Flow& flow : flows) {
     Ladder ladder{ladder_at(flow.Re), {}};
@@ -151,12 +139,11 @@ Case vnv::the_case() {
        .watch = {.every = whole, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
        .measurements = {against_ghia},
        .findings = {unsteadiness(0, 3)},
-       .methods = {in_cavity([](const auto& scene) { return mpm_affine(scene, whole); }, coarse_rungs(),
-                             within(6, flows[0].at(24), first_measured)),
-                   in_cavity([](const auto& scene) { return mpm_least_squares(scene, whole, 0.5); }, all_rungs(),
+       .methods = {in_cavity(affine, coarse_rungs(), within(6, flows[0].at(24), first_measured)),
+                   in_cavity(least_squares, all_rungs(),
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
-                   in_cavity([](const auto& scene) { return mixing(sph_second_order(scene, whole, 0.45)); },
-                             all_rungs(), near_ghia(4, {flows.begin(), flows.end()}))},
+                   in_cavity([](const auto& scene) { return mixing(second_order(scene)); }, all_rungs(),
+                             near_ghia(4, {flows.begin(), flows.end()}))},
        .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
                            {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
                  snapshots({"speed",

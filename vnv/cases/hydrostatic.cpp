@@ -1,65 +1,20 @@
 /// Water at rest under gravity: what pressure it has, and what moves all the same.
 
-#include "reference/hydrostatic.hpp"
-#include "solvers/forces/uniform.hpp"
-#include "solvers/walls/free_slip.hpp"
-#include "vnv/free_surface_methods.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/norms_of.hpp"
-#include "vnv/measures/per_particle.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/profiles.hpp"
+#include "vnv/water_at_rest.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
+using namespace touchstone::vnv::water_at_rest;
 
 namespace {
 
-constexpr double depth = 1, width = 0.5, g = 9.81, rho0 = 1000;  // m, m, m/s², kg/m³
-constexpr double c = 40;                                         // m/s  12.8 times that of a wave on it
-constexpr double settled = 1, end = 10;                          // s
-constexpr double whole = 0.1;                                    // s  of which every step divides the times
-constexpr Tait water{.density = rho0, .bulk_modulus = rho0 * c * c / 7};
+constexpr double settled = 1, end = 10;  // s
 
-/// As deep as water of uniform density would be 1 m deep.
-reference::Hydrostatic of_depth(double h) {
-  return {.rho0 = rho0, .K = water.bulk_modulus, .g = g, .h = h, .gamma = water.gamma};
-}
-double compressed_depth() {
-  double low = 0.9 * depth, high = depth;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (low + high) / 2;
-    (of_depth(middle).mass() < rho0 * depth ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-const reference::Hydrostatic exact = of_depth(compressed_depth());
-
-/// The height above which so much mass [kg/m²] lies in equilibrium: p = g mass.
-double height_below(double mass) {
-  const double power = exact.gamma / (exact.gamma - 1), rise = std::expm1(std::log1p(g * mass / exact.K) / power);
-  return exact.h - power * exact.K * rise / (rho0 * g);
-}
-Vectors compressed(const Vectors& lattice) {
-  Vectors places = lattice;
-  for (double& y : places.row(1).reshaped()) y = height_below(rho0 * (depth - y));
-  return places;
-}
-
-const Scene<Tait, Uniform> scene{
-    .domain = {.box = {.high = {width, 1.2 * depth}}, .periodic_x = true},
-    .fluid = water,
-    .filled = {.high = {width, depth}},
-    .walls = {floor_at(0, free_slip())},
-    .body_force = {{0, -g}},
-    .start = {.pressure = [](const Vec2& x) { return exact.p(std::min(x.y(), exact.h)); }, .places = compressed},
-};
-
-double pressure_at(double y, double /*t*/) { return y < exact.h ? exact.p(y) : 0; }
-Measure pressures(const Rung&) { return per_particle(pressure); }
-
-const std::string l2_p = "L2 p, per particle [%]";
 const std::string energy = "kinetic over potential energy, largest after 1 s [-]";
 const std::string surface = "highest particle, farthest from where it started, over the depth [%]";
 
@@ -116,10 +71,9 @@ Case vnv::the_case() {
       .times = {settled, 2, end},
       .watch = {.every = 0.05, .see = look},
       .measurements = {norms_of("p, per particle", pressures, pressure_at), unrest},
-      .methods = {up(levels, mpm_as_printed(scene, whole, 0.4)), up(levels, mpm_affine(scene, whole), claims()),
-                  up(levels, mpm_apic(scene, whole), claims()), up(levels, mpm_xpic(scene, whole), claims()),
-                  up(levels, sph_as_printed(scene, whole, 0.2)),
-                  up(levels, sph_delta(scene, whole, {.ratio = 1.5, .alpha = 0.1, .share = 1}), claims(rearranges()))},
+      .methods = {up(levels, printed(scene)), up(levels, affine(scene), claims()), up(levels, apic(scene), claims()),
+                  up(levels, xpic(scene), claims()), up(levels, printed_sph(scene)),
+                  up(levels, delta(scene), claims(rearranges()))},
       .plots = {profiles({"profile",
                           "Pressure over height",
                           "Each particle of the runs with 40 across.",

@@ -16,11 +16,11 @@ const reference::ShearWave exact{.L = square::side, .U = U, .nu = fluid.kinemati
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = square::in_several_views({.fluid = fluid,
-                                            .velocity = [](const Vec2& x, double t) -> Vec2 {
-                                              return {exact(x.y(), t), 0};
-                                            },
-                                            .pressure = [](const Vec2&, double) { return 0.0; }},
+  Case declared = square::in_several_views(square::PlaneFlow<>{.fluid = fluid,
+                                                               .velocity = [](const Vec2& x, double t) -> Vec2 {
+                                                                 return {exact(x.y(), t), 0};
+                                                               },
+                                                               .pressure = [](const Vec2&, double) { return 0.0; }},
                                            0.2);
   declared.title = "Invariance: a wave of shear";
   declared.description =

@@ -9,7 +9,7 @@ using namespace touchstone::vnv;
 
 Case vnv::the_case() {
   const taylor_green::Flow flow{.reynolds = 100, .sound_speed = 10};
-  Case declared = square::in_several_views({flow.fluid(), flow.velocity(), flow.pressure()}, 0.2);
+  Case declared = square::in_several_views(square::PlaneFlow<>{flow.fluid(), flow.velocity(), flow.pressure()}, 0.2);
   declared.title = "Invariance: vortices";
   declared.description =
       "Taylor-Green vortices, Reynolds number 100 and Mach number 0.1, 34 particles across a period, seen in other ways: "

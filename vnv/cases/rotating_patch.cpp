@@ -1,24 +1,21 @@
 /// A square patch that rotates and that nothing holds together [Colagrossi 2005]: what it must keep, under tension.
 
-#include "reference/rotating_patch.hpp"
 #include "vnv/disturbed.hpp"
-#include "vnv/free_surface_methods.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/half_axes.hpp"
 #include "vnv/measures/roughness.hpp"
 #include "vnv/norms.hpp"
+#include "vnv/patch.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
+using namespace touchstone::vnv::patch;
 
 namespace {
 
-constexpr double L = 1, omega = 1, rho0 = 1000, c = 20;  // m, 1/s, kg/m³, m/s
-constexpr double end = 1;                                // s
-constexpr double whole = 0.1;                            // s  of which every step divides the times
-const reference::RotatingPatch exact{.L = L, .omega = omega, .rho = rho0};
+constexpr double end = 1;  // s
 
 const std::string with_disorder = ", disturbed";
 bool is_disturbed(const Rung& rung) { return rung.name.ends_with(with_disorder); }
@@ -26,18 +23,10 @@ bool is_disturbed(const Rung& rung) { return rung.name.ends_with(with_disorder);
 /// On the lattice that the sides follow, which keeps the symmetry of a square whatever a method does, or on one whose
 /// particles are moved by up to a tenth of a spacing.
 Scene<Tait> scene_of(const Rung& rung) {
-  Scene<Tait> scene{
-      .domain = {.box = {.low = {-1.5, -1.5}, .high = {1.5, 1.5}}},
-      .fluid = {.density = rho0, .bulk_modulus = rho0 * c * c / 7},
-      .filled = {.low = {-L / 2, -L / 2}, .high = {L / 2, L / 2}},
-      .start = {.velocity = [](const Vec2& x) -> Vec2 {
-                  return {exact.v_x(x.y()), exact.v_y(x.x())};
-                },
-                .pressure = [](const Vec2& x) { return exact.p(x.x(), x.y()); }},
-  };
+  Scene<Tait> seen = scene();
   if (is_disturbed(rung))
-    scene.start.places = [by = rung.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
-  return scene;
+    seen.start.places = [by = rung.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
+  return seen;
 }
 
 /// What is watched.
@@ -116,12 +105,10 @@ Case vnv::the_case() {
       .times = {0.5, end},
       .watch = {.every = 0.02, .see = look},
       .measurements = {what_is_not_kept, roughness_of("p", pressure, "rho omega² L²", rho0 * omega * omega * L * L)},
-      .methods = {turned_by([](const auto& scene) { return mpm_as_printed(scene, whole, 0.4); }, {keeps_momentum()}),
-                  turned_by([](const auto& scene) { return mpm_apic(scene, whole); }, {keeps_momentum()}),
-                  turned_by([](const auto& scene) { return sph_delta(scene, whole); },
-                            {keeps_momentum(),
-                             at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
-                  turned_by([](const auto& scene) { return sph_shifted(scene, whole); })},
+      .methods = {turned_by(printed, {keeps_momentum()}), turned_by(apic, {keeps_momentum()}),
+                  turned_by(delta, {keeps_momentum(),
+                                    at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
+                  turned_by(shifted)},
       .plots = {
           snapshots({"patch",
                      "Patch and its pressure",

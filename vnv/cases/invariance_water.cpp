@@ -1,0 +1,49 @@
+/// Water at rest that is carried along, on a disturbed lattice and with particles numbered anew: gravity, a free
+/// surface and a floor. Its mirror image is the water itself.
+
+#include "vnv/measures/norms_of.hpp"
+#include "vnv/views.hpp"
+#include "vnv/water_at_rest.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::water_at_rest;
+
+namespace {
+
+constexpr double end = 1;                      // s
+constexpr double spacing_of_all = depth / 20;  // m
+
+const SeveralViews in_views{.views = {views::plain(), views::carried_along({0.5, 0}),
+                                      views::on_disturbed_lattice(0.1 * spacing_of_all), views::numbered_anew()},
+                            .spacing = spacing_of_all,
+                            .cell = 2 * spacing_of_all,
+                            .end = end,
+                            .error = l2_p};
+
+Scene<Tait, Uniform> scene_of(const View& view) {
+  Scene<Tait, Uniform> seen = scene;
+  seen.start.velocity = [=](const Vec2&) { return view.carried; };
+  seen.start.places = [=](const Vectors& lattice) { return view.places_on(compressed(lattice)); };
+  return seen;
+}
+
+std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
+  return {printed(seen), affine(seen), apic(seen), xpic(seen), printed_sph(seen), delta(seen)};
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  Case declared =
+      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
+                        "Carried along: all moves with 0.5 m/s besides. Disturbed lattice: each particle starts "
+                        "up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: water at rest";
+  declared.description =
+      "Water 1 m deep under gravity, 20 particles to its depth, seen in other ways: carried along at 0.5 m/s; from a disturbed "
+      "lattice; with particles numbered anew. Physics knows no difference. Every method claims the numbers. None claims "
+      "more: the particles that make the floor of SPH are no even floor to slide along, and water whose particles are not in "
+      "rows is not at rest.";
+  return declared;
+}
