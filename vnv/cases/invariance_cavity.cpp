@@ -27,14 +27,6 @@ Scene<Newtonian> scene_of(const View& view) {
   return seen;
 }
 
-std::vector<Error> energy(const Rung& rung, const Run& run) {
-  const double of_lid = rho * std::pow(cavity.side * cavity.lid_speed, 2) / 2;  // J/m
-  std::vector<Error> found;
-  for (const Samples& s : run.samples)
-    found.push_back({rung.name, rung.spacing, s.time, in_views.error, 100 * kinetic_energy(s) / of_lid});
-  return found;
-}
-
 std::vector<Method> methods_on(const Scene<Newtonian>& seen) {
   return {affine(seen), least_squares(seen), second_order(seen)};
 }
@@ -42,8 +34,9 @@ std::vector<Method> methods_on(const Scene<Newtonian>& seen) {
 }  // namespace
 
 Case vnv::the_case() {
+  const double of_lid = rho * std::pow(cavity.side * cavity.lid_speed, 2) / 2;  // J/m
   Case declared =
-      in_views.declared(energy, in_views.methods(scene_of, methods_on),
+      in_views.declared(kinetic_energy_over(of_lid / 100, in_views.error), in_views.methods(scene_of, methods_on),
                         "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
   declared.title = "Invariance: a lid-driven cavity";
   declared.description =

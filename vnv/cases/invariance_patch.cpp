@@ -41,14 +41,6 @@ Scene<Tait> scene_of(const View& view) {
   return seen;
 }
 
-/// Beside one who is carried along.
-std::vector<Error> energy_in_plain_flow(const Rung& rung, const Run& run) {
-  std::vector<Error> found;
-  for (const Samples& s : run.samples)
-    found.push_back({rung.name, rung.spacing, s.time, in_views.error, kinetic_energy(s) / exact.kinetic_energy()});
-  return found;
-}
-
 std::vector<Method> methods_on(const Scene<Tait>& seen) {
   return {printed(seen), apic(seen), delta(seen), shifted(seen)};
 }
@@ -57,7 +49,8 @@ std::vector<Method> methods_on(const Scene<Tait>& seen) {
 
 Case vnv::the_case() {
   Case declared = in_views.declared(
-      energy_in_plain_flow, in_views.methods(scene_of, methods_on, {"sph_delta"}),
+      kinetic_energy_over(exact.kinetic_energy(), in_views.error),
+      in_views.methods(scene_of, methods_on, {"sph_delta"}),
       "Carried along: all moves with (0.5, 0.3) m/s besides. Turned: by 30 degrees, and the lattice with the patch. "
       "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
   for (Method& method : declared.methods)

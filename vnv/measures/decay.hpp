@@ -16,6 +16,16 @@ inline double kinetic_energy(const Samples& samples) {
   return (samples.mass * samples.v.colwise().squaredNorm().transpose().array()).sum() / 2;
 }
 
+/// Kinetic energy at each time of a run, over `unit` [J/m], as that quantity.
+inline Measurement kinetic_energy_over(double unit, const std::string& quantity) {
+  return [=](const Rung& rung, const Run& run) {
+    std::vector<Error> found;
+    for (const Samples& s : run.samples)
+      found.push_back({rung.name, rung.spacing, s.time, quantity, kinetic_energy(s) / unit});
+    return found;
+  };
+}
+
 /// The rate [1/s] of the exponential through positive values over time [s]: the slope of the least-squares line through
 /// their logs, its sign turned. Not a number for fewer than two values, or for one that is not positive.
 inline double rate_of_decay(const std::vector<double>& times, const std::vector<double>& values) {
