@@ -100,7 +100,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs(0),
+               .rungs = printed_rungs(),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = {between(l2_rows, 1.35, 5, theory("an elastic lattice: above Sun et al., table 4, S1"))
                               .on("S1")

@@ -74,7 +74,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs(1),
+               .rungs = printed_rungs({.third_report = 1, .first_nightly = 10}),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = at_most_the_papers("3", {4.39, 2.33, 1.63}, 'S') +
                          order_between(spacing_ladder, l2_rows, 0, 0.5,

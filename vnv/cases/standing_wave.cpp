@@ -45,6 +45,16 @@ std::vector<Claim> swings_right(const std::vector<std::string>& rungs) {
   return all;
 }
 
+/// Each up the levels that are worth their time: 150 across by delta-SPH takes as long as all the rest of this case.
+std::vector<Method> methods_up_levels() {
+  std::vector<Method> methods =
+      up(levels, methods_on(scene),
+         {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}});
+  for (Method& method : methods)
+    if (method.name == "sph_delta") method = up({levels[0], levels[1]}, method, method.claims);
+  return methods;
+}
+
 }  // namespace
 
 Case vnv::the_case() {
@@ -58,9 +68,7 @@ Case vnv::the_case() {
       .times = {end},
       .watch = {.every = 0.02, .see = look},
       .measurements = {errors_of_swing},
-      .methods =
-          up(levels, methods_on(scene),
-             {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}}),
+      .methods = methods_up_levels(),
       .plots = {over_time({"swing",
                            "First moment of the heights over time",
                            "Mass times height times the cosine of the wave, summed over all particles.",
