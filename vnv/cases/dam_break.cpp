@@ -74,12 +74,13 @@ std::vector<Claim> front_claims(const std::string& rung) {
 
 const std::string pressure_roughness = "roughness of p over rho g h0 [%]";
 
-/// Quadratic B-splines, affine velocities and densities smoothed in the affine way, with the paper's cells.
+/// Quadratic B-splines, affine velocities and densities smoothed in the affine way, with the paper's cells. A4 has half
+/// the step of the others: with theirs a particle that is alone in the jet at the far wall expands without bound.
 Method smooth() {
   Method method = mpm_apic(scene, whole);
   method.rungs = {{.name = "A1", .spacing = cell, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
                   {.name = "A2", .spacing = cell / 2, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
-                  {.name = "A4", .spacing = cell / 4, .cell = cell, .nightly = 0.5}};
+                  {.name = "A4", .spacing = cell / 4, .cell = cell, .time_step = 1e-4, .nightly = 0.5}};
   method.ladders = {{"points per cell, cells of 0.02 m", {"A1", "A2", "A4"}}};
   method.claims = front_claims("A2");
   method.claims.push_back(
