@@ -48,7 +48,7 @@ Method in_cavity(const MakeMethod& make, std::vector<Rung> rungs, std::vector<Cl
     return make(scene_at(flow_of(rung).Re)).run(rung, when);
   };
   method.rungs = std::move(rungs);
-  method.relative_cost = 0;
+  method.relative_cost = 0;  // particles times steps; the night lasts long if these begin late
   for (const Rung& rung : method.rungs) method.relative_cost += 1e-6 * rung.nightly / std::pow(rung.spacing, 3);
   for (const Flow& flow : flows) {
     Ladder ladder{ladder_at(flow.Re), {}};
