@@ -60,7 +60,7 @@ Case vnv::the_case() {
                .name = "mpm",
                .description = mpm_words + moving_words,
                .run = mpm_with<mpm::PrescribedMotion>(scene),
-               .rungs = mpm_rungs(1),
+               .rungs = mpm_rungs(1, 1),
                .ladders = mpm_ladders(),
                .claims =
                    {at_most(l2, 0.04, baseline("a plain prototype of the same scheme had 0.03")).on("M2").at(0.1),
@@ -71,7 +71,7 @@ Case vnv::the_case() {
                .name = "mpm_reset",
                .description = mpm_words + reset_words,
                .run = mpm_with<mpm::VelocityReset>(scene),
-               .rungs = mpm_rungs(0),
+               .rungs = mpm_rungs(0, 1),
                .ladders = mpm_ladders(),
                .claims = {between(
                               l2_rows, 0.99 * alternating, 1.01 * alternating,
@@ -100,7 +100,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs(),
+               .rungs = printed_rungs(0),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = {between(l2_rows, 1.35, 5, theory("an elastic lattice: above Sun et al., table 4, S1"))
                               .on("S1")

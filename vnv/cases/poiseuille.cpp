@@ -46,7 +46,7 @@ Case vnv::the_case() {
                .name = "mpm",
                .description = mpm_words + moving_words,
                .run = mpm_with<mpm::PrescribedMotion>(scene),
-               .rungs = mpm_rungs(1),
+               .rungs = mpm_rungs(1, 10),
                .ladders = mpm_ladders(),
                .claims =
                    {at_most(l2, 0.07, baseline("a plain prototype of the same scheme had 0.064")).on("M2").at(1),
@@ -58,7 +58,7 @@ Case vnv::the_case() {
                .name = "mpm_reset",
                .description = mpm_words + reset_words,
                .run = mpm_with<mpm::VelocityReset>(scene),
-               .rungs = mpm_rungs(0),
+               .rungs = mpm_rungs(0, 1),
                .ladders = mpm_ladders(),
                .claims = {order_between(grid, linf, 0.8, 1.2,
                                         theory("a reset wall acts up to half a cell inside: order 1 at the wall"))
@@ -74,7 +74,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs({.third_report = 1, .first_nightly = 10}),
+               .rungs = printed_rungs(1),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = at_most_the_papers("3", {4.39, 2.33, 1.63}, 'S') +
                          order_between(spacing_ladder, l2_rows, 0, 0.5,
