@@ -127,9 +127,10 @@ Vectors accelerations() {
 
 TEST(Lanes, HowManyThereAreDoesNotChangeTheSums) {
   const Vectors two = accelerations<2>();
+  const double rounding = 1e-13 * two.norm();  // compilers fuse products and sums of long registers otherwise
   EXPECT_GT(two.norm(), 0);
-  EXPECT_EQ(accelerations<4>(), two);
-  EXPECT_EQ(accelerations<8>(), two);
+  EXPECT_LT((accelerations<4>() - two).norm(), rounding);
+  EXPECT_LT((accelerations<8>() - two).norm(), rounding);
 }
 
 TEST(Without, RestorationIsLeftOutAndNothingElse) {

@@ -36,7 +36,8 @@ template <class Make>
 auto scale(Make make) {
   return [make](const Rung& rung, const Schedule&) {
     auto few = make(1e4), many = make(std::stod(rung.name));
-    const Times times = time_in_turn({[&] { many.step(); }, [&] { few.step(); }}, {.rounds = 5});
+    const int rounds = many.particles() > 2'000'000 ? 5 : 15;
+    const Times times = time_in_turn({[&] { many.step(); }, [&] { few.step(); }}, {.rounds = rounds});
     Run run = run_of(many, times.of(0));
     found(run, dearer,
           times.ratio(0, 1) * static_cast<double>(few.particles()) / static_cast<double>(many.particles()));
