@@ -24,49 +24,37 @@ std::vector<vnv::Verdict> all_verdicts(const std::vector<CaseRecords>& cases) {
   return all;
 }
 
-std::set<std::string> methods_of(const std::vector<CaseRecords>& cases) {
-  std::set<std::string> methods;
-  for (const auto& records : cases)
-    for (const auto& record : records.records) methods.insert(record.method);
-  return methods;
-}
-
 std::string counts(const Tally& t) {
   if (t.fails > 0) return fmt::format("{} of {} {}", t.fails, t.total(), t.fails == 1 ? "fails" : "fail");
   if (t.inconclusive > 0) return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
   return fmt::format("{} of {} {}", t.holds, t.total(), t.holds == 1 ? "holds" : "hold");
 }
 
-// Empty where the case has no such method.
-HtmlCell matrix_cell(const CaseRecords& records, const std::string& method) {
-  std::vector<vnv::Verdict> verdicts;
-  bool is_run = false;
-  for (const auto& record : records.records) {
-    if (record.method != method) continue;
-    is_run = true;
-    verdicts.insert(verdicts.end(), record.verdicts.begin(), record.verdicts.end());
-  }
-  if (!is_run) return {};
-  const Tally sum = tally(verdicts);
-  if (sum.total() == 0) return {"no claim", "inconclusive"};
-  const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
-  return {fmt::format("<a href=\"{}/index.html\">{}</a>{}", records.name, counts(sum),
-                      has_margin ? "<br>" + margin_bar(sum.worst_margin) : ""),
-          word(sum.worst())};
+// A method of a case and how many of its claims hold, "mpm 34/34".
+std::string method_entry(const vnv::Record& record) {
+  const Tally sum = tally(record.verdicts);
+  const std::string kind = sum.total() == 0 ? "inconclusive" : std::string(word(sum.worst()));
+  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), kind, sum.holds,
+                     sum.total());
 }
 
-std::string matrix(const std::vector<CaseRecords>& cases) {
-  HtmlTable table{"Cases and methods.",
-                  "With each, the smallest margin of its claims: the share of a limit that is left.",
-                  {{"case"}},
-                  {}};
-  const auto methods = methods_of(cases);
-  for (const auto& method : methods) table.columns.push_back({escape(method)});
+std::string table_of_cases(const std::vector<CaseRecords>& cases) {
+  HtmlTable table{
+      "Cases.",
+      "The smallest margin is the share of a limit that is left by the claim that is closest to its own; beside "
+      "each method, how many of its claims hold.",
+      {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
+      {}};
   for (const auto& records : cases) {
-    std::vector<HtmlCell> row{
-        {fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"}};
-    for (const auto& method : methods) row.push_back(matrix_cell(records, method));
-    table.rows.push_back(std::move(row));
+    const Tally sum = tally(verdicts_of(records));
+    std::string methods;
+    for (const auto& record : records.records) methods += method_entry(record);
+    const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
+    table.rows.push_back(
+        {{fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"},
+         {sum.total() == 0 ? "no claim" : counts(sum), word(sum.worst())},
+         {has_margin ? margin_bar(sum.worst_margin) : ""},
+         {"<div class=\"methods\">" + methods + "</div>", "words"}});
   }
   return to_html(table);
 }
@@ -119,7 +107,8 @@ std::string index_page(const std::vector<CaseRecords>& cases) {
       "inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
-      word(sum.worst()), sentence(sum), complaints(verdicts), matrix(cases), orders_link(cases), environment(cases));
+      word(sum.worst()), sentence(sum), complaints(verdicts), table_of_cases(cases), orders_link(cases),
+      environment(cases));
   return html_page("Touchstone", "", body);
 }
 

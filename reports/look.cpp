@@ -7,7 +7,7 @@
 namespace touchstone::reports {
 namespace {
 
-constexpr int key_row = 20, sample_width = 48;  // px
+constexpr int key_row = 20, sample_width = 64;  // px
 constexpr double letter_width = 6.7;            // px
 constexpr double overestimate = 0.1;            // of the width of a letter, by gnuplot
 constexpr std::size_t most_letters = 80;        // letters

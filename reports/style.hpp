@@ -48,6 +48,11 @@ th:first-child, td:first-child { padding-left: .3rem; }
 .number { text-align: right; }
 td.words { white-space: normal; min-width: 9rem; }
 td.words.fails { min-width: 24rem; }
+.methods { line-height: 1.7; }
+.methods span { white-space: nowrap; margin-right: .9em; }
+.methods .holds { color: var(--holds); }
+.methods .fails { color: var(--fails); font-weight: 600; }
+.methods .inconclusive { color: var(--open); font-style: italic; }
 td.holds { color: var(--holds); }
 td.fails { color: var(--fails); font-weight: 600; }
 td.inconclusive { color: var(--open); font-style: italic; }
@@ -55,6 +60,8 @@ td.converging { color: var(--holds); }
 td.stalled { color: var(--stalled); }
 td.diverging { color: var(--fails); font-weight: 600; }
 td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
+.matrix { width: calc(100vw - 2.5rem); margin-left: calc(50% - 50vw + 1.25rem); }
+.matrix .table { width: fit-content; max-width: 100%; margin-inline: auto; }
 .matrix td { white-space: normal; }
 .matrix th + th, .matrix td + td { min-width: 9rem; }
 .matrix th:first-child, .matrix td:first-child { position: sticky; left: 0; background: #fff; padding-right: 1rem; }
@@ -86,6 +93,7 @@ dd p { margin: .3rem 0; }
   figure img { min-width: 36rem; }
 }
 @media print {
+  .matrix { width: auto; margin-left: 0; }
   body { font-size: 10pt; }
   main { max-width: none; padding: 0; }
   .scroll { overflow: visible; }

@@ -3,7 +3,8 @@
 
 namespace touchstone::vnv {
 
-/// Velocity along a centreline at the end of a rung, as a line through the published points.
+/// Velocity along a centreline at the end of a rung, as a line through the published points. It ends a spacing and a
+/// half from the walls, nearer to which a fit of second degree has too few rows of particles.
 inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string rung) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
@@ -12,8 +13,9 @@ inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published
     const Run* run = results.run(rung);
     if (!run || !run->summary.finished) return;
     Curve ours{frame.id, results.method.name, Role::ours, {}, {}, false};
+    const double nearest = 1.5 * run->summary.spacing / cavity.side;
     for (int k = 0; k <= 100; ++k) {
-      ours.x.push_back(0.01 * k);
+      ours.x.push_back(nearest + (1 - 2 * nearest) * 0.01 * k);
       ours.y.push_back(
           cavity.velocity_at(run->samples.back(), published.direction, ours.x.back(), run->summary.spacing));
     }
