@@ -59,6 +59,7 @@ class Mpm {
     lap(SubStep::sorting);
   }
 
+  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   double time() const { return static_cast<double>(steps_) * dt_; }  // s
   long steps() const { return steps_; }
   double time_step() const { return dt_; }  // s

@@ -3,18 +3,26 @@
 #include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/particles.hpp"
 
+#include <limits>
+
 namespace touchstone::mpm {
 
 /// Where along a row or column of cells is what lies `within` cell `at`, counted in cells from its low edge? Returns
 /// the cell, with `within` between 0 and 1 there, or -1 for a place past the ends and for what is not a number. Edges
-/// belong to the cell on either side, as the shape does.
+/// belong to the cell on either side, as the shape does; what is past an end by rounding is on it.
 template <class Number>
 int cell_along(Number& within, int at, int cells, bool periodic) {
   if (within >= 0 && within <= 1) return at;
   if (!(std::abs(static_cast<double>(within)) < cells)) return -1;  // asked before it becomes an integer
   const int shift = static_cast<int>(std::floor(within));
   const int to = periodic ? (at + shift + cells) % cells : at + shift;
-  if (to < 0 || to >= cells) return -1;
+  if (to < 0 || to >= cells) {
+    constexpr Number rounding = 16 * std::numeric_limits<Number>::epsilon();
+    const Number end = to < 0 ? Number(0) : Number(1);
+    if (!(std::abs(within - end) <= rounding)) return -1;
+    within = end;
+    return at;
+  }
   within -= static_cast<Number>(shift);
   return to;
 }

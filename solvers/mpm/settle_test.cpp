@@ -61,6 +61,18 @@ TEST(Settle, WrapsAcrossTheSeamWithoutLosingADigit) {
   EXPECT_EQ(pool.X(8), 0.75);
 }
 
+TEST(Settle, KeepsAParticleThatIsPastTheEndByRounding) {
+  Pool pool(false);
+  pool.X(7) = 1 + 1e-15;
+  pool.Y(3) = -1e-16;
+  EXPECT_EQ(pool.settled(7), 7);
+  EXPECT_EQ(pool.X(7), 1);
+  EXPECT_EQ(pool.settled(3), 3);
+  EXPECT_EQ(pool.Y(3), 0);
+  pool.X(11) = 1 + 1e-12;
+  EXPECT_THROW(pool.settled(11), Diverged);
+}
+
 TEST(Settle, ReportsAParticleThatLeftTheDomain) {
   Pool pool(false);
   pool.particles.number[pool.slot(7)] = 42;

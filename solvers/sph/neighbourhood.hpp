@@ -17,6 +17,18 @@ struct Reach {
   double least_skin = skin, greatest_skin = skin;
 };
 
+/// Refuses fluid on a wall, where it would meet the particles that the wall is made of: std::invalid_argument with one
+/// line.
+inline void require_off_walls(const Vectors& places, const std::vector<Wall>& walls, double spacing) {
+  const double least = 0.1 * spacing;
+  for (const Wall& wall : walls)
+    for (Index p = 0; p < places.cols(); ++p)
+      if (wall.distance(places.col(p)) < least)
+        throw std::invalid_argument(
+            fmt::format("sph: particle {} starts at ({:g}, {:g}) m, {:g} m from a wall, wanted at least {:g} m", p,
+                        places(0, p), places(1, p), wall.distance(places.col(p)), least));
+}
+
 template <class Record_>
 class Neighbourhood {
  public:
@@ -32,7 +44,8 @@ class Neighbourhood {
   Lists fluid_near_ghost;                // of each ghost that has any: fluid
   std::array<Lists, 2> wall_near_fluid;  // of fluid that has any: particles on walls of constant x, of constant y
 
-  /// Fluid on a lattice, set going as the scene says.
+  /// Fluid on a lattice, set going as the scene says. Throws std::invalid_argument for a kernel that reaches once
+  /// around the domain, and for fluid on a wall.
   template <class SceneOfRun>
   Neighbourhood(const SceneOfRun& scene, double spacing, const Reach& reach, BoundaryLayout layout, int threads = 1)
       : boundary(std::move(layout)),
@@ -46,7 +59,9 @@ class Neighbourhood {
         throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
                                                 farthest, period[axis]));
     const Lattice cells = lattice(scene.filled, spacing, domain_.box);
-    place(places_in(domain_.box, scene.start, cells));
+    const Vectors places = places_in(domain_.box, scene.start, cells);
+    require_off_walls(places, scene.walls, spacing);
+    place(places);
     all.mass = density_ * cells.volume();
     if (!scene.start.at_rest()) set_going(scene.start, scene.fluid);
     list_anew();

@@ -40,6 +40,7 @@ class Printed {
     time_ = static_cast<double>(steps_) * time_step();
   }
 
+  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   double time() const { return time_; }                     // s
   double time_step() const { return settings_.time_step; }  // s
   long steps() const { return steps_; }

@@ -69,6 +69,19 @@ TYPED_TEST(SphStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
   EXPECT_EQ(one.v, three.v);
 }
 
+TEST(Walls, RefuseFluidThatStartsOnThem) {
+  const Vectors places{{0.5, 0.3}, {0.2, 0.004}};
+  const std::vector<Wall> walls = {floor_at(0, [](const NearWall& near) { return near.v; })};
+  EXPECT_NO_THROW(require_off_walls(places, walls, 0.04));
+  try {
+    require_off_walls(places, walls, 0.05);
+    FAIL();
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "sph: particle 1 starts at (0.3, 0.004) m, 0.004 m from a wall, wanted at least 0.005 m");
+  }
+}
+
 TEST(Images, StandBeyondBothSeamsAndBeyondTheCorner) {
   Particles all;
   all.fluid = 3;

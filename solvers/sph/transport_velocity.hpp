@@ -47,6 +47,7 @@ class TransportVelocity {
     time_ = static_cast<double>(steps_) * time_step();
   }
 
+  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   double time() const { return time_; }                     // s
   double time_step() const { return settings_.time_step; }  // s
   long steps() const { return steps_; }
