@@ -2,6 +2,8 @@
 
 #include "vnv/plots/along_ladders.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 

@@ -33,20 +33,10 @@ std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
 
 inline const std::string critical_step_found = "critical time step [us]";
 
-/// The largest stable step between the ends of a search [s]: the upper end if that is stable, not a number if the lower
-/// one is not.
-template <class Factory>
-double largest_step(Factory solver_with, const StepSearch& search) {
-  long steps = 0;
-  if (is_stable(solver_with(search.high), search, steps)) return search.high;
-  if (!is_stable(solver_with(search.low), search, steps)) return not_a_number;
-  return critical_step(solver_with, search).low;
-}
-
 /// A run of a variant and, in the same process but not on its account, its critical step.
-template <class Factory>
-Run run_and_search(Factory solver_with, double time_step, const Schedule& when, const StepSearch& search) {
-  Run run = record(solver_with(time_step), when);
+inline Run run_and_search(const SolverWith& solver_with, double time_step, const Schedule& when,
+                          const StepSearch& search) {
+  Run run = record([&] { return solver_with(time_step); }, when);
   run.found = {{"", 0, not_a_number, critical_step_found, largest_step(solver_with, search) / us}};
   return run;
 }

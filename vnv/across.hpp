@@ -3,6 +3,7 @@
 
 #include "vnv/case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -52,10 +53,28 @@ inline std::vector<Method> up(const std::vector<Rung>& rungs, std::vector<Method
   return methods;
 }
 
-/// The step in which sound travels a share of a length [m], or less: there is a whole number of them in `whole` [s].
+/// The longest step [s] that an explicit method takes with such a length [m], its cell or spacing, so that it stays
+/// below all its limits: sound travels a share of the length, which is the method's own safety below the limit that
+/// `critical_step_lattice` measures; viscosity and body force keep to length² / (8 nu) and sqrt(length / force) / 4
+/// (Morris, Fox & Zhu, J. Comput. Phys. 136 (1997), (20) and (21)), a third of what `stability_map` measures or less.
+template <class AnyScene>
+double longest_step(const AnyScene& scene, double share, double length) {
+  double longest = share * length / scene.fluid.sound_speed();
+  if constexpr (requires { scene.fluid.kinematic_viscosity(); }) {
+    const double nu = scene.fluid.kinematic_viscosity();
+    if (nu > 0) longest = std::min(longest, 0.125 * length * length / nu);
+  }
+  if constexpr (requires { scene.body_force.per_mass; }) {
+    const double force = scene.body_force.per_mass.norm();
+    if (force > 0) longest = std::min(longest, 0.25 * std::sqrt(length / force));
+  }
+  return longest;
+}
+
+/// That step, or a little less: there is a whole number of them in `whole` [s].
 template <class AnyScene>
 double step_for(const AnyScene& scene, double share, double length, double whole) {
-  return whole / std::ceil(whole * scene.fluid.sound_speed() / (share * length) * (1 - 1e-9));
+  return whole / std::ceil(whole / longest_step(scene, share, length) * (1 - 1e-9));
 }
 
 }  // namespace touchstone::vnv

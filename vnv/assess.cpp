@@ -16,6 +16,7 @@ void measure_runs(const Case& declared, const Method& method, const std::vector<
   for (const Run& run : runs) {
     const StopWatch measuring;
     record.errors.insert(record.errors.end(), run.found.begin(), run.found.end());
+    record.curves.insert(record.curves.end(), run.curves.begin(), run.curves.end());
     const auto rung = std::ranges::find(method.rungs, run.summary.rung, &Rung::name);
     for (const Measurement& measure : declared.measurements) {
       const std::vector<Error> errors = measure(*rung, run);

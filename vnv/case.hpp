@@ -49,12 +49,26 @@ struct Method {
   std::string name{};         // "mpm"
   std::string description{};  // which equations, which walls, which time step; what print leaves open
   std::function<Run(const Rung&, const Schedule&)> run{};
+  std::function<Simulation(const Rung&, double)> solver{};  // of its scene, with a time step [s]; if runs are of one
+  std::function<double(const Rung&)> time_step{};           // s  the step that it takes by itself, likewise
   std::vector<Rung> rungs{};
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
   Tolerance tolerance{};
   double relative_cost = 1;  // of all its runs; ctest starts the dearest first
 };
+
+/// A method whose runs are simulations of a scene: `solver(rung, time step [s])` makes one, `time_step(rung)` says
+/// which step it takes where the rung says nothing.
+template <class MakeSolver, class TimeStep>
+Method simulating(Method method, MakeSolver solver, TimeStep time_step) {
+  method.solver = solver;
+  method.time_step = time_step;
+  method.run = [=](const Rung& rung, const Schedule& when) {
+    return record([&] { return Simulation(solver(rung, rung.step_or(time_step(rung)))); }, when);
+  };
+  return method;
+}
 
 /// One method of a case after all its runs, as plots and tables see it.
 struct Results {
@@ -94,7 +108,8 @@ struct Case {
   std::vector<Claim> claims{};  // of any method
   std::vector<Method> methods;
   std::vector<Plot> plots{};
-  bool timed = false;  // what it judges is time: no other test runs beside it
+  bool timed = false;   // what it judges is time: no other test runs beside it
+  std::string label{};  // besides that of the suite, for ctest -L; of what acceptance runs
 };
 
 /// The case with more plots.

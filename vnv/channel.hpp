@@ -98,19 +98,19 @@ auto transport_solver(const SceneOfChannel& scene, const Rung& rung, double time
 template <class WallTreatment, class Number = double, class SceneOfChannel>
 auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(mpm_solver<WallTreatment, Number>(scene, rung, rung.step_or(time_step)), when);
+    return record([&] { return mpm_solver<WallTreatment, Number>(scene, rung, rung.step_or(time_step)); }, when);
   };
 }
 template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrector, class SceneOfChannel>
 auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(printed_solver<PressureTerm, Integrator>(scene, rung, rung.step_or(time_step)), when);
+    return record([&] { return printed_solver<PressureTerm, Integrator>(scene, rung, rung.step_or(time_step)); }, when);
   };
 }
 template <class Integrator = KickDriftKick, class Real = double, class SceneOfChannel>
 auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = 2 * dt) {
   return [=](const Rung& rung, const Schedule& when) {
-    return record(transport_solver<Integrator, Real>(scene, rung, rung.step_or(time_step)), when);
+    return record([&] { return transport_solver<Integrator, Real>(scene, rung, rung.step_or(time_step)); }, when);
   };
 }
 
@@ -119,7 +119,10 @@ template <class SceneOfChannel>
 auto mpm_affine(const SceneOfChannel& scene, double time_step = dt) {
   return [=](const Rung& rung, const Schedule& when) {
     return record(
-        mpm::affine(scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = rung.step_or(time_step)}), when);
+        [&] {
+          return mpm::affine(scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = rung.step_or(time_step)});
+        },
+        when);
   };
 }
 

@@ -24,23 +24,20 @@ namespace touchstone::vnv {
 template <class Transfer, class AnyScene>
 Method mpm_of_b_splines(const AnyScene& scene, double whole, const std::string& name, const std::string& transfer,
                         double share = 0.5) {
-  return {
-      .name = name,
-      .description = fmt::format(
-          "Material point method with quadratic B-splines that are right at walls, MUSL, {}, and densities that are smoothed "
-          "over the nodes without flattening a pressure that bears weight; four particles in a cell. Sound travels {:g} "
-          "cells in a step.",
-          transfer, share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            return record(mpm::composed<mpm::BSpline<2>, Transfer, mpm::ModifiedStressLast, mpm::AffineDensity>(
-                              scene, {.cell = rung.cell,
-                                      .spacing = rung.spacing,
-                                      .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
-                          when);
-          },
-      .tolerance = stretched,
-      .relative_cost = 2};
+  return simulating(
+      {.name = name,
+       .description = fmt::format(
+           "Material point method with quadratic B-splines that are right at walls, MUSL, {}, and densities that are "
+           "smoothed over the nodes without flattening a pressure that bears weight; four particles in a cell. Sound "
+           "travels {:g} cells in a step.",
+           transfer, share),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Rung& rung, double time_step) {
+        return mpm::composed<mpm::BSpline<2>, Transfer, mpm::ModifiedStressLast, mpm::AffineDensity>(
+            scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+      },
+      by_cells(scene, share, whole));
 }
 
 template <class AnyScene>
@@ -78,25 +75,24 @@ Method sph_of_parts(const AnyScene& scene, double whole, const std::string& name
                     const SphChoice& choice, const MakeParts& parts) {
   const std::string viscosity =
       Viscous<decltype(scene.fluid)> ? "" : fmt::format("artificial viscosity {:g}, ", choice.alpha);
-  return {
-      .name = name,
-      .description = fmt::format(
-          "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), Wendland's C2 "
-          "kernel with h = {:g} spacings, kick-drift-kick. Sound travels {:g} h in a step.",
-          words, viscosity, choice.ratio, choice.share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            const double h = rung.smoothing_or(choice.ratio * rung.spacing);
-            return record(
-                sph::free_surface<sph::WendlandC2>(scene,
-                                                   {.spacing = rung.spacing,
-                                                    .smoothing_length = h,
-                                                    .time_step = rung.step_or(step_for(scene, choice.share, h, whole))},
-                                                   viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h)),
-                when);
-          },
-      .tolerance = stretched,
-      .relative_cost = 4};
+  return simulating(
+      {.name = name,
+       .description = fmt::format(
+           "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), Wendland's C2 "
+           "kernel with h = {:g} spacings, kick-drift-kick. Sound travels {:g} h in a step.",
+           words, viscosity, choice.ratio, choice.share),
+       .tolerance = stretched,
+       .relative_cost = 4},
+      [=](const Rung& rung, double time_step) {
+        const double h = rung.smoothing_or(choice.ratio * rung.spacing);
+        return sph::free_surface<sph::WendlandC2>(
+            scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+            viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h));
+      },
+      [=](const Rung& rung) {
+        const double h = rung.smoothing_or(choice.ratio * rung.spacing);
+        return step_for(scene, choice.share * h / rung.spacing, rung.spacing, whole);
+      });
 }
 }  // namespace detail
 

@@ -164,9 +164,12 @@ void write_ctest_file(const Case& declared, const char* program, const std::stri
       const std::string test = fmt::format("{}{}.{}", prefix, case_name, method.name);
       text += fmt::format("add_test([=[{}]=] [=[{}]=] --method {} --suite {} --records [=[{}/{}]=])\n", test, program,
                           method.name, name_of(suite), records, name_of(suite));
+      const std::string labels = std::string(name_of(suite)) +
+                                 (suite == Suite::acceptance && !declared.label.empty() ? ";" + declared.label : "");
       text += fmt::format(
-          "set_tests_properties([=[{}]=] PROPERTIES LABELS {} FIXTURES_REQUIRED {}_records COST {:.6g} TIMEOUT 5400{})\n",
-          test, name_of(suite), name_of(suite), method.relative_cost, declared.timed ? " RUN_SERIAL TRUE" : "");
+          "set_tests_properties([=[{}]=] PROPERTIES LABELS \"{}\" FIXTURES_REQUIRED {}_records COST {:.6g} TIMEOUT "
+          "5400{})\n",
+          test, labels, name_of(suite), method.relative_cost, declared.timed ? " RUN_SERIAL TRUE" : "");
     }
   std::ofstream out(file);
   if (!(out << text << std::flush)) throw std::runtime_error(fmt::format("{}: cannot be written", file));

@@ -26,63 +26,64 @@ namespace touchstone::vnv {
 /// Flow that stretches its fluid, or whose rows slip past each other, doubles a rounding error every so often.
 inline const Tolerance stretched{0.02, "tuned and portable builds differ by less"};
 
+/// The step of a rung in which sound travels a share of a cell, or of a spacing.
+template <class AnyScene>
+auto by_cells(const AnyScene& scene, double share, double whole) {
+  return [=](const Rung& rung) { return step_for(scene, share, rung.cell, whole); };
+}
+template <class AnyScene>
+auto by_spacings(const AnyScene& scene, double share, double whole) {
+  return [=](const Rung& rung) { return step_for(scene, share, rung.spacing, whole); };
+}
+
 /// `share` of a cell is what sound travels in a step, here and below.
 template <class AnyScene>
 Method mpm_as_printed(const AnyScene& scene, double whole, double share = 0.5) {
-  return {.name = "mpm",
-          .description = fmt::format(
-              "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, FLIP, MUSL; four "
-              "particles in a cell. Sound travels {:g} cells in a step.",
-              share),
-          .run =
-              [=](const Rung& rung, const Schedule& when) {
-                return record(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-                                  scene, {.cell = rung.cell,
-                                          .spacing = rung.spacing,
-                                          .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
-                              when);
-              },
-          .tolerance = stretched};
+  return simulating(
+      {.name = "mpm",
+       .description = fmt::format(
+           "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, FLIP, MUSL; four "
+           "particles in a cell. Sound travels {:g} cells in a step.",
+           share),
+       .tolerance = stretched},
+      [=](const Rung& rung, double time_step) {
+        return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+            scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+      },
+      by_cells(scene, share, whole));
 }
 
 template <class AnyScene>
 Method mpm_affine(const AnyScene& scene, double whole, double share = 0.8) {
-  return {
-      .name = "mpm_affine",
-      .description = fmt::format(
-          "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
-          "cell. Sound travels {:g} cells in a step; each step damps, so that long ones are the more accurate.",
-          share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            return record(mpm::affine(scene, {.cell = rung.cell,
-                                              .spacing = rung.spacing,
-                                              .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
-                          when);
-          },
-      .tolerance = stretched};
+  return simulating(
+      {.name = "mpm_affine",
+       .description = fmt::format(
+           "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
+           "cell. Sound travels {:g} cells in a step; each step damps, so that long ones are the more accurate.",
+           share),
+       .tolerance = stretched},
+      [=](const Rung& rung, double time_step) {
+        return mpm::affine(scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+      },
+      by_cells(scene, share, whole));
 }
 
 /// For fluid that fills its domain.
 template <class AnyScene>
 Method mpm_least_squares(const AnyScene& scene, double whole, double share = 0.3) {
-  return {
-      .name = "mpm_least_squares",
-      .description = fmt::format(
-          "Material point method by least squares: nodes know the fluid by fits of second degree to its particles, the "
-          "equations are solved by central differences on the nodes, particles are put back onto their lattice before it "
-          "is strained by a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells in a "
-          "step.",
-          share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            return record(
-                mpm::least_squares(scene, {.cell = rung.cell,
-                                           .spacing = rung.spacing,
-                                           .time_step = rung.step_or(step_for(scene, share, rung.cell, whole))}),
-                when);
-          },
-      .tolerance = stretched};
+  return simulating(
+      {.name = "mpm_least_squares",
+       .description = fmt::format(
+           "Material point method by least squares: nodes know the fluid by fits of second degree to its particles, the "
+           "equations are solved by central differences on the nodes, particles are put back onto their lattice before "
+           "it is strained by a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells "
+           "in a step.",
+           share),
+       .tolerance = stretched},
+      [=](const Rung& rung, double time_step) {
+        return mpm::least_squares(scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+      },
+      by_cells(scene, share, whole));
 }
 
 namespace detail {
@@ -100,70 +101,61 @@ auto printed_terms(const FluidLaw& fluid, double h) {
 
 template <class AnyScene>
 Method sph_as_printed(const AnyScene& scene, double whole, double share = 0.25) {
-  return {
-      .name = "sph",
-      .description = fmt::format(
-          "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term and "
-          "an artificial viscosity of 0.01. Sound travels {:g} spacings in a step.",
-          share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            const double h = rung.smoothing_or(1.2 * rung.spacing);
-            return record(
-                sph::printed<sph::CubicSpline>(scene,
-                                               {.spacing = rung.spacing,
-                                                .smoothing_length = h,
-                                                .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))},
-                                               detail::printed_terms(scene.fluid, h)),
-                when);
-          },
-      .tolerance = stretched,
-      .relative_cost = 2};
+  return simulating(
+      {.name = "sph",
+       .description = fmt::format(
+           "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term "
+           "and an artificial viscosity of 0.01. Sound travels {:g} spacings in a step.",
+           share),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Rung& rung, double time_step) {
+        const double h = rung.smoothing_or(1.2 * rung.spacing);
+        return sph::printed<sph::CubicSpline>(scene,
+                                              {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+                                              detail::printed_terms(scene.fluid, h));
+      },
+      by_spacings(scene, share, whole));
 }
 
 /// For fluid without a free surface.
 template <class AnyScene>
 Method sph_transport_velocity(const AnyScene& scene, double whole, double share = 0.25) {
-  return {
-      .name = "sph_transport_velocity",
-      .description = fmt::format(
-          "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = 1 "
-          "spacing, density by continuity, conservative pressure. Sound travels {:g} spacings in a step.",
-          share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            return record(sph::transport_velocity<sph::QuinticSpline>(
-                              scene,
-                              {.spacing = rung.spacing,
-                               .smoothing_length = rung.smoothing_or(rung.spacing),
-                               .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))},
-                              sph::momentum(sph::Pressure{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity})),
-                          when);
-          },
-      .tolerance = stretched,
-      .relative_cost = 2};
+  return simulating(
+      {.name = "sph_transport_velocity",
+       .description = fmt::format(
+           "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = "
+           "1 spacing, density by continuity, conservative pressure. Sound travels {:g} spacings in a step.",
+           share),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Rung& rung, double time_step) {
+        return sph::transport_velocity<sph::QuinticSpline>(
+            scene,
+            {.spacing = rung.spacing, .smoothing_length = rung.smoothing_or(rung.spacing), .time_step = time_step},
+            sph::momentum(sph::Pressure{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
+      },
+      by_spacings(scene, share, whole));
 }
 
 /// For fluid that fills its domain.
 template <class AnyScene>
 Method sph_second_order(const AnyScene& scene, double whole, double share = 0.3) {
-  return {
-      .name = "sph_second_order",
-      .description = fmt::format(
-          "Smoothed particle hydrodynamics of second order: fits of second degree to velocity and pressure around each "
-          "particle, drift from where particles are dense, third-order Adams-Bashforth, Wendland's C2 kernel with h = 1.3 "
-          "spacings. Sound travels {:g} spacings in a step.",
-          share),
-      .run =
-          [=](const Rung& rung, const Schedule& when) {
-            return record(sph::second_order<sph::WendlandC2>(
-                              scene, {.spacing = rung.spacing,
-                                      .smoothing_length = rung.smoothing_or(1.3 * rung.spacing),
-                                      .time_step = rung.step_or(step_for(scene, share, rung.spacing, whole))}),
-                          when);
-          },
-      .tolerance = stretched,
-      .relative_cost = 2};
+  return simulating(
+      {.name = "sph_second_order",
+       .description = fmt::format(
+           "Smoothed particle hydrodynamics of second order: fits of second degree to velocity and pressure around each "
+           "particle, drift from where particles are dense, third-order Adams-Bashforth, Wendland's C2 kernel with h = "
+           "1.3 spacings. Sound travels {:g} spacings in a step.",
+           share),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Rung& rung, double time_step) {
+        return sph::second_order<sph::WendlandC2>(scene, {.spacing = rung.spacing,
+                                                          .smoothing_length = rung.smoothing_or(1.3 * rung.spacing),
+                                                          .time_step = time_step});
+      },
+      by_spacings(scene, share, whole));
 }
 
 // A method takes ten seconds to compile for a scene: for scenes that several cases have it is done once, in

@@ -3,6 +3,8 @@
 #include "vnv/error_law.hpp"
 #include "vnv/spacings.hpp"
 
+#include <fmt/format.h>
+
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 

@@ -33,6 +33,7 @@ class Writer {
   }
   void operator()(const Samples& s);
   void operator()(const Error& e);
+  void operator()(const Curve& c);
 
   std::string bytes;
 
@@ -64,6 +65,7 @@ class Reader {
   void operator()(Scalars& field) { values(field); }
   void operator()(Samples& s);
   void operator()(Error& e);
+  void operator()(Curve& c);
 
   bool is_at_end() const { return left_.empty(); }
 
@@ -99,14 +101,20 @@ void each(auto& field, auto& s, std::type_identity<Samples>) {
 void each(auto& field, auto& e, std::type_identity<Error>) {
   field(e.rung), field(e.spacing), field(e.time), field(e.quantity), field(e.value);
 }
+void each(auto& field, auto& c, std::type_identity<Curve>) {
+  field(c.figure), field(c.label), field(c.role), field(c.x), field(c.y), field(c.points);
+}
 void each(auto& field, auto& run, std::type_identity<Run>) {
   auto& s = run.summary;
   field(s.rung), field(s.spacing), field(s.time_step), field(s.end_time), field(s.finished), field(s.outcome);
   field(s.cost), field(run.samples), field(run.history.time), field(run.history.seen), field(run.found);
+  field(run.curves);
 }
 
 void Writer::operator()(const Samples& s) { each(*this, s, std::type_identity<Samples>{}); }
 void Writer::operator()(const Error& e) { each(*this, e, std::type_identity<Error>{}); }
+void Writer::operator()(const Curve& c) { each(*this, c, std::type_identity<Curve>{}); }
+void Reader::operator()(Curve& c) { each(*this, c, std::type_identity<Curve>{}); }
 void Reader::operator()(Samples& s) { each(*this, s, std::type_identity<Samples>{}); }
 void Reader::operator()(Error& e) { each(*this, e, std::type_identity<Error>{}); }
 

@@ -18,6 +18,7 @@ ARun made_up() {
                   .pressure = Scalars::Random(3)}};
   run.history = {{0.1, 0.2}, {{1, 2}, {3}}};
   run.found = {{"M2", 0.1, 0.5, "L2", 0.125}};
+  run.curves = {{"map", "stable", Role::ours, {1, 2}, {0.5, 0.25}, true}};
   return run;
 }
 
@@ -33,6 +34,7 @@ TEST(ARunAsBytes, ComesBackBitByBit) {
   EXPECT_EQ(after.history.time, before.history.time);
   EXPECT_EQ(after.history.seen, before.history.seen);
   EXPECT_EQ(after.found, before.found);
+  EXPECT_EQ(after.curves, before.curves);
 }
 
 TEST(ARunAsBytes, ThatIsTornIsRefused) {

@@ -3,6 +3,8 @@
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/work_precision.hpp"
 
+#include <fmt/format.h>
+
 namespace touchstone::vnv {
 namespace {
 

@@ -33,12 +33,27 @@ const Scene<Newtonian, StirredDrive> scene{
 /// The steady flow reaches 1 mm/s; ten times that is no flow any more.
 const StepSearch search{.low = 0.5 * us, .high = 200 * us, .speed_limit = 10 * mm};
 
-const std::string over_courant = "critical time step over (31) [-]";
 const Claim courant = at_least(over_courant, 1, literature("Sun et al. (31): stable up to it"));
 const Tolerance one_bisection{0.015, "another rounding may turn the last bisection"};
 const Claim morris = at_least(over_courant, 0.25, literature("Morris, Fox & Zhu 1997: 0.25 h / c is stable"));
-const Claim papers_step =
-    at_least("critical time step, stable end [us]", 5, literature("Sun et al. run every model with 5 us"));
+const Claim papers_step = at_least(stable_end, 5, literature("Sun et al. run every model with 5 us"));
+
+constexpr double whole = 0.05;  // s  of which the steps that methods choose divide
+
+/// A method that chooses its step itself; in MPM with four particles in a cell.
+Method limits_of(Method method) {
+  const auto solver = method.solver;
+  const bool has_cells = method.name.starts_with("mpm");
+  method.run = [=](const Rung& rung, const Schedule&) {
+    return search_critical_step([&](double time_step) { return solver(rung, time_step); }, search,
+                                has_cells ? rung.cell : rung.spacing, water.sound_speed());
+  };
+  method.rungs = {{.name = "40 across", .spacing = H / 40, .cell = H / 20, .acceptance = 1, .report = 1, .nightly = 1}};
+  method.claims = {papers_step, at_least(stable_end, method.time_step(method.rungs[0]) / us,
+                                         theory("the step that a method chooses is a stable one"))};
+  method.tolerance = one_bisection;
+  return method;
+}
 
 }  // namespace
 
@@ -94,6 +109,10 @@ Case vnv::the_case() {
                          {.name = "S2", .spacing = H / 80, .report = 1, .nightly = 1}},
                .claims = {morris, papers_step},
                .tolerance = one_bisection,
-           }},
+           },
+           limits_of(vnv::mpm_affine(scene, whole)),
+           limits_of(vnv::mpm_least_squares(scene, whole)),
+           limits_of(vnv::sph_second_order(scene, whole))},
+      .label = "stability",
   };
 }

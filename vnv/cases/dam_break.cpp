@@ -48,18 +48,23 @@ const DamFront front{.column_length = l0,
                      .slab = cell};
 
 Run run_mpm(const Rung& rung, const Schedule& when) {
-  return record(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-                    scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = mpm_step}),
-                when);
+  return record(
+      [&] {
+        return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+            scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = mpm_step});
+      },
+      when);
 }
 
 Run run_sph(const Rung& rung, const Schedule& when) {
   const double h = 1.2 * rung.spacing;
   return record(
-      sph::printed<sph::CubicSpline>(
-          scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = sph_step},
-          sph::momentum(sph::Pressure{},
-                        sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h})),
+      [&] {
+        return sph::printed<sph::CubicSpline>(
+            scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = sph_step},
+            sph::momentum(sph::Pressure{},
+                          sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
+      },
       when);
 }
 

@@ -9,6 +9,7 @@
 #include "vnv/bench/plain_sph.hpp"
 #include "vnv/bench/race.hpp"
 #include "vnv/channel.hpp"
+#include "vnv/soundness.hpp"
 
 #include <thread>
 
@@ -38,6 +39,28 @@ constexpr int evaluations<PredictorCorrector> = 2;
 Run race_mpm_in_channel(const Rung& rung, const Schedule&) {
   return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step),
               PlainMusl(plain(bench::channel()), rung.cell, rung.spacing, channel_step));
+}
+
+const std::string watch_cost = "time of a look of the watch over that of the steps between two [%]";
+
+/// What the run loop takes to look at all particles, in turn with the steps that it lets pass between two looks.
+Run time_the_watch(Simulation simulation) {
+  const Soundness soundness(simulation.medium(), simulation.samples());
+  const auto step = [&] {
+    for (long k = 0; k < steps_between_looks; ++k) simulation.step();
+  };
+  const auto look = [&] { soundness.require(simulation.samples(), simulation.steps()); };
+  const Times times = time_in_turn({look, step});
+  Run run = run_of(simulation, times.of(1) / steps_between_looks);
+  found(run, watch_cost, 100 * times.ratio(0, 1));
+  found(run, spread, 100 * times.spread(0, 1));
+  return run;
+}
+Run watch_mpm(const Rung& rung, const Schedule&) {
+  return time_the_watch(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step));
+}
+Run watch_sph(const Rung& rung, const Schedule&) {
+  return time_the_watch(channel::printed_solver(bench::channel(), rung, channel_step));
 }
 
 auto dam_mpm(const Vec2& tank, const Rung& rung) {
@@ -222,6 +245,20 @@ std::vector<Method> on_one_core() {
                          at_most(lap_cost, 1.05,
                                  baseline("timing sub-steps, in one step of 16, shall cost nothing; noise is 3 %"))
                              .on("M4")},
+          },
+          {
+              .name = "mpm_watched",
+              .description = "How much the watch over a run costs where steps are cheapest.",
+              .run = watch_mpm,
+              .rungs = {timed("M1", channel_cell, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
+              .claims = {at_most(watch_cost, 1, set_goal)},
+          },
+          {
+              .name = "sph_watched",
+              .description = "The same for smoothed particle hydrodynamics.",
+              .run = watch_sph,
+              .rungs = {timed("S1", channel_cell)},
+              .claims = {at_most(watch_cost, 1, set_goal)},
           },
           {
               .name = "mpm_single",

@@ -7,6 +7,8 @@
 #include "vnv/norms.hpp"
 #include "vnv/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>

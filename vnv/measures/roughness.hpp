@@ -4,6 +4,8 @@
 #include "vnv/case.hpp"
 #include "vnv/measures/profile.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>

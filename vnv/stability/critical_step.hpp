@@ -1,36 +1,24 @@
 #pragma once
-/// The largest stable time step, found by trying.
+/// The largest stable time step, found by trying, and how fast disturbances grow beyond it.
 
-#include "solvers/diverged.hpp"
 #include "vnv/run.hpp"
-
-#include <cmath>
 
 namespace touchstone::vnv {
 
+/// Makes a simulation with a time step [s].
+using SolverWith = std::function<Simulation(double)>;
+
 /// Where to look, and what counts as unstable.
 struct StepSearch {
-  double low, high;         // s  a stable and an unstable time step to begin with
-  double tolerance = 0.01;  // of the critical step
-  long steps = 2000;        // in each trial
-  double speed_limit;       // m/s  the flow never comes near this; what exceeds it has blown up
+  double low, high;             // s  a stable and an unstable time step to begin with
+  double tolerance = 0.01;      // of the critical step
+  long steps = 2000;            // in each trial
+  double speed_limit;           // m/s  the flow never comes near this; what exceeds it has blown up
+  Vec2 carried = Vec2::Zero();  // m/s  from which speeds are told
 };
 
-/// Whether a solver keeps below the speed limit; one that diverges does not. Counts the steps it takes.
-template <class Solver>
-bool is_stable(Solver solver, const StepSearch& search, long& steps) {
-  try {
-    for (long k = 0; k < search.steps; ++k) {
-      solver.step();
-      ++steps;
-      if (k % 50 == 49 && !(sound(solver.samples(), solver.steps()).v.colwise().norm().maxCoeff() < search.speed_limit))
-        return false;
-    }
-    return true;
-  } catch (const Diverged&) {
-    return false;
-  }
-}
+/// Whether a simulation keeps below the speed limit; one that diverges does not. Counts the steps it takes.
+bool is_stable(Simulation simulation, const StepSearch& search, long& steps);
 
 /// A bracket of the critical time step: stable at `low`, unstable at `high`.
 struct CriticalStep {
@@ -38,43 +26,25 @@ struct CriticalStep {
   long steps = 0;    // that all trials took
 };
 
-/// Bisects between a stable and an unstable step; `solver_with(dt)` makes a solver. Throws std::invalid_argument if the
-/// ends are not what they are said to be.
-template <class Factory>
-CriticalStep critical_step(Factory solver_with, const StepSearch& search) {
-  CriticalStep bracket{search.low, search.high};
-  if (!is_stable(solver_with(search.low), search, bracket.steps))
-    throw std::invalid_argument(fmt::format("critical step: {} s is unstable, wanted a stable lower end", search.low));
-  if (is_stable(solver_with(search.high), search, bracket.steps))
-    throw std::invalid_argument(
-        fmt::format("critical step: {} s is stable, wanted an unstable upper end", search.high));
-  while (bracket.high > bracket.low * (1 + search.tolerance)) {
-    const double middle = std::sqrt(bracket.low * bracket.high);
-    (is_stable(solver_with(middle), search, bracket.steps) ? bracket.low : bracket.high) = middle;
-  }
-  return bracket;
-}
+/// Bisects between a stable and an unstable step. Throws std::invalid_argument if the ends are not what they are said
+/// to be.
+CriticalStep critical_step(const SolverWith& solver_with, const StepSearch& search);
 
-/// The same as a run of a case: the critical step and its ratio to the Courant limit (31) of Sun et al., length / c.
-template <class Factory>
-Run search_critical_step(Factory solver_with, const StepSearch& search, double length, double sound_speed) {
-  Run run;
-  const CostMeter meter;
-  const CriticalStep found = critical_step(solver_with, search);
-  const double courant = length / sound_speed;
-  run.found = {{"", 0, not_a_number, "critical time step, stable end [us]", found.low / us},
-               {"", 0, not_a_number, "critical time step, unstable end [us]", found.high / us},
-               {"", 0, not_a_number, "critical time step over (31) [-]", found.low / courant}};
-  run.summary.finished = true;
-  run.summary.outcome = "finished";
-  run.summary.time_step = found.low;
-  const auto solver = solver_with(found.low);
-  run.summary.cost = meter.read();
-  run.summary.cost.stepping = run.summary.cost.wall;
-  run.summary.cost.particles = solver.particles();
-  run.summary.cost.boundary_particles = solver.boundary_particles();
-  run.summary.cost.steps = found.steps;
-  return run;
-}
+/// The largest stable step between the ends of a search [s]: the upper end if that is stable, not a number if the lower
+/// one is not.
+double largest_step(const SolverWith& solver_with, const StepSearch& search);
+
+/// By which factor the fastest particle's speed grows in a step, by a line through its logarithm over the last two
+/// thirds of the way to the speed limit. Not a number for a simulation that does not get there, or in fewer than six
+/// steps.
+double growth_per_step(Simulation simulation, const StepSearch& search);
+
+inline const std::string stable_end = "critical time step, stable end [us]",
+                         unstable_end = "critical time step, unstable end [us]",
+                         over_courant = "critical time step over (31) [-]",
+                         growth_beyond = "growth per step, with a step longer by a twentieth [-]";
+
+/// The search as a run of a case: bracket, ratio to the Courant limit (31) of Sun et al., length / c, and growth.
+Run search_critical_step(const SolverWith& solver_with, const StepSearch& search, double length, double sound_speed);
 
 }  // namespace touchstone::vnv

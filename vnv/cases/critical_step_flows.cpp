@@ -1,0 +1,129 @@
+/// The largest stable time step of each method in flows without walls, beside linear theory of fluid at rest.
+
+#include "vnv/stability/critical_step.hpp"
+#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/methods_on_lattice.hpp"
+#include "vnv/stability/spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+const std::string over_theory = "largest stable step, over that of linear theory at rest [-]",
+                  chosen = "step chosen over largest stable [-]";
+
+/// A flow through a lattice that repeats along both axes.
+struct Flow {
+  std::string name;
+  Vec2 carried;         // speeds of sound
+  double shear;         // speeds of sound  amplitude of a wave of velocity along x, one wave up the lattice
+  double noise, limit;  // speeds of sound  disturbances at the start, and those that are no flow any more
+  bool in_acceptance = false;
+};
+
+const std::vector<Flow> flows = {
+    {"uniform flow", {0.1, 0.037}, 0, 1e-8, 1e-4, true},
+    {"shear wave", {0, 0}, 0.02, 1e-6, 0.06, true},
+};
+
+RestingLattice lattice_for(const LatticeMethod& method) {
+  if (method.family == Family::sph) return {.cells = 12, .reynolds = 1e3};
+  return {.cells = 8, .points = 2, .reynolds = 1e3};
+}
+
+Start start_of(const Flow& flow, const RestingLattice& lattice) {
+  Start start = noisy(lattice, flow.noise);
+  start.velocity = [flow, lattice, stir = start.velocity](const Vec2& x) -> Vec2 {
+    const double wave = std::sin(2 * std::numbers::pi * x.y() / lattice.side());
+    return stir(x) + RestingLattice::sound_speed * (flow.carried + Vec2(flow.shear * wave, 0));
+  };
+  return start;
+}
+
+Run search_in(const Flow& flow, const LatticeMethod& method) {
+  const RestingLattice lattice = lattice_for(method);
+  const double c = RestingLattice::sound_speed, a_length = lattice.unit() / c;
+  const StepSearch search{
+      .low = 0.1 * a_length, .high = 8 * a_length, .speed_limit = flow.limit * c, .carried = flow.carried * c};
+  Run run = search_critical_step(
+      [&](double time_step) { return simulate(method.on, lattice, start_of(flow, lattice), time_step / a_length); },
+      search, lattice.unit(), c);
+  const double linear = critical_courant(method.for_theory(), lattice, method.every);
+  run.found.push_back({"", 0, not_a_number, over_theory, run.summary.time_step / a_length / linear});
+  run.found.push_back(
+      {"", 0, not_a_number, chosen, method.on(lattice, {}).time_step(lattice.rung()) / run.summary.time_step});
+  return run;
+}
+
+Method limits_of(const LatticeMethod& on_lattice) {
+  Method method = on_lattice.on({}, {});
+  method.tolerance = {0.03, "a change that moves a stability limit by more than 3 % is one to be accepted"};
+  for (const Flow& flow : flows) {
+    Rung rung = lattice_for(on_lattice).rung();
+    rung.name = flow.name;
+    rung.acceptance = flow.in_acceptance;
+    rung.nightly = 1;
+    method.rungs.push_back(rung);
+  }
+  method.claims = {
+      at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one")).on("shear wave")};
+  if (on_lattice.claims_to_be_galilean)
+    method.claims.push_back(between(over_theory, 0.95, 1.05,
+                                    theory("sound does not know that it is carried along: the limit is that at rest"))
+                                .on("uniform flow"));
+  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+    for (const Flow& flow : flows)
+      if (flow.name == rung.name) return search_in(flow, on_lattice);
+    return search_in(flows.front(), on_lattice);
+  };
+  return method;
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods;
+  for (const LatticeMethod& method : methods_on_lattice()) methods.push_back(limits_of(method));
+  return methods;
+}
+
+void tabulate(const Results& results, Record& record) {
+  Table table{
+      "limits",
+      "Largest stable step in each flow",
+      "In lengths that sound travels, cells of MPM with four particles each and spacings of SPH; growth is that of "
+      "the fastest particle's speed in a step that is longer by a twentieth.",
+      {"method", "flow", "stable [us]", "unstable [us]", "stable, c dt / length", "over theory at rest",
+       "chosen / stable", "growth"},
+      {}};
+  for (const Run& run : results.runs) {
+    const auto value = [&](const std::string& quantity) {
+      for (const Error& e : run.found)
+        if (e.quantity == quantity) return e.value;
+      return not_a_number;
+    };
+    table.rows.push_back({results.method.name, run.summary.rung, value(stable_end), value(unstable_end),
+                          value(over_courant), value(over_theory), value(chosen), value(growth_beyond)});
+  }
+  record.tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Largest stable time step in flows",
+      .description =
+          "Fluid that repeats along both axes is carried along at a tenth of the speed of sound, or sheared by a wave of "
+          "velocity of a fiftieth of it. The largest step is found by bisection, 2000 steps a trial; a trial is unstable when "
+          "a particle moves as the flow never does. The spacing is 1 cm, the speed of sound 10 m/s.",
+      .times = {1},
+      .measurements = {},
+      .methods = all_methods(),
+      .plots = {tabulate},
+      .label = "stability",
+  };
+}

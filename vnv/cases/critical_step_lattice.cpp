@@ -1,0 +1,158 @@
+/// The largest stable time step of each method on a lattice at rest, beside that of its own linear theory.
+
+#include "vnv/stability/critical_step.hpp"
+#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/methods_on_lattice.hpp"
+#include "vnv/stability/spectrum.hpp"
+
+#include <fmt/format.h>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+// All of the unit cell: the background cell of MPM, the spacing of SPH.
+const std::string measured = "largest stable c dt / length, measured [-]",
+                  by_theory = "largest stable c dt / length, by linear theory [-]",
+                  measured_over_theory = "largest stable step, measured over theory [-]",
+                  growth_seen = "growth per step beyond, measured [-]",
+                  growth_by_theory = "growth per step beyond, by linear theory [-]",
+                  growth_over_theory = "logarithm of the growth beyond, measured over theory [-]",
+                  chosen = "step chosen over largest stable [-]";
+
+/// A lattice, and which suites look at it.
+struct Arrangement {
+  std::string name;
+  RestingLattice lattice;
+  bool in_acceptance = false;
+};
+
+std::vector<Arrangement> arrangements(const LatticeMethod& method) {
+  if (method.one_kernel) return {{"h of the method", {.cells = 12}, true}};
+  if (method.family == Family::sph)
+    return {{"h of the method", {.cells = 12}, true},
+            {"h = 1.3 spacings", {.cells = 12, .smoothing = 1.3}},
+            {"h = 1.6 spacings", {.cells = 16, .smoothing = 1.6}}};
+  std::vector<Arrangement> all;
+  if (!method.fits) all.push_back({"1 per cell", {.cells = 8}, true});
+  all.push_back({"4 per cell", {.cells = 8, .points = 2}, true});
+  all.push_back({"9 per cell", {.cells = 6, .points = 3}});
+  if (!method.fits) {
+    all.push_back({"1 per cell, a quarter off its middle", {.cells = 8, .shift = {0.25, 0.25}}});
+    all.push_back({"4 per cell, a quarter of a spacing off", {.cells = 8, .points = 2, .shift = {0.25, 0.25}}});
+  }
+  return all;
+}
+
+/// Steps in which sound travels so many lengths of a unit cell.
+SolverWith simulations(const OnLattice& method, const RestingLattice& lattice) {
+  return [=](double time_step) {
+    return simulate(method, lattice, noisy(lattice, 1e-8), time_step * RestingLattice::sound_speed / lattice.unit());
+  };
+}
+
+Run compare(const LatticeMethod& method, const RestingLattice& lattice) {
+  const CostMeter meter;
+  const double c = RestingLattice::sound_speed, a_length = lattice.unit() / c;
+  // Between speeds of a hundred-millionth and of a ten-thousandth of that of sound all is linear.
+  const StepSearch search{.low = 0.1 * a_length, .high = 8 * a_length, .speed_limit = 1e-4 * c};
+  const SolverWith solver_with = simulations(method.on, lattice);
+  const CriticalStep found = critical_step(solver_with, search);
+  const double limit = std::sqrt(found.low * found.high) / a_length,
+               linear = critical_courant(method.for_theory(), lattice, method.every);
+  const double beyond = 1.05 * limit, growth = growth_per_step(solver_with(beyond * a_length), search),
+               linear_growth = spectrum(method.for_theory(), lattice, beyond, method.every).radius;
+  Run run;
+  const auto add = [&](const std::string& quantity, double value) {
+    run.found.push_back({"", 0, not_a_number, quantity, value});
+  };
+  add(measured, limit);
+  add(by_theory, linear);
+  add(measured_over_theory, limit / linear);
+  add(growth_by_theory, linear_growth);
+  if (std::isfinite(growth)) {
+    add(growth_seen, growth);
+    add(growth_over_theory, std::log(growth) / std::log(linear_growth));
+  }
+  add(chosen, method.on(lattice, {}).time_step(lattice.rung()) / a_length / limit);
+  const Simulation simulation = solver_with(found.low);
+  run.summary.finished = true;
+  run.summary.outcome = "finished";
+  run.summary.time_step = found.low;
+  run.summary.cost = meter.read();
+  run.summary.cost.stepping = run.summary.cost.wall;
+  run.summary.cost.particles = simulation.particles();
+  run.summary.cost.steps = found.steps;
+  return run;
+}
+
+Method limits_of(const LatticeMethod& on_lattice) {
+  Method method = on_lattice.on({}, {});
+  method.tolerance = {0.03, "a change that moves a stability limit by more than 3 % is one to be accepted"};
+  method.claims = {
+      between(measured_over_theory, 0.95, 1.05, theory("the spectral radius of its own linearised step")),
+      between(growth_over_theory, 0.9, 1.1, theory("the same; read off noise in which other waves grow as well")),
+      at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"))};
+  for (const Arrangement& a : arrangements(on_lattice)) {
+    Rung rung = a.lattice.rung();
+    rung.name = a.name;
+    rung.acceptance = a.in_acceptance;
+    rung.nightly = 1;
+    method.rungs.push_back(rung);
+  }
+  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+    for (const Arrangement& a : arrangements(on_lattice))
+      if (a.name == rung.name) return compare(on_lattice, a.lattice);
+    return compare(on_lattice, {.cells = 8, .points = static_cast<int>(std::lround(rung.cell / rung.spacing))});
+  };
+  return method;
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods;
+  for (const LatticeMethod& method : methods_on_lattice()) methods.push_back(limits_of(method));
+  return methods;
+}
+
+double value_of(const Run& run, const std::string& quantity) {
+  for (const Error& e : run.found)
+    if (e.quantity == quantity) return e.value;
+  return not_a_number;
+}
+
+void tabulate(const Results& results, Record& record) {
+  Table table{
+      "limits",
+      "Largest stable step, measured and by linear theory",
+      "In lengths that sound travels: cells of MPM, spacings of SPH. The Courant limit (31) of Sun et al. is 1 cell "
+      "or h. Growth is that of the fastest particle's speed in a step that is longer by a twentieth. The step "
+      "chosen is what the method takes where a scene names none.",
+      {"method", "arrangement", "measured", "theory", "measured / theory", "growth", "growth by theory",
+       "chosen / measured"},
+      {}};
+  for (const Run& run : results.runs)
+    table.rows.push_back({results.method.name, run.summary.rung, value_of(run, measured), value_of(run, by_theory),
+                          value_of(run, measured_over_theory), value_of(run, growth_seen),
+                          value_of(run, growth_by_theory), value_of(run, chosen)});
+  record.tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Largest stable time step, against linear theory",
+      .description =
+          "Fluid at rest on a lattice that repeats along both axes, with noise of a hundred-millionth of the speed of sound. "
+          "The largest step that keeps it small is found by bisection, 2000 steps a trial. Beside it stands what linear "
+          "theory says: the step of the method as it is implemented, linearised and taken apart into waves, and the "
+          "largest eigenvalue of any. There is no wall, no surface and no flow here: what the time step of a method owes to "
+          "itself.",
+      .times = {1},
+      .measurements = {},
+      .methods = all_methods(),
+      .plots = {tabulate},
+      .label = "stability",
+  };
+}

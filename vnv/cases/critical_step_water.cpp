@@ -1,0 +1,73 @@
+/// The largest stable time step of each method in water at rest under gravity: with a surface, a floor and weight.
+
+#include "vnv/stability/critical_step.hpp"
+#include "vnv/water_at_rest.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::water_at_rest;
+
+namespace {
+
+const std::string chosen = "step chosen over largest stable [-]";
+
+/// Water at rest never moves at a twentieth of the speed of a wave on it; 2000 steps are some 2 s.
+const double speed_limit = 0.05 * std::sqrt(g * depth);
+
+Method limits_of(Method method) {
+  const auto solver = method.solver;
+  const auto own_step = method.time_step;
+  const bool has_cells = method.name.starts_with("mpm");
+  method.run = [=](const Rung& rung, const Schedule&) {
+    const double length = has_cells ? rung.cell : rung.spacing, a_length = length / c;
+    Run run =
+        search_critical_step([&](double time_step) { return solver(rung, time_step); },
+                             {.low = 0.05 * a_length, .high = 8 * a_length, .speed_limit = speed_limit}, length, c);
+    run.found.push_back({"", 0, not_a_number, chosen, own_step(rung) / run.summary.time_step});
+    return run;
+  };
+  method.rungs = {{.name = "20 across", .spacing = depth / 20, .cell = depth / 10, .acceptance = 1, .nightly = 1},
+                  {.name = "40 across", .spacing = depth / 40, .cell = depth / 20, .nightly = 1}};
+  method.tolerance = {0.03, "a change that moves a stability limit by more than 3 % is one to be accepted"};
+  method.claims = {at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"))};
+  return method;
+}
+
+void tabulate(const Results& results, Record& record) {
+  Table table{
+      "limits",
+      "Largest stable step in water at rest",
+      "In lengths that sound travels, cells of MPM with four particles each and spacings of SPH; growth is that of "
+      "the fastest particle's speed in a step that is longer by a twentieth.",
+      {"method", "particles", "stable [us]", "unstable [us]", "stable, c dt / length", "chosen / stable", "growth"},
+      {}};
+  for (const Run& run : results.runs) {
+    const auto value = [&](const std::string& quantity) {
+      for (const Error& e : run.found)
+        if (e.quantity == quantity) return e.value;
+      return not_a_number;
+    };
+    table.rows.push_back({results.method.name, run.summary.rung, value(stable_end), value(unstable_end),
+                          value(over_courant), value(chosen), value(growth_beyond)});
+  }
+  record.tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Largest stable time step in water at rest",
+      .description =
+          "Water 1 m deep under gravity, in the equilibrium of Tait's law, over a floor and under a free surface. The largest "
+          "step is found by bisection, 2000 steps a trial; a trial is unstable when a particle moves at a twentieth of the "
+          "speed of a wave. What a method loses here against a lattice without walls is the surface's doing, where grid "
+          "nodes are nearly empty and kernels are cut.",
+      .times = {1},
+      .measurements = {},
+      .methods = {limits_of(printed(scene)), limits_of(affine(scene)), limits_of(apic(scene)), limits_of(xpic(scene)),
+                  limits_of(printed_sph(scene)), limits_of(delta(scene))},
+      .plots = {tabulate},
+      .label = "stability",
+  };
+}

@@ -1,0 +1,164 @@
+/// Stiff and extreme flows of fluid that fills its domain, each with its ending declared.
+
+#include "vnv/stability/extreme.hpp"
+#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/methods_on_lattice.hpp"
+
+#include <cmath>
+#include <numbers>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+constexpr double c = RestingLattice::sound_speed;
+constexpr double base_reynolds = 100;  // of a wave of shear, by its amplitude and length
+constexpr double base_mach = 0.1;
+
+RestingLattice lattice_for(const LatticeMethod& method) {
+  if (method.family == Family::sph) return {.cells = 16};
+  return {.cells = 8, .points = 2};
+}
+
+/// A wave of velocity along x, one up the lattice, of an inviscid or viscous fluid.
+struct Wave {
+  double mach, reynolds;
+
+  RestingLattice on(RestingLattice lattice) const {
+    lattice.reynolds = reynolds / mach * RestingLattice::spacing / lattice.side();
+    return lattice;
+  }
+  Start start(const RestingLattice& lattice) const {
+    return {.velocity = [u = mach * c, side = lattice.side()](const Vec2& x) {
+      return Vec2(u * std::sin(2 * std::numbers::pi * x.y() / side), 0);
+    }};
+  }
+};
+
+/// How far its height is from what viscosity leaves of it, over that at the start [%].
+std::function<double(const Samples&)> error_of(const Wave& wave, const RestingLattice& lattice) {
+  const double side = lattice.side(), nu = c * RestingLattice::spacing / lattice.reynolds,
+               decay = nu * std::pow(2 * std::numbers::pi / side, 2);
+  return [=](const Samples& s) {
+    const Scalars shape = (2 * std::numbers::pi / side * s.x.row(1).transpose().array()).sin();
+    const double height = (s.v.row(0).transpose().array() * shape).sum() / shape.square().sum();
+    return 100 * std::abs(height / (wave.mach * c) - std::exp(-decay * s.time));
+  };
+}
+
+/// Methods whose particles take their velocities from the grid lose some in every step, whatever the viscosity: in
+/// fluids that are too thin or too stiff for that to be little they end, but not right. So does least squares in eight
+/// cells, each time it puts particles back on their lattice.
+Ending as_damped(const LatticeMethod& method, Ending usual) {
+  return method.family == Family::mpm && method.name() != "mpm" && method.name() != "mpm_float" ? Ending::stable
+                                                                                                : usual;
+}
+
+/// The wave until it has lost half of its height, for at least 100 and at most 1000 steps of the method's own choice.
+Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& wave, Ending usual) {
+  const RestingLattice lattice = wave.on(lattice_for(method));
+  const Method here = method.on(lattice, wave.start(lattice));
+  const double dt = here.time_step(lattice.rung()), nu = c * RestingLattice::spacing / lattice.reynolds,
+               half_time = std::numbers::ln2 / (nu * std::pow(2 * std::numbers::pi / lattice.side(), 2));
+  return {.name = name,
+          .make = [=] { return here.solver(lattice.rung(), dt); },
+          .end = std::clamp(half_time, 100 * dt, 1000 * dt),
+          .error = error_of(wave, lattice),
+          .accurate_within = 5,
+          .declared = usual};
+}
+
+/// Carried along so fast, and with such a step, that sound and flow together cross 0.99 lengths in it.
+Extreme across_the_seam(const LatticeMethod& method) {
+  const RestingLattice lattice = lattice_for(method);
+  const Vec2 flow = 0.495 * c / 0.495 * Vec2(0.8, 0.6);
+  const double dt = 0.495 * lattice.unit() / c;
+  const std::string name = "through both seams at (c + v) dt = 0.99";
+  return {.name = name,
+          .make =
+              [=] {
+                return method.on(lattice, {.velocity = [=](const Vec2&) { return flow; }}).solver(lattice.rung(), dt);
+              },
+          .end = 500 * dt,
+          .error = [=](const Samples& s) { return 100 * (s.v.colwise() - flow).colwise().norm().maxCoeff() / c; },
+          .accurate_within = 0.1,
+          .declared = Ending::accurate};
+}
+
+/// Particles that start on top of each other stay there if only differences of pressure push: their densities run
+/// away. The spreading of the regularised method, made for small disorder, throws them apart faster than sound.
+Ending borne_by(const std::string& method) {
+  return method == "sph_difference" || method.starts_with("sph_regularised") || method == "sph_one_evaluation"
+             ? Ending::diverged
+             : Ending::stable;
+}
+
+/// Particles anywhere, as many as there would be, with the density of rest.
+Extreme at_random(const LatticeMethod& method) {
+  const RestingLattice lattice = lattice_for(method);
+  Start start = noisy(lattice, 1e-3);
+  start.places = [side = lattice.side()](const Vectors& places) {
+    Vectors random = places;
+    for (Eigen::Index p = 0; p < places.cols(); ++p)
+      random.col(p) = side / 2 * Vec2(1 + noise(p, 1, 2), 1 + noise(p, 3, 4));
+    return random;
+  };
+  const Method here = method.on(lattice, start);
+  const std::string name = "particles at random";
+  return {.name = name,
+          .make = [=] { return here.solver(lattice.rung(), here.time_step(lattice.rung())); },
+          .end = 500 * here.time_step(lattice.rung()),
+          .declared = borne_by(here.name)};
+}
+
+/// Noise of a millionth of the speed of sound shall not have grown tenfold after a million steps.
+Extreme at_rest_for_long(const LatticeMethod& method) {
+  RestingLattice lattice = lattice_for(method);
+  lattice.cells /= 2;
+  const Method here = method.on(lattice, noisy(lattice, 1e-6));
+  const double dt = here.time_step(lattice.rung());
+  const std::string name = "a million steps at rest";
+  return {.name = name,
+          .make = [=] { return here.solver(lattice.rung(), dt); },
+          .end = 1e6 * dt,
+          .error = [](const Samples& s) { return 100 * s.v.colwise().norm().maxCoeff() / c; },
+          .accurate_within = 1e-3,
+          .declared = Ending::accurate,
+          .in_acceptance = false};
+}
+
+Method extremes_of(const LatticeMethod& method) {
+  return meeting(
+      method.on({}, {}),
+      {shear("viscosity x 1e4", method, {base_mach, 1e-4 * base_reynolds}, Ending::accurate),
+       shear("viscosity x 1e-4", method, {base_mach, 1e4 * base_reynolds}, as_damped(method, Ending::accurate)),
+       shear("K x 1e4, Mach 1e-5", method, {1e-4 * base_mach, base_reynolds}, as_damped(method, Ending::accurate)),
+       shear("K so soft that Mach is 0.7", method, {0.7, base_reynolds}, Ending::stable), across_the_seam(method),
+       at_random(method), at_rest_for_long(method)});
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods;
+  for (const LatticeMethod& method : methods_on_lattice()) methods.push_back(extremes_of(method));
+  for (const LatticeMethod& method : methods_in_single_precision()) methods.push_back(extremes_of(method));
+  return methods;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Stiff and extreme flows",
+      .description =
+          "Fluid that fills a square of 16 by 16 particles and repeats along both axes, in steps of each method's own choice. "
+          "A wave of shear decays in fluids ten thousand times as viscous, as thin, as stiff as a usual one, and in one so "
+          "soft that it moves at 0.7 of the speed of sound; fluid is carried through both seams; particles start anywhere; "
+          "and nothing happens for a million steps. How each has to end is declared beforehand.",
+      .times = {1},
+      .measurements = {},
+      .methods = all_methods(),
+      .plots = {endings({"particles at random"})},
+      .label = "stability",
+  };
+}

@@ -1,0 +1,257 @@
+/// Extreme scenes with a free surface or hardly any fluid, each with its ending declared.
+
+#include "solvers/walls/free_slip.hpp"
+#include "vnv/free_surface_methods.hpp"
+#include "vnv/stability/extreme.hpp"
+#include "vnv/stability/lattice_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+using Water = Scene<Newtonian, Uniform>;
+
+constexpr double spacing = 0.02, cell = 2 * spacing, g = 9.81, c = 40;  // m, m, m/s², m/s
+constexpr double whole = 0.01;                                          // s  of which every step divides all times
+constexpr Newtonian water{{.density = 1000, .bulk_modulus = 1000 * c * c / 7}, 1e-3};
+
+Box box(double width, double height) { return {.high = {width, height}}; }
+
+/// The middle of all particles [m].
+Vec2 middle(const Samples& s) { return s.x.rowwise().mean(); }
+
+/// Those places within a radius [m] of any of the centres [m].
+std::function<Vectors(const Vectors&)> within(double radius, std::vector<Vec2> centres) {
+  return [=](const Vectors& lattice) -> Vectors {
+    std::vector<Eigen::Index> inside;
+    for (Eigen::Index p = 0; p < lattice.cols(); ++p)
+      if (std::ranges::any_of(centres, [&](const Vec2& at) { return (lattice.col(p) - at).norm() < radius; }))
+        inside.push_back(p);
+    return lattice(Eigen::all, inside);
+  };
+}
+
+/// A scene, and what is exact of it.
+struct Setting {
+  std::string name;
+  Water scene;
+  double end;  // s
+  Ending declared;
+  std::function<double(const Samples&)> error{};  // %
+  double accurate_within = 0;                     // %
+  double cell_size = cell;                        // m
+  bool in_acceptance = true;
+};
+
+Setting one_particle() {
+  const Vec2 start(0.5 + spacing / 2, 1.5 + spacing / 2);
+  constexpr double end = 0.4;
+  return {.name = "one particle",
+          .scene = {.domain = {.box = box(1, 2)},
+                    .fluid = water,
+                    .filled = box(1, 2),
+                    .body_force = {{0, -g}},
+                    .start = {.places = within(0.01, {start})}},
+          .end = end,
+          .declared = Ending::accurate,
+          .error =
+              [=](const Samples& s) {
+                return 100 * (middle(s) - start + Vec2(0, g / 2 * end * end)).norm() / (g / 2 * end * end);
+              },
+          .accurate_within = 1};
+}
+
+Setting one_cell() {
+  return {.name = "one cell",
+          .scene = {.domain = {.box = box(4 * spacing, 4 * spacing)},
+                    .fluid = water,
+                    .filled = box(4 * spacing, 4 * spacing),
+                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(4 * spacing, free_slip())},
+                    .body_force = {{0, -g}}},
+          .end = 0.5,
+          .declared = Ending::stable,
+          .cell_size = 4 * spacing};
+}
+
+Setting single_row() {
+  return {.name = "a single row",
+          .scene = {.domain = {.box = box(0.4, 0.2), .periodic_x = true},
+                    .fluid = water,
+                    .filled = box(0.4, spacing),
+                    .walls = {floor_at(0, free_slip())},
+                    .body_force = {{0, -g}}},
+          .end = 0.5,
+          .declared = Ending::stable};
+}
+
+Setting on_edges() {
+  constexpr double side = 0.4;
+  // Stretched, so that the outermost stand on the edges and two in corners.
+  const auto to_the_edges = [side](const Vectors& lattice) -> Vectors {
+    return ((lattice.array() - side / 2) * (side / (side - spacing)) + side / 2).min(side).max(0);
+  };
+  return {.name = "particles on edges and in corners",
+          .scene = {.domain = {.box = box(side, 0.6)},
+                    .fluid = water,
+                    .filled = box(side, side),
+                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(side, free_slip())},
+                    .body_force = {{0, -g}},
+                    .start = {.places = to_the_edges}},
+          .end = 0.3,
+          .declared = Ending::stable};
+}
+
+Setting heavy() {
+  return {.name = "gravity x 100",
+          .scene = {.domain = {.box = box(0.3, 0.6), .periodic_x = true},
+                    .fluid = water,
+                    .filled = box(0.3, 0.3),
+                    .walls = {floor_at(0, free_slip())},
+                    .body_force = {{0, -100 * g}}},
+          .end = 0.2,
+          .declared = Ending::stable};
+}
+
+Setting empty_background() {
+  constexpr double radius = 0.06, side = 3.4;  // of a drop of a thousandth of the domain
+  const Vec2 start(side / 2, side / 2);
+  return {
+      .name = "a thousand times as much nothing",
+      .scene = {.domain = {.box = box(side, side)},
+                .fluid = water,
+                .filled = {.low = start - Vec2(0.1, 0.1), .high = start + Vec2(0.1, 0.1)},
+                .body_force = {{0, 0}},
+                .start = {.velocity = [](const Vec2&) { return Vec2(1, 0.5); }, .places = within(radius, {start})}},
+      .end = 1,
+      .declared = Ending::accurate,
+      .error = [=](const Samples& s) { return 100 * (middle(s) - start - Vec2(1, 0.5)).norm() / Vec2(1, 0.5).norm(); },
+      .accurate_within = 0.1};
+}
+
+Setting falling_drop() {
+  constexpr double radius = 0.1, end = 1.5;
+  const Vec2 start(0.25, 12);
+  return {.name = "a drop in free fall",
+          .scene = {.domain = {.box = box(0.5, 12.5)},
+                    .fluid = water,
+                    .filled = {.low = start - Vec2(0.12, 0.12), .high = start + Vec2(0.12, 0.12)},
+                    .body_force = {{0, -g}},
+                    .start = {.places = within(radius, {start})}},
+          .end = end,
+          .declared = Ending::accurate,
+          .error =
+              [=](const Samples& s) {
+                // Its middle falls as a stone, and it stays as wide as it was.
+                const double fall = g / 2 * end * end, width = s.x.row(0).maxCoeff() - s.x.row(0).minCoeff();
+                return 100 * std::max((middle(s) - start + Vec2(0, fall)).norm() / fall,
+                                      std::abs(width / (2 * radius) - 1) - 0.1);
+              },
+          .accurate_within = 1};
+}
+
+Setting jet() {
+  return {.name = "a jet of single particles",
+          .scene = {.domain = {.box = box(1, 3)},
+                    .fluid = water,
+                    .filled = {.low = {0, 0.4}, .high = {0.8, 0.42}},
+                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
+                    .body_force = {{0, -g}},
+                    .start = {.velocity = [](const Vec2&) { return Vec2(5, 1); },
+                              .places = [](const Vectors& lattice) -> Vectors {
+                                std::vector<Eigen::Index> every_third;
+                                for (Eigen::Index p = 0; p < lattice.cols(); p += 3) every_third.push_back(p);
+                                return lattice(Eigen::all, every_third);
+                              }}},
+          .end = 0.4,
+          .declared = Ending::stable};
+}
+
+Setting colliding_drops() {
+  const Vec2 left(0.35, 0.5), right(0.65, 0.52);
+  return {.name = "colliding drops",
+          .scene = {.domain = {.box = box(1, 1)},
+                    .fluid = water,
+                    .filled = {.low = {0.2, 0.3}, .high = {0.8, 0.7}},
+                    .body_force = {{0, 0}},
+                    .start = {.velocity = [](const Vec2& x) { return Vec2(x.x() < 0.5 ? 2 : -2, 0); },
+                              .places = within(0.1, {left, right})}},
+          .end = 0.1,
+          .declared = Ending::stable};
+}
+
+Setting tension() {
+  const Vec2 start(0.5, 0.5);
+  return {.name = "a drop torn apart",
+          .scene = {.domain = {.box = box(1, 1)},
+                    .fluid = water,
+                    .filled = {.low = {0.3, 0.3}, .high = {0.7, 0.7}},
+                    .body_force = {{0, 0}},
+                    .start = {.velocity = [=](const Vec2& x) { return Vec2(20 * (x - start)); },
+                              .places = within(0.15, {start})}},
+          .end = 0.05,
+          .declared = Ending::stable};
+}
+
+std::vector<Setting> settings() {
+  return {one_particle(),     one_cell(),     single_row(), on_edges(),        heavy(),
+          empty_background(), falling_drop(), jet(),        colliding_drops(), tension()};
+}
+
+/// What is declared of a method otherwise than of all, and why.
+Ending declared_of(const Setting& setting, const std::string& method) {
+  // Where a particle has too few neighbours for it, the correction of gradients has no limit.
+  if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
+    return Ending::diverged;
+  // A node that hardly has mass is pushed as hard as any other, and throws its particle out of the domain.
+  if (method == "mpm" && setting.name == "a jet of single particles") return Ending::diverged;
+  // Alone on its nodes a particle carries its slope on: it expands at a steady rate, past any density.
+  if (method == "mpm_apic" && setting.name == "a jet of single particles") return Ending::diverged;
+  // Walls of SPH are made of particles, and do not take fluid that stands on them.
+  if (method.starts_with("sph") && setting.name == "particles on edges and in corners") return Ending::refused;
+  return setting.declared;
+}
+
+template <class Make>
+Method extremes_of(Make make) {
+  std::vector<Extreme> extremes;
+  for (const Setting& setting : settings()) {
+    const Method here = make(setting.scene);
+    const Rung rung{.spacing = spacing, .cell = setting.cell_size};
+    extremes.push_back({.name = setting.name,
+                        .make = [=] { return here.solver(rung, here.time_step(rung)); },
+                        .end = setting.end,
+                        .error = setting.error,
+                        .accurate_within = setting.accurate_within,
+                        .declared = declared_of(setting, here.name),
+                        .in_acceptance = setting.in_acceptance});
+  }
+  return meeting(make(settings().front().scene), std::move(extremes));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "Extreme scenes of water",
+      .description =
+          "Water with hardly any of it, or with much too much weight: one particle, one cell, a single row; particles on the "
+          "edges and in the corners of the domain; a hundredfold gravity; a drop in a thousand times as much nothing, one that "
+          "falls 11 m, two that collide at 4 m/s, one that is torn apart; a jet whose particles do not touch. 0.02 m from "
+          "particle to particle, four in a cell, the speed of sound 40 m/s. How each has to end is declared beforehand.",
+      .times = {1},
+      .measurements = {},
+      .methods = {extremes_of([](const Water& s) { return mpm_as_printed(s, whole, 0.4); }),
+                  extremes_of([](const Water& s) { return mpm_affine(s, whole, 0.4); }),
+                  extremes_of([](const Water& s) { return mpm_apic(s, whole); }),
+                  extremes_of([](const Water& s) { return mpm_xpic(s, whole); }),
+                  extremes_of([](const Water& s) { return sph_as_printed(s, whole, 0.2); }),
+                  extremes_of([](const Water& s) { return sph_delta(s, whole); }),
+                  extremes_of([](const Water& s) { return sph_corrected(s, whole); })},
+      .plots = {endings({"colliding drops", "a drop torn apart", "a jet of single particles", "gravity x 100"})},
+      .label = "stability",
+  };
+}

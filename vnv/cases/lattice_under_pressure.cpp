@@ -1,0 +1,123 @@
+/// Which pressures a lattice of particles bears: where it is stiff, where it is unstable under tension, and how fast.
+
+#include "vnv/plots/along_ladders.hpp"
+#include "vnv/stability/critical_step.hpp"
+#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/methods_on_lattice.hpp"
+#include "vnv/stability/spectrum.hpp"
+
+#include <fmt/format.h>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+const std::string rate_by_theory = "growth rate by linear theory, of c / spacing [-]",
+                  rate_seen = "growth rate seen, of c / spacing [-]",
+                  theory_holds = "theory and trial agree whether noise grows [-]";
+
+constexpr std::array pressures = {-0.05, -0.02, -0.005, 0.005, 0.02, 0.05, 0.2};  // of rho0 c²
+constexpr std::array in_acceptance = {-0.02, 0.05};
+
+std::string name_of_pressure(double p) { return fmt::format("p = {:g} rho c²", p); }
+
+RestingLattice lattice_for(const LatticeMethod& method, double pressure) {
+  if (method.family == Family::sph) return {.cells = 12, .pressure = pressure};
+  return {.cells = 8, .points = 2, .pressure = pressure};
+}
+
+/// With half of the step that the method chooses, so that it is the pressure that makes noise grow.
+Run under(const LatticeMethod& method, double pressure) {
+  const CostMeter meter;
+  const RestingLattice lattice = lattice_for(method, pressure);
+  const double c = RestingLattice::sound_speed,
+               courant = method.on(lattice, {}).time_step(lattice.rung()) / 2 * c / lattice.unit(),
+               lengths = courant * lattice.points;  // spacings that sound travels in a step
+  const double radius = spectrum(method.for_theory(), lattice, courant, method.every).radius;
+  const double growth = growth_per_step(simulate(method.on, lattice, noisy(lattice, 1e-8), courant),
+                                        {.low = 0, .high = 0, .steps = 4000, .speed_limit = 1e-4 * c});
+  const double seen = std::isnan(growth) ? 0 : std::log(growth) / lengths;
+  Run run;
+  run.found = {{"", 0, not_a_number, rate_by_theory, std::log(radius) / lengths},
+               {"", 0, not_a_number, rate_seen, seen},
+               {"", 0, not_a_number, theory_holds, (radius > growing) == !std::isnan(growth) ? 1.0 : 0.0}};
+  const std::string figure = "growth";
+  run.curves = {{figure, method.name(), Role::ours, {pressure}, {std::log(radius) / lengths}, false},
+                {figure, method.name() + ", seen", Role::ours, {pressure}, {seen}, true}};
+  run.summary.finished = true;
+  run.summary.outcome = "finished";
+  run.summary.cost = meter.read();
+  run.summary.cost.stepping = run.summary.cost.wall;
+  run.summary.cost.particles = lattice.across() * lattice.across();
+  run.summary.cost.steps = 4000;
+  return run;
+}
+
+Method under_pressures(const LatticeMethod& on_lattice) {
+  Method method = on_lattice.on({}, {});
+  for (const double p : pressures) {
+    Rung rung = lattice_for(on_lattice, p).rung();
+    rung.name = name_of_pressure(p);
+    rung.acceptance = std::ranges::find(in_acceptance, p) != in_acceptance.end();
+    rung.nightly = 1;
+    method.rungs.push_back(rung);
+  }
+  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+    for (const double p : pressures)
+      if (name_of_pressure(p) == rung.name) return under(on_lattice, p);
+    return under(on_lattice, 0);
+  };
+  method.tolerance = {0.1, "a growth rate is read off a line through noise"};
+  method.claims = {at_least(theory_holds, 1, theory("the spectral radius of its own linearised step"))};
+  return method;
+}
+
+/// Each run has drawn a point of each curve.
+void join_curves(const Results&, Record& record) {
+  record.figures.push_back(
+      {"growth",
+       "Growth of noise over the pressure of the fluid",
+       "Lines by linear theory, points as seen in a trial of 4000 steps; half of the step that a method "
+       "chooses. Negative pressures are tension.",
+       {"pressure / (rho c^2)"},
+       {"growth rate, spacing / c"}});
+  std::vector<Curve> joined;
+  for (const Curve& piece : record.curves) {
+    const auto same = std::ranges::find(joined, piece.label, &Curve::label);
+    if (same == joined.end()) {
+      joined.push_back(piece);
+    } else {
+      same->x.insert(same->x.end(), piece.x.begin(), piece.x.end());
+      same->y.insert(same->y.end(), piece.y.begin(), piece.y.end());
+    }
+  }
+  record.curves = std::move(joined);
+}
+
+std::vector<Method> all_methods() {
+  std::vector<Method> methods;
+  for (const LatticeMethod& method : methods_on_lattice())
+    if (!method.keeps_volume) methods.push_back(under_pressures(method));
+  return methods;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "A lattice under pressure and tension",
+      .description =
+          "Fluid at rest on a lattice that repeats along both axes, under a uniform pressure: from a tension of a twentieth of "
+          "rho c² to a pressure of a fifth. A fluid does not feel it. A lattice of particles does: kernels whose slope falls "
+          "off between neighbours pull pairs together under tension (tensile instability, Swegle, Hicks & Attaway 1995), or "
+          "under pressure (pairing). Noise of a hundred-millionth of the speed of sound grows, or does not; beside it stands "
+          "the largest eigenvalue of the method's own linearised step. Methods that keep the particles' volumes to those of "
+          "the domain take any uniform pressure away, and are not here.",
+      .times = {1},
+      .measurements = {},
+      .methods = all_methods(),
+      .plots = {join_curves},
+      .label = "stability",
+  };
+}

@@ -1,0 +1,138 @@
+/// A drop that turns for a hundred thousand steps: what a method loses or gains, and what it hides.
+
+#include "vnv/free_surface_methods.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/measures/hidden_motion.hpp"
+#include "vnv/plots/over_time.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+
+namespace {
+
+using Water = Scene<Newtonian, Uniform>;
+
+constexpr double spacing = 0.02, cell = 2 * spacing, R = 0.2, c = 40;  // m, m, m, m/s
+constexpr double turning = 0.001 * c / R;                              // 1/s  its edge moves at a thousandth of c
+constexpr double whole = 0.01;                                         // s
+const Vec2 centre(2, 2);
+
+Vectors round(const Vectors& lattice) {
+  std::vector<Eigen::Index> inside;
+  for (Eigen::Index p = 0; p < lattice.cols(); ++p)
+    if ((lattice.col(p) - centre).norm() < R) inside.push_back(p);
+  return lattice(Eigen::all, inside);
+}
+
+const Water scene{
+    .domain = {.box = {.high = {4, 4}}},
+    .fluid = {{.density = 1000, .bulk_modulus = 1000 * c * c / 7}, 1e-6},
+    .filled = {.low = centre - Vec2(R, R), .high = centre + Vec2(R, R)},
+    .body_force = {{0, 0}},
+    .start = {.velocity = [](const Vec2& x) { return Vec2(-turning * (x - centre).y(), turning * (x - centre).x()); },
+              .places = round},
+};
+
+double angular_momentum(const Samples& s) {
+  double sum = 0;
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    const Vec2 arm = s.x.col(p) - centre;
+    sum += s.mass[p] * (arm.x() * s.v(1, p) - arm.y() * s.v(0, p));
+  }
+  return sum;
+}
+
+const std::string steps_taken = "steps [-]", energy_change = "kinetic energy, change [%]",
+                  momentum_change = "angular momentum, change [%]";
+
+enum Seen { energy, momentum, hidden, closest };
+
+/// Kinetic energy [J/m], angular momentum [kg m/s], share of hidden motion, closest pair in spacings.
+std::vector<double> look(const Samples& s) {
+  return {kinetic_energy(s), angular_momentum(s), hidden_motion(s, 1.6 * spacing), closest_pair(s) / spacing};
+}
+
+std::vector<Error> drifts(const Rung& rung, const Run& run) {
+  const auto& seen = run.history.seen;
+  const Error steps{rung.name, rung.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
+  if (!run.summary.finished || seen.empty()) return {steps};
+  const auto change = [&](Seen what) { return 100 * (seen.back()[what] / seen.front()[what] - 1); };
+  double most_hidden = 0, closest_ever = seen.front()[closest];
+  for (const std::vector<double>& at : seen) {
+    most_hidden = std::max(most_hidden, 100 * at[hidden]);
+    closest_ever = std::min(closest_ever, at[closest]);
+  }
+  const auto error = [&](const std::string& quantity, double value) {
+    return Error{rung.name, rung.spacing, run.summary.end_time, quantity, value};
+  };
+  return {steps, error(energy_change, change(energy)), error(momentum_change, change(momentum)),
+          error("motion that neighbours do not share, largest [%]", most_hidden),
+          error("closest pair over spacing, least [-]", closest_ever)};
+}
+
+const std::string short_run = "10000 steps", long_run = "100000 steps";
+
+/// So many steps of the method's own choice.
+Method for_long(Method method, std::vector<Claim> claims, bool may_diverge = false) {
+  Rung rung{.name = short_run, .spacing = spacing, .cell = cell, .may_diverge = may_diverge};
+  const double dt = method.time_step(rung);
+  rung.acceptance = 10'000 * dt;
+  method.rungs = {rung};
+  rung.name = long_run;
+  rung.acceptance = 0;
+  rung.nightly = 100'000 * dt;
+  method.rungs.push_back(rung);
+  method.claims = std::move(claims);
+  method.tolerance = {0.5, "a drop under tension is a chaos of particles after some turns"};
+  return method;
+}
+
+const Claim gains_nothing = at_most(energy_change, 1, theory("nothing feeds it but the pull that tears it"));
+Claim keeps_turning(double percent) {
+  return between(momentum_change, -percent, percent,
+                 theory("affine velocities, and forces along the line between two particles, keep angular momentum"));
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  return {
+      .title = "A drop that turns for long",
+      .description =
+          "A round drop of 0.2 m, ten particles from its middle to its edge, turns as a rigid body in nothing, its edge at "
+          "a thousandth of the speed of sound, for 10000 steps, and 100000 in nightly. Nothing acts on it: its angular "
+          "momentum is for ever, its energy but for a viscosity that does nothing in a time so short. Its own rotation "
+          "pulls at it. Motion that neighbours do not share is what is left of a linear fit around each particle: modes "
+          "that the grid of a material point method does not see. Particles of SPH that pair come closer than half a "
+          "spacing.",
+      .times = {},
+      .watch = {.every = 0.05, .see = look},
+      .measurements = {drifts},
+      .methods = {for_long(mpm_as_printed(scene, whole, 0.4), {gains_nothing}),
+                  for_long(mpm_affine(scene, whole, 0.4), {gains_nothing, keeps_turning(0.1)}),
+                  for_long(mpm_apic(scene, whole), {gains_nothing, keeps_turning(0.1)}),
+                  for_long(mpm_xpic(scene, whole), {gains_nothing}),
+                  for_long(sph_as_printed(scene, whole, 0.2), {gains_nothing, keeps_turning(0.01)}),
+                  for_long(sph_delta(scene, whole), {gains_nothing, keeps_turning(0.01)}),
+                  for_long(sph_corrected(scene, whole),
+                           {at_least(steps_taken, 1000, baseline("first torn apart after 26900 steps"))}, true)},
+      .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}},
+                          energy, {short_run, long_run}),
+                over_time({"momentum",
+                           "Angular momentum",
+                           "About where the drop's middle was.",
+                           {"t [s]"},
+                           {"angular momentum [kg m/s]"}},
+                          momentum, {short_run, long_run}),
+                over_time(
+                    {"hidden",
+                     "Motion that neighbours do not share",
+                     "Root mean square of what a linear fit around each particle leaves, over that of all motion.",
+                     {"t [s]"},
+                     {.label = "share of all motion", .logarithmic = true}},
+                    hidden, {short_run, long_run}),
+                over_time({"closest", "The closest two particles", "", {"t [s]"}, {"distance / spacing"}}, closest,
+                          {short_run, long_run})},
+      .label = "stability",
+  };
+}

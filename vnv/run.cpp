@@ -1,0 +1,125 @@
+#include "vnv/run.hpp"
+
+#include "solvers/diverged.hpp"
+#include "vnv/progress.hpp"
+#include "vnv/soundness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace touchstone::vnv {
+namespace {
+
+/// A simulation that is watched as it goes.
+class Watched {
+ public:
+  Watched(Simulation simulation, const std::string& name, double end)
+      : simulation_(std::move(simulation)),
+        soundness_(simulation_.medium(), simulation_.samples()),
+        progress_(name, end) {}
+
+  /// Steps until its time is nearest to a target [s]. Throws Diverged.
+  void step_to(double target) {
+    constexpr long batch = 100;  // the clock is read once in so many steps
+    const double steps = (target - simulation_.time()) / simulation_.time_step();
+    for (long left = std::lround(std::ceil(steps - 0.5)); left > 0; left -= batch) {
+      const StopWatch watch;
+      for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
+      stepping_ += watch.seconds();
+      progress_.show(simulation_.time());
+      if (simulation_.steps() - last_look_ >= steps_between_looks) sound_samples();
+    }
+  }
+
+  /// Throws Diverged for what is no flow any more.
+  Samples sound_samples() {
+    Samples samples = simulation_.samples();
+    soundness_.require(samples, simulation_.steps());
+    last_look_ = simulation_.steps();
+    return samples;
+  }
+
+  const Simulation& simulation() const { return simulation_; }
+  long last_look() const { return last_look_; }  // the step of the last look that found it sound
+  double stepping() const { return stepping_; }  // s  wall time of all steps
+
+ private:
+  Simulation simulation_;
+  Soundness soundness_;
+  Progress progress_;
+  long last_look_ = 0;
+  double stepping_ = 0;
+};
+
+/// How the run ends when it is looked at after each step from one on that was sound; `seen` is how it ended before.
+std::string run_closely(Simulation simulation, long sound_step, const std::string& seen) {
+  try {
+    const Soundness soundness(simulation.medium(), simulation.samples());
+    for (long k = 0; k < sound_step; ++k) simulation.step();
+    for (long k = 0; k <= steps_between_looks; ++k) {
+      simulation.step();
+      soundness.require(simulation.samples(), simulation.steps());
+    }
+  } catch (const Diverged& diverged) {
+    return diverged.what();
+  }
+  return seen;  // a solver that is not the same each time
+}
+
+/// Samples at the times of the schedule, and what its watch sees, into the run.
+void sample(Watched& watched, const Schedule& when, Run& run) {
+  const double dt = run.summary.time_step;
+  std::size_t kept = 0;
+  for (long looks = 0; kept < when.times.size();) {
+    const double next_look = when.watch.see ? static_cast<double>(looks) * when.watch.every : when.times.back();
+    const double target = std::min(next_look, when.times[kept]);
+    watched.step_to(target);
+    Samples samples = watched.sound_samples();
+    if (std::abs(samples.time - target) < 1e-9 * target) samples.time = target;  // but for rounding
+    if (when.watch.see && next_look <= target + dt / 2) {
+      run.history.time.push_back(samples.time);
+      run.history.seen.push_back(when.watch.see(samples));
+      ++looks;
+    }
+    if (when.times[kept] <= target + dt / 2) {
+      run.samples.push_back(std::move(samples));
+      ++kept;
+    }
+  }
+}
+
+}  // namespace
+
+Run record(const MakeSimulation& make, const Schedule& when) {
+  if (when.watch.see && !(when.watch.every > 0 && std::isfinite(when.watch.every)))
+    throw std::invalid_argument(
+        fmt::format("{}: watch every {} s, wanted a positive time", when.name, when.watch.every));
+  Run run;
+  Watched watched(make(), when.name, when.times.back());
+  const Simulation& simulation = watched.simulation();
+  run.summary.time_step = simulation.time_step();
+  const CostMeter meter;
+  std::string fault;
+  try {
+    sample(watched, when, run);
+    run.summary.finished = true;
+    run.summary.outcome = "finished";
+  } catch (const Diverged& diverged) {
+    fault = diverged.what();
+  }
+  Cost& cost = run.summary.cost;
+  cost = meter.read();
+  cost.stepping = watched.stepping();
+  cost.harness = cost.wall - cost.stepping;
+  cost.particles = simulation.particles();
+  cost.boundary_particles = simulation.boundary_particles();
+  cost.steps = simulation.steps();
+  run.summary.end_time = run.summary.finished ? when.times.back() : simulation.time();
+  if (!run.summary.finished) run.summary.outcome = run_closely(make(), watched.last_look(), fault);
+  return run;
+}
+
+}  // namespace touchstone::vnv

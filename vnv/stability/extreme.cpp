@@ -1,0 +1,102 @@
+#include "vnv/stability/extreme.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace touchstone::vnv {
+namespace {
+
+const std::string ending_met = "ending: 0 refused, 1 diverged, 2 stable, 3 accurate [-]",
+                  ending_declared = "ending declared [-]", error_at_end = "error at the end [%]";
+
+Run meet(const Extreme& extreme, const Schedule& when) {
+  Run run;
+  Ending ending = Ending::diverged;
+  double error = not_a_number;
+  try {
+    run = record(extreme.make, {.times = {extreme.end}, .watch = {}, .name = when.name});
+    if (run.summary.finished) {
+      if (extreme.error) error = extreme.error(run.samples.back());
+      ending = error <= extreme.accurate_within ? Ending::accurate : Ending::stable;
+    }
+  } catch (const std::invalid_argument& refusal) {
+    ending = Ending::refused;
+    run.summary.outcome = refusal.what();
+    run.summary.cost.steps = 1;  // none, but nothing divides by it
+  }
+  const bool is_met = extreme.declared < Ending::stable ? ending == extreme.declared : ending >= extreme.declared;
+  run.found = {{"", 0, not_a_number, ends_as_declared, is_met ? 1.0 : 0.0},
+               {"", 0, not_a_number, ending_met, static_cast<double>(ending)},
+               {"", 0, not_a_number, ending_declared, static_cast<double>(extreme.declared)}};
+  if (std::isfinite(error)) run.found.push_back({"", 0, not_a_number, error_at_end, error});
+  return run;
+}
+
+double value_of(const Run& run, const std::string& quantity) {
+  for (const Error& e : run.found)
+    if (e.quantity == quantity) return e.value;
+  return not_a_number;
+}
+
+std::string words_of(double ending) { return std::string(name_of(static_cast<Ending>(static_cast<int>(ending)))); }
+
+}  // namespace
+
+std::string_view name_of(Ending ending) {
+  constexpr std::array names{"refused", "diverged", "stable", "accurate"};
+  return names[static_cast<std::size_t>(ending)];
+}
+
+Method meeting(Method method, std::vector<Extreme> extremes) {
+  method.claims = {at_least(ends_as_declared, 1, theory("what a method is made for says how a scene has to end"))};
+  method.tolerance = {1.0, "how far off a run is that need not be right"};
+  for (const Extreme& extreme : extremes)
+    method.rungs.push_back({.name = extreme.name,
+                            .spacing = 1,
+                            .acceptance = extreme.in_acceptance ? extreme.end : 0,
+                            .nightly = extreme.end,
+                            .may_diverge = true});
+  method.run = [extremes = std::move(extremes)](const Rung& rung, const Schedule& when) {
+    const auto named = std::ranges::find(extremes, rung.name, &Extreme::name);
+    if (named == extremes.end()) throw std::invalid_argument(fmt::format("no scene '{}'", rung.name));
+    return meet(*named, when);
+  };
+  return method;
+}
+
+Plot endings(std::vector<std::string> drawn) {
+  return [=](const Results& results, Record& record) {
+    Table table{"endings",
+                "How each scene ends",
+                "Expected, as declared beforehand, and seen; the error where something exact is known.",
+                {"scene", "method", "expected", "seen", "error [%]", "in words"},
+                {}};
+    for (const Run& run : results.runs)
+      table.rows.push_back({run.summary.rung, results.method.name, words_of(value_of(run, ending_declared)),
+                            words_of(value_of(run, ending_met)), value_of(run, error_at_end), run.summary.outcome});
+    record.tables.push_back(std::move(table));
+    for (const std::string& scene : drawn) {
+      const Run* run = results.run(scene);
+      if (!run || run->samples.empty()) continue;
+      std::string id = "picture_" + scene;
+      std::ranges::replace(id, ' ', '_');
+      Figure figure{id, scene, "Particles at the end, coloured by their speed.", {"x [m]"}, {"y [m]"}, {"speed [m/s]"}};
+      figure.equal_axes = true;
+      record.figures.push_back(figure);
+      const Samples& s = run->samples.back();
+      Cloud cloud{id, results.method.name, fmt::format("t = {:.2g} s", s.time), {}, {}, {}};
+      for (Eigen::Index p = 0; p < s.size(); ++p) {
+        cloud.x.push_back(s.x(0, p));
+        cloud.y.push_back(s.x(1, p));
+        cloud.colour.push_back(s.v.col(p).norm());
+      }
+      record.clouds.push_back(std::move(cloud));
+    }
+  };
+}
+
+}  // namespace touchstone::vnv

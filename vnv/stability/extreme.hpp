@@ -1,0 +1,36 @@
+#pragma once
+/// Scenes that no method is made for, each with the ending that is expected of a method, declared beforehand.
+
+#include "vnv/case.hpp"
+
+#include <map>
+
+namespace touchstone::vnv {
+
+/// How a run ends: refused when it is set up, with one line; diverged, and said so; stable to its end; or accurate,
+/// too.
+enum class Ending { refused, diverged, stable, accurate };
+std::string_view name_of(Ending ending);
+
+/// A scene for one method.
+struct Extreme {
+  std::string name;
+  MakeSimulation make;
+  double end;                                     // s
+  std::function<double(const Samples&)> error{};  // %  at the end; none where nothing exact is known
+  double accurate_within = 0;                     // %
+  Ending declared = Ending::stable;
+  bool in_acceptance = true;
+  bool is_drawn = false;  // its particles at the end
+};
+
+inline const std::string ends_as_declared = "ends as declared [-]";
+
+/// A method and what it is to meet: each scene a rung, the claim that it ends as declared, a table of endings and
+/// pictures of those that are drawn.
+Method meeting(Method method, std::vector<Extreme> extremes);
+
+/// The table and the pictures; all methods of a case share them.
+Plot endings(std::vector<std::string> drawn);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,144 @@
+#include "vnv/stability/methods_on_lattice.hpp"
+
+#include "vnv/channel.hpp"
+#include "vnv/free_surface_methods.hpp"
+
+#include <stdexcept>
+
+namespace touchstone::vnv {
+namespace {
+
+constexpr double whole = 1;   // s
+constexpr int restores = 30;  // steps  between two restorations of density in printed SPH
+
+/// A method of methods.hpp or free_surface_methods.hpp; the latter are compiled for scenes with a force.
+template <class Make>
+OnLattice plain(Make make) {
+  return [=](const RestingLattice& lattice, const Start& start) { return make(lattice.scene(start)); };
+}
+template <class Make>
+OnLattice forced(Make make) {
+  return [=](const RestingLattice& lattice, const Start& start) {
+    return make(lattice.scene(start, Uniform{Vec2::Zero()}));
+  };
+}
+
+/// A method of the channels, in steps of a share of a spacing.
+template <class MakeSolver>
+OnLattice of_channel(const std::string& name, const std::string& words, double share, MakeSolver solver) {
+  return [=](const RestingLattice& lattice, const Start& start) {
+    const Scene<Newtonian> scene = lattice.scene(start);
+    return simulating(
+        {.name = name, .description = words, .tolerance = stretched, .relative_cost = 2},
+        [=](const Rung& rung, double time_step) { return solver(scene, rung, time_step); },
+        by_spacings(scene, share, whole));
+  };
+}
+
+/// Artificial viscosity acts between particles that close in and not between those that part: at rest it has no
+/// derivative. In a wave each pair does both, half of the time, so linear theory has half of it at all times.
+struct HalfOfArtificialViscosity : sph::ArtificialViscosity {
+  template <class Real>
+  sph::Pull<Real> pull(const sph::Pair<Real>& ij, const Real& per_divisor) const {
+    const Real c = ij.mass * ij.slope * sph::Number<Real>(alpha * sound_speed * h) * ij.approach() * per_divisor;
+    return {c * ij.x, c * ij.y};
+  }
+  template <class Real>
+  sph::Pull<Real> operator()(const sph::Pair<Real>& ij) const {
+    return pull(ij, Real(1 / divisor(ij)));
+  }
+};
+
+/// The same, whole.
+struct WholeArtificialViscosity : sph::ArtificialViscosity {};
+
+/// Printed SPH with one of the pressure terms and one of the artificial viscosities.
+template <class PressureTerm, class Artificial>
+OnLattice printed_with(const std::string& name, const std::string& words) {
+  return of_channel(name, words, 0.25, [](const Scene<Newtonian>& scene, const Rung& rung, double time_step) {
+    const double h = rung.smoothing_or(1.2 * rung.spacing);
+    return sph::printed<sph::CubicSpline>(
+        scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+        sph::momentum(PressureTerm{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
+                      Artificial{{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}}));
+  });
+}
+template <class PressureTerm>
+OnLattice linear_printed() {
+  return printed_with<PressureTerm, HalfOfArtificialViscosity>("linear", "");
+}
+
+}  // namespace
+
+std::vector<LatticeMethod> methods_on_lattice() {
+  using Still = Scene<Newtonian>;
+  using Forced = Scene<Newtonian, Uniform>;
+  std::vector<LatticeMethod> all = {
+      {Family::mpm, plain([](const Still& s) { return mpm_as_printed(s, whole); })},
+      {Family::mpm, plain([](const Still& s) { return mpm_affine(s, whole); })},
+      {Family::mpm, forced([](const Forced& s) { return mpm_apic(s, whole); })},
+      {Family::mpm, forced([](const Forced& s) { return mpm_xpic(s, whole); })},
+      {Family::mpm, plain([](const Still& s) { return mpm_least_squares(s, whole); }), true},
+      {Family::sph, plain([](const Still& s) { return sph_as_printed(s, whole); }), false, restores,
+       linear_printed<sph::Pressure>()},
+      {Family::sph,
+       printed_with<sph::PressureDifference, WholeArtificialViscosity>(
+           "sph_difference", channel::sph_printed_words + channel::difference_words),
+       false, restores, linear_printed<sph::PressureDifference>()},
+      {.family = Family::sph,
+       .on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
+                        [](const Still& s, const Rung& rung, double time_step) {
+                          return channel::transport_solver(s, rung, time_step);
+                        }),
+       .one_kernel = true},
+      {.family = Family::sph,
+       .on = of_channel("sph_one_evaluation",
+                        channel::sph_regularised_words +
+                            " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.",
+                        0.5,
+                        [](const Still& s, const Rung& rung, double time_step) {
+                          return channel::transport_solver<AdamsBashforth>(s, rung, time_step);
+                        }),
+       .one_kernel = true},
+      {Family::sph, plain([](const Still& s) { return sph_transport_velocity(s, whole); })},
+      {Family::sph, plain([](const Still& s) { return sph_second_order(s, whole); })},
+      {Family::sph, forced([](const Forced& s) { return sph_delta(s, whole); })},
+      {Family::sph, forced([](const Forced& s) { return sph_corrected(s, whole); })},
+      {Family::sph, plain([](const Still& s) { return sph_shifted(s, whole); })},
+  };
+  // A grid is at rest, and so is what the drift of the transport velocity carries.
+  for (LatticeMethod& method : all) {
+    const std::string name = method.name();
+    method.keeps_volume = method.one_kernel || name == "sph_transport_velocity";
+    method.claims_to_be_galilean =
+        name == "mpm_least_squares" || (method.family == Family::sph && name != "sph_transport_velocity");
+  }
+  return all;
+}
+
+std::vector<LatticeMethod> methods_in_single_precision() {
+  using Still = Scene<Newtonian>;
+  const OnLattice mpm = [](const RestingLattice& lattice, const Start& start) {
+    const Still scene = lattice.scene(start);
+    return simulating(
+        {.name = "mpm_float", .description = channel::mpm_words + channel::float_words, .tolerance = stretched},
+        [=](const Rung& rung, double time_step) {
+          return channel::mpm_solver<mpm::PrescribedMotion, float>(scene, rung, time_step);
+        },
+        by_cells(scene, 0.5, whole));
+  };
+  return {{Family::mpm, mpm},
+          {Family::sph,
+           of_channel("sph_regularised_float", channel::sph_regularised_words + " Sums over pairs in single precision.",
+                      0.5, [](const Still& s, const Rung& rung, double time_step) {
+                        return channel::transport_solver<KickDriftKick, float>(s, rung, time_step);
+                      })}};
+}
+
+LatticeMethod method_on_lattice(const std::string& name) {
+  for (LatticeMethod& method : methods_on_lattice())
+    if (method.name() == name) return method;
+  throw std::invalid_argument(fmt::format("stability: no method '{}' on a lattice", name));
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,35 @@
+#pragma once
+/// All methods of the project on a resting lattice.
+
+#include "vnv/stability/resting_lattice.hpp"
+
+namespace touchstone::vnv {
+
+enum class Family { mpm, sph };
+
+/// A method, and which lattices it is asked for: of MPM so many particles across a cell.
+struct LatticeMethod {
+  Family family;
+  OnLattice on;
+  bool fits = false;   // needs several particles in a cell
+  int every = 1;       // steps  after which it does again what it does in turn, as to restore densities
+  OnLattice linear{};  // what linear theory is asked of instead, where the method has no derivative at rest
+
+  bool one_kernel = false;             // has a ratio of h to the spacing that it is not asked to change
+  bool keeps_volume = false;           // takes a uniform pressure away, since the fluid fills its domain
+  bool claims_to_be_galilean = false;  // that all is the same for one who is carried along
+
+  const OnLattice& for_theory() const { return linear ? linear : on; }
+
+  std::string name() const { return on({}, {}).name; }
+};
+
+std::vector<LatticeMethod> methods_on_lattice();
+
+/// Those whose particles, or sums over pairs, are in single precision: rounding hides what linear theory asks for.
+std::vector<LatticeMethod> methods_in_single_precision();
+
+/// The one of a name, in double precision. Throws std::invalid_argument for a name that none has.
+LatticeMethod method_on_lattice(const std::string& name);
+
+}  // namespace touchstone::vnv
