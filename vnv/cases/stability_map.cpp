@@ -10,6 +10,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -26,8 +27,8 @@ constexpr double c = RestingLattice::sound_speed;
 constexpr double U = 0.01 * c;         // m/s  of the wave
 constexpr double inaccurate_from = 5;  // %  of the velocity at the end of a trial
 
-enum class Ending { right, inaccurate, unstable };
-constexpr std::array names{"stable", "stable, but off by more than 5 %", "unstable"};
+enum class Ending { right, unstable, inaccurate };
+constexpr std::array names{"stable", "unstable", "stable, but off by more than 5 %"};
 
 RestingLattice lattice_for(const LatticeMethod& method, double reynolds) {
   if (method.family == Family::sph) return {.cells = 16, .reynolds = reynolds};
@@ -116,36 +117,59 @@ Run finished(const CostMeter& meter) {
   return run;
 }
 
-/// Sound travels `acoustic` unit cells in a step, and momentum diffuses over sqrt(`viscous`) of them.
+/// The lattice on which sound travels `acoustic` unit cells in a step while momentum diffuses over sqrt(`viscous`) of
+/// them.
+RestingLattice lattice_at(const LatticeMethod& method, double acoustic, double viscous) {
+  return lattice_for(method, acoustic / viscous / lattice_for(method, 1).points);
+}
+
+/// Whether linear theory says that noise grows; on few cells, so that no kernel meets itself.
+bool grows(const LatticeMethod& method, double acoustic, double viscous) {
+  RestingLattice few = lattice_at(method, acoustic, viscous);
+  few.cells = method.family == Family::sph ? 10 : 8;
+  return spectrum(method.for_theory(), few, acoustic, method.every).radius > growing;
+}
+
+/// Where, between two numbers, something becomes true, to a fiftieth; nothing if it is at the lower or is not at the
+/// upper.
+template <class Predicate>
+std::optional<double> boundary(double low, double high, Predicate is_beyond) {
+  if (is_beyond(low) || !is_beyond(high)) return std::nullopt;
+  while (high > 1.02 * low) (is_beyond(std::sqrt(low * high)) ? high : low) = std::sqrt(low * high);
+  return std::sqrt(low * high);
+}
+
 Run map_of_courant_numbers(const LatticeMethod& method) {
   const CostMeter meter;
-  Map map(figure_of(over_courant_numbers, method));
-  Curve theory{figure_of(over_courant_numbers, method), "limit by linear theory", Role::exact, {}, {}, false};
+  const std::string figure = figure_of(over_courant_numbers, method);
+  Map map(figure);
+  Curve theory{figure, "limit by linear theory", Role::exact, {}, {}, false};
   const std::vector<double> acoustic = rising(0.1, 6, 14), viscous = rising(0.003, 3, 11);
   double agree = 0;
   for (const double v : viscous) {
-    const auto lattice_at = [&](double a) { return lattice_for(method, a / v / lattice_for(method, 1).points); };
-    const auto grows = [&](double a) {
-      RestingLattice few = lattice_at(a);
-      few.cells = method.family == Family::sph ? 10 : 8;  // no kernel meets itself
-      return spectrum(method.for_theory(), few, a, method.every).radius > growing;
-    };
-    double low = acoustic.front(), high = acoustic.back();
-    if (!grows(low) && grows(high)) {
-      while (high > 1.02 * low) (grows(std::sqrt(low * high)) ? high : low) = std::sqrt(low * high);
-      theory.x.push_back(std::sqrt(low * high));
+    const std::optional<double> limit =
+        boundary(acoustic.front(), acoustic.back(), [&](double a) { return grows(method, a, v); });
+    if (limit) {
+      theory.x.push_back(*limit);
       theory.y.push_back(v);
-    } else {
-      low = high = grows(low) ? acoustic.front() / 2 : 2 * acoustic.back();
     }
+    const double stable_to = limit.value_or(grows(method, acoustic.front(), v) ? 0 : INFINITY);
     for (const double a : acoustic) {
-      const RestingLattice lattice = lattice_at(a);
+      const RestingLattice lattice = lattice_at(method, a, v);
       const double nu = c * RestingLattice::spacing / lattice.reynolds;
       const Ending ending = tried(simulate(method.on, lattice, wave_on(lattice), a), lattice.side(), nu);
       map.add(a, v, ending);
-      agree += (ending == Ending::unstable) == (a > low);
+      agree += (ending == Ending::unstable) == (a > stable_to);
     }
   }
+  // The other side of the boundary, where it is viscosity that ends it.
+  for (auto a = acoustic.rbegin(); a != acoustic.rend() && !theory.y.empty(); ++a)
+    if (*a < theory.x.back())
+      if (const auto limit =
+              boundary(theory.y.back(), viscous.back(), [&](double v) { return grows(method, *a, v); })) {
+        theory.x.push_back(*a);
+        theory.y.push_back(*limit);
+      }
   Run run = finished(meter);
   map.give_to(run);
   run.curves.push_back(theory);

@@ -29,6 +29,7 @@ Run meet(const Extreme& extreme, const Schedule& when) {
     run.summary.cost.steps = 1;  // none, but nothing divides by it
   }
   const bool is_met = extreme.declared < Ending::stable ? ending == extreme.declared : ending >= extreme.declared;
+  run.summary.finished = is_met;  // it ended as it was meant to; the outcome says how
   run.found = {{"", 0, not_a_number, ends_as_declared, is_met ? 1.0 : 0.0},
                {"", 0, not_a_number, ending_met, static_cast<double>(ending)},
                {"", 0, not_a_number, ending_declared, static_cast<double>(extreme.declared)}};
@@ -75,9 +76,12 @@ Plot endings(std::vector<std::string> drawn) {
                 "Expected, as declared beforehand, and seen; the error where something exact is known.",
                 {"scene", "method", "expected", "seen", "error [%]", "in words"},
                 {}};
-    for (const Run& run : results.runs)
+    for (const Run& run : results.runs) {
+      const double error = value_of(run, error_at_end);
       table.rows.push_back({run.summary.rung, results.method.name, words_of(value_of(run, ending_declared)),
-                            words_of(value_of(run, ending_met)), value_of(run, error_at_end), run.summary.outcome});
+                            words_of(value_of(run, ending_met)), std::isfinite(error) ? Cell(error) : Cell("–"),
+                            run.summary.outcome});
+    }
     record.tables.push_back(std::move(table));
     for (const std::string& scene : drawn) {
       const Run* run = results.run(scene);
