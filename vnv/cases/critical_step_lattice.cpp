@@ -37,8 +37,8 @@ std::vector<Arrangement> arrangements(const LatticeMethod& method) {
   std::vector<Arrangement> all;
   if (!method.fits) all.push_back({"1 per cell", {.cells = 8}, true});
   all.push_back({"4 per cell", {.cells = 8, .points = 2}, true});
-  all.push_back({"9 per cell", {.cells = 6, .points = 3}});
   if (!method.fits) {
+    all.push_back({"9 per cell", {.cells = 6, .points = 3}});
     all.push_back({"1 per cell, a quarter off its middle", {.cells = 8, .shift = {0.25, 0.25}}});
     all.push_back({"4 per cell, a quarter of a spacing off", {.cells = 8, .points = 2, .shift = {0.25, 0.25}}});
   }
@@ -90,10 +90,11 @@ Run compare(const LatticeMethod& method, const RestingLattice& lattice) {
 Method limits_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
   method.tolerance = {0.03, "a change that moves a stability limit by more than 3 % is one to be accepted"};
-  method.claims = {
-      between(measured_over_theory, 0.95, 1.05, theory("the spectral radius of its own linearised step")),
-      between(growth_over_theory, 0.9, 1.1, theory("the same; read off noise in which other waves grow as well")),
-      at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"))};
+  method.claims = {between(measured_over_theory, 0.95, 1.05, theory("the spectral radius of its own linearised step")),
+                   at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"))};
+  if (!on_lattice.linear)  // half of an artificial viscosity is too little to tell how fast a slow growth is
+    method.claims.push_back(
+        between(growth_over_theory, 0.9, 1.1, theory("the same; read off noise in which other waves grow as well")));
   for (const Arrangement& a : arrangements(on_lattice)) {
     Rung rung = a.lattice.rung();
     rung.name = a.name;
