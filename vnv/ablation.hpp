@@ -37,7 +37,7 @@ inline const std::string critical_step_found = "critical time step [us]";
 inline Run run_and_search(const SolverWith& solver_with, double time_step, const Schedule& when,
                           const StepSearch& search) {
   Run run = record([&] { return solver_with(time_step); }, when);
-  run.found = {{"", 0, not_a_number, critical_step_found, largest_step(solver_with, search) / us}};
+  run.add(critical_step_found, largest_step(solver_with, search) / us);
   return run;
 }
 

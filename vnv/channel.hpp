@@ -155,6 +155,8 @@ inline const std::string sph_regularised_words =
     "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with "
     "h = 1 spacing, continuity density, pressure differences, viscosity of Morris, Fox & Zhu (1997), wall velocities mirrored "
     "(Adami, Hu & Adams 2012), kick-drift-kick with twice the paper's time step.";
+inline const std::string one_evaluation_words =
+    " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.";
 
 /// How much larger an error is at 10 s than at 1 s, for runs that go so far.
 inline const std::string growth = "L2 v_x, per particle, at 10 s over that at 1 s [-]";

@@ -113,8 +113,7 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
           },
           {
               .name = "sph_one_evaluation",
-              .description = sph_regularised_words +
-                             " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.",
+              .description = sph_regularised_words + one_evaluation_words,
               .run = sph_with_transport_velocity<AdamsBashforth>(scene),
               .rungs = one_evaluation,
               .claims = claims.at("sph_one_evaluation"),

@@ -5,9 +5,11 @@
 #include "vnv/record.hpp"
 #include "vnv/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::vnv {
@@ -39,6 +41,16 @@ struct Run {
   std::vector<Error> found{};   // values that the run itself measured, such as a critical time step
   std::vector<Curve> curves{};  // that the run itself drew, of figures that a plot of the case declares
 
+  /// Adds a value that the run itself measured.
+  void add(std::string_view quantity, double value) {
+    found.push_back({"", 0, not_a_number, std::string(quantity), value});
+  }
+  /// Such a value; not a number if there is none.
+  double value_of(std::string_view quantity) const {
+    const auto named = std::ranges::find(found, quantity, &Error::quantity);
+    return named == found.end() ? not_a_number : named->value;
+  }
+
   /// The samples at a time [s], or null. Times agree to half a time step.
   const Samples* at(double time) const {
     for (const Samples& s : samples)
@@ -51,6 +63,10 @@ struct Run {
 /// particles every few hundred steps, and a run that is no flow any more is made again up to the last look, and on
 /// step by step, so that what it ends with names the first step and the particle.
 Run record(const MakeSimulation& make, const Schedule& when);
+
+/// A run that is made of many simulations, to find something out: what they cost together, by the meter, the number
+/// of their particles and the steps of all.
+Run run_of_trials(const CostMeter& meter, long particles, long boundary_particles, long steps);
 
 /// How often the watch looks [steps]: each look costs about as much as a step or two.
 inline constexpr long steps_between_looks = 500;

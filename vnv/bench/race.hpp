@@ -23,10 +23,6 @@ inline std::string time_of(SubStep part) {
   return std::string(names_of_sub_steps[static_cast<std::size_t>(part)]) + " [ns per particle-step]";
 }
 
-inline void found(vnv::Run& run, std::string_view quantity, double value) {
-  run.found.push_back({"", 0, vnv::not_a_number, std::string(quantity), value});
-}
-
 /// A run whose cost is that of the median step.
 template <class Solver>
 vnv::Run run_of(const Solver& solver, double per_step) {
@@ -43,7 +39,7 @@ vnv::Run run_of(const Solver& solver, double per_step) {
 inline void found_laps(vnv::Run& run, const vnv::LapClock& laps, double per_particle_step) {
   for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
     if (const double share = laps.per_step(SubStep(k)) / laps.per_step(); share > 0)
-      found(run, time_of(SubStep(k)), 1e9 * share * per_particle_step);
+      run.add(time_of(SubStep(k)), 1e9 * share * per_particle_step);
 }
 
 /// A solver against a plain loop, after `lead` steps of both.
@@ -54,11 +50,11 @@ vnv::Run race(Solver solver, Loop loop, long lead = 0, const Effort& effort = {}
   const Times times = time_in_turn({[&] { solver.step(); }, [&] { loop.step(); }, [&] { laps.step(solver); }}, effort);
   vnv::Run run = run_of(solver, times.of(0));
   const double each = times.of(0) / static_cast<double>(solver.particles());
-  found(run, faster, times.ratio(1, 0));
-  found(run, spread, 100 * times.spread(1, 0));
-  found(run, solver_time, 1e9 * each);
-  found(run, loop_time, 1e9 * times.of(1) / static_cast<double>(loop.particles().size()));
-  found(run, lap_cost, times.ratio(2, 0));
+  run.add(faster, times.ratio(1, 0));
+  run.add(spread, 100 * times.spread(1, 0));
+  run.add(solver_time, 1e9 * each);
+  run.add(loop_time, 1e9 * times.of(1) / static_cast<double>(loop.particles().size()));
+  run.add(lap_cost, times.ratio(2, 0));
   found_laps(run, laps, each);
   return run;
 }
@@ -70,8 +66,8 @@ vnv::Run race_with_rates(Solver solver, Loop loop, int per_step, const Effort& e
   vnv::LapClock laps;
   const Times times = time_in_turn({[&] { laps.step(solver); }, [&] { loop.find_rates(); }}, effort);
   const double share = (laps.per_step(SubStep::pairs) + laps.per_step(SubStep::rates)) / laps.per_step();
-  found(run, faster_rates, times.ratio(1, 0) / share * per_step);
-  found(run, scaled_rate, 1e3 * times.ratio(1, 0) / plain_rates_where_peers_ran);
+  run.add(faster_rates, times.ratio(1, 0) / share * per_step);
+  run.add(scaled_rate, 1e3 * times.ratio(1, 0) / plain_rates_where_peers_ran);
   return run;
 }
 

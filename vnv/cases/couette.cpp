@@ -105,8 +105,8 @@ Case vnv::the_case() {
                .claims = {between(l2_rows, 1.35, 5, theory("an elastic lattice: above Sun et al., table 4, S1"))
                               .on("S1")
                               .at(1),
-                          order_between(spacing_ladder, l2_rows, -0.6, 0,
-                                        theory("grows worse: the lattice is elastic at any spacing"))
+                          order_between(spacing_ladder, l2_rows, -0.6,
+                                        0, theory("grows worse: the lattice is elastic at any spacing"))
                               .at(1)
                               .over(3)},
                .tolerance = stretched,

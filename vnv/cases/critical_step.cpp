@@ -1,6 +1,8 @@
 /// The largest stable time step of each method in Poiseuille flow, beside the Courant limit (31) of Sun et al.
 
 #include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/channel.hpp"
 #include "vnv/stability/critical_step.hpp"
@@ -40,6 +42,25 @@ const Claim papers_step = at_least(stable_end, 5, literature("Sun et al. run eve
 
 constexpr double whole = 0.05;  // s  of which the steps that methods choose divide
 
+/// Searches with a solver of the channels; (31) is that of a cell, or of so many spacings.
+template <class MakeSolver>
+auto searching(MakeSolver solver, double spacings = 0) {
+  return [=](const Rung& rung, const Schedule&) {
+    return search_critical_step([&](double time_step) { return solver(scene, rung, time_step); }, search,
+                                spacings > 0 ? spacings * rung.spacing : rung.cell, water.sound_speed());
+  };
+}
+
+constexpr bool nightly_alone = true;
+Rung rung_of_mpm(const std::string& name, double spacing, bool in_nightly_alone = false) {
+  const double others = in_nightly_alone ? 0 : 1;
+  return {.name = name, .spacing = spacing, .cell = H / 40, .acceptance = others, .report = others, .nightly = 1};
+}
+Rung rung_of_sph(const std::string& name, double spacing, bool in_nightly_alone = false) {
+  const double others = in_nightly_alone ? 0 : 1;
+  return {.name = name, .spacing = spacing, .acceptance = name == "S1" ? others : 0, .report = others, .nightly = 1};
+}
+
 /// A method that chooses its step itself; in MPM with four particles in a cell.
 Method limits_of(Method method) {
   const auto solver = method.solver;
@@ -67,52 +88,58 @@ Case vnv::the_case() {
           "(SPH) over the sound speed at rest.",
       .times = {1},
       .measurements = {},
-      .methods =
-          {{
-               .name = "mpm",
-               .description = mpm_words + moving_words,
-               .run =
-                   [](const Rung& rung, const Schedule&) {
-                     return search_critical_step(
-                         [&](double time_step) { return mpm_solver<mpm::PrescribedMotion>(scene, rung, time_step); },
-                         search, rung.cell, water.sound_speed());
-                   },
-               .rungs = {{.name = "M1", .spacing = H / 40, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
-                         {.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 1, .report = 1, .nightly = 1}},
-               .claims = {courant, papers_step},
-               .tolerance = one_bisection,
-           },
-           {
-               .name = "sph",
-               .description = sph_printed_words + conservative_words,
-               .run =
-                   [](const Rung& rung, const Schedule&) {
-                     return search_critical_step(
-                         [&](double time_step) { return printed_solver(scene, rung, time_step); }, search,
-                         1.2 * rung.spacing, water.sound_speed());
-                   },
-               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
-                         {.name = "S2", .spacing = H / 80, .report = 1, .nightly = 1}},
-               .claims = {morris, papers_step},
-               .tolerance = one_bisection,
-           },
-           {
-               .name = "sph_regularised",
-               .description = sph_regularised_words,
-               .run =
-                   [](const Rung& rung, const Schedule&) {
-                     return search_critical_step(
-                         [&](double time_step) { return transport_solver(scene, rung, time_step); }, search,
-                         rung.spacing, water.sound_speed());
-                   },
-               .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 1, .report = 1, .nightly = 1},
-                         {.name = "S2", .spacing = H / 80, .report = 1, .nightly = 1}},
-               .claims = {morris, papers_step},
-               .tolerance = one_bisection,
-           },
-           limits_of(vnv::mpm_affine(scene, whole)),
-           limits_of(vnv::mpm_least_squares(scene, whole)),
-           limits_of(vnv::sph_second_order(scene, whole))},
+      .methods = {{
+                      .name = "mpm",
+                      .description = mpm_words + moving_words,
+                      .run = searching([](const auto&... of) { return mpm_solver<mpm::PrescribedMotion>(of...); }),
+                      .rungs = {rung_of_mpm("M1", H / 40), rung_of_mpm("M2", H / 80)},
+                      .claims = {courant, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  {
+                      .name = "mpm_reset",
+                      .description = mpm_words + reset_words,
+                      .run = searching([](const auto&... of) { return mpm_solver<mpm::VelocityReset>(of...); }),
+                      .rungs = {rung_of_mpm("M1", H / 40, nightly_alone), rung_of_mpm("M2", H / 80, nightly_alone)},
+                      .claims = {courant, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  {
+                      .name = "sph",
+                      .description = sph_printed_words + conservative_words,
+                      .run = searching([](const auto&... of) { return printed_solver(of...); }, 1.2),
+                      .rungs = {rung_of_sph("S1", H / 40), rung_of_sph("S2", H / 80)},
+                      .claims = {morris, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  {
+                      .name = "sph_difference",
+                      .description = sph_printed_words + difference_words,
+                      .run = searching([](const auto&... of) { return printed_solver<sph::PressureDifference>(of...); },
+                                       1.2),
+                      .rungs = {rung_of_sph("S1", H / 40, nightly_alone)},
+                      .claims = {morris, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  {
+                      .name = "sph_regularised",
+                      .description = sph_regularised_words,
+                      .run = searching([](const auto&... of) { return transport_solver(of...); }, 1),
+                      .rungs = {rung_of_sph("S1", H / 40), rung_of_sph("S2", H / 80)},
+                      .claims = {morris, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  {
+                      .name = "sph_one_evaluation",
+                      .description = sph_regularised_words + one_evaluation_words,
+                      .run = searching([](const auto&... of) { return transport_solver<AdamsBashforth>(of...); }, 1),
+                      .rungs = {rung_of_sph("S1", H / 40, nightly_alone)},
+                      .claims = {morris, papers_step},
+                      .tolerance = one_bisection,
+                  },
+                  limits_of(vnv::mpm_affine(scene, whole)),
+                  limits_of(vnv::mpm_least_squares(scene, whole)),
+                  limits_of(vnv::sph_second_order(scene, whole))},
       .label = "stability",
   };
 }

@@ -9,8 +9,6 @@ using namespace touchstone::vnv::water_at_rest;
 
 namespace {
 
-const std::string chosen = "step chosen over largest stable [-]";
-
 /// Water at rest never moves at a twentieth of the speed of a wave on it; 2000 steps are some 2 s.
 const double speed_limit = 0.05 * std::sqrt(g * depth);
 
@@ -23,34 +21,14 @@ Method limits_of(Method method) {
     Run run =
         search_critical_step([&](double time_step) { return solver(rung, time_step); },
                              {.low = 0.05 * a_length, .high = 8 * a_length, .speed_limit = speed_limit}, length, c);
-    run.found.push_back({"", 0, not_a_number, chosen, own_step(rung) / run.summary.time_step});
+    run.add(step_chosen, own_step(rung) / run.summary.time_step);
     return run;
   };
   method.rungs = {{.name = "20 across", .spacing = depth / 20, .cell = depth / 10, .acceptance = 1, .nightly = 1},
                   {.name = "40 across", .spacing = depth / 40, .cell = depth / 20, .nightly = 1}};
-  method.tolerance = {0.03, "a change that moves a stability limit by more than 3 % is one to be accepted"};
-  method.claims = {at_most(chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"))};
+  method.tolerance = moved_limit;
+  method.claims = {chosen_is_stable};
   return method;
-}
-
-void tabulate(const Results& results, Record& record) {
-  Table table{
-      "limits",
-      "Largest stable step in water at rest",
-      "In lengths that sound travels, cells of MPM with four particles each and spacings of SPH; growth is that of "
-      "the fastest particle's speed in a step that is longer by a twentieth.",
-      {"method", "particles", "stable [us]", "unstable [us]", "stable, c dt / length", "chosen / stable", "growth"},
-      {}};
-  for (const Run& run : results.runs) {
-    const auto value = [&](const std::string& quantity) {
-      for (const Error& e : run.found)
-        if (e.quantity == quantity) return e.value;
-      return not_a_number;
-    };
-    table.rows.push_back({results.method.name, run.summary.rung, value(stable_end), value(unstable_end),
-                          value(over_courant), value(chosen), value(growth_beyond)});
-  }
-  record.tables.push_back(std::move(table));
 }
 
 }  // namespace
@@ -67,7 +45,12 @@ Case vnv::the_case() {
       .measurements = {},
       .methods = {limits_of(printed(scene)), limits_of(affine(scene)), limits_of(apic(scene)), limits_of(xpic(scene)),
                   limits_of(printed_sph(scene)), limits_of(delta(scene))},
-      .plots = {tabulate},
+      .plots = {limits_table("Largest stable step in water at rest", words_of_limits, "particles",
+                             {{"stable [us]", stable_end},
+                              {"unstable [us]", unstable_end},
+                              {"stable, c dt / length", over_courant},
+                              {"chosen / stable", step_chosen},
+                              {"growth", growth_beyond}})},
       .label = "stability",
   };
 }

@@ -39,9 +39,8 @@ auto scale(Make make) {
     const int rounds = many.particles() > 2'000'000 ? 5 : 15;
     const Times times = time_in_turn({[&] { many.step(); }, [&] { few.step(); }}, {.rounds = rounds});
     Run run = run_of(many, times.of(0));
-    found(run, dearer,
-          times.ratio(0, 1) * static_cast<double>(few.particles()) / static_cast<double>(many.particles()));
-    found(run, spread, 100 * times.spread(0, 1));
+    run.add(dearer, times.ratio(0, 1) * static_cast<double>(few.particles()) / static_cast<double>(many.particles()));
+    run.add(spread, 100 * times.spread(0, 1));
     return run;
   };
 }

@@ -52,8 +52,8 @@ Run time_the_watch(Simulation simulation) {
   const auto look = [&] { soundness.require(simulation.samples(), simulation.steps()); };
   const Times times = time_in_turn({look, step});
   Run run = run_of(simulation, times.of(1) / steps_between_looks);
-  found(run, watch_cost, 100 * times.ratio(0, 1));
-  found(run, spread, 100 * times.spread(0, 1));
+  run.add(watch_cost, 100 * times.ratio(0, 1));
+  run.add(spread, 100 * times.spread(0, 1));
   return run;
 }
 Run watch_mpm(const Rung& rung, const Schedule&) {
@@ -118,9 +118,9 @@ Run compare_tanks(const Rung& rung, const Schedule&) {
   auto small = dam_mpm(dam_tank, rung), large = dam_mpm(tank_of(rung), rung);
   const Times times = time_in_turn({[&] { large.step(); }, [&] { small.step(); }});
   Run run = run_of(large, times.of(0));
-  found(run, slower, times.ratio(0, 1));
-  found(run, spread, 100 * times.spread(0, 1));
-  found(run, empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(rung).prod()));
+  run.add(slower, times.ratio(0, 1));
+  run.add(spread, 100 * times.spread(0, 1));
+  run.add(empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(rung).prod()));
   return run;
 }
 
@@ -140,10 +140,10 @@ Run compare_threads(Make make) {
   const Times times = time_in_turn({[&] { one.step(); }, [&] { two.step(); }, side_by_side},
                                    {.rounds = 31, .seconds = 0.05, .clock = wall_time});
   Run run = run_of(two, times.of(1));
-  found(run, speed_up, times.ratio(0, 1));
-  found(run, two_at_once, 2 * times.ratio(0, 2));
-  found(run, used, times.ratio(2, 1) / 2);
-  found(run, spread, 100 * times.spread(0, 1));
+  run.add(speed_up, times.ratio(0, 1));
+  run.add(two_at_once, 2 * times.ratio(0, 2));
+  run.add(used, times.ratio(2, 1) / 2);
+  run.add(spread, 100 * times.spread(0, 1));
   return run;
 }
 
@@ -181,12 +181,6 @@ std::vector<Method> with_threads() {
            .claims = {at_least(used, 0.9, baseline("goal set: 1.8 of 2"))}}};
 }
 
-std::optional<double> found_in(const Run& run, std::string_view quantity) {
-  for (const Error& e : run.found)
-    if (e.quantity == quantity) return e.value;
-  return std::nullopt;
-}
-
 /// Where a step's time goes, for each rung that was raced.
 void tabulate_sub_steps(const Results& results, Record& record) {
   Table table{"sub_steps",
@@ -196,11 +190,12 @@ void tabulate_sub_steps(const Results& results, Record& record) {
               {}};
   table.columns.insert(table.columns.end(), names_of_sub_steps.begin(), names_of_sub_steps.end());
   for (const Run& run : results.runs) {
-    if (!found_in(run, loop_time)) continue;
-    std::vector<Cell> row = {results.method.name, run.summary.rung, *found_in(run, solver_time),
-                             *found_in(run, loop_time)};
-    for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
-      row.push_back(found_in(run, time_of(SubStep(k))).value_or(0));
+    if (std::isnan(run.value_of(loop_time))) continue;
+    std::vector<Cell> row = {results.method.name, run.summary.rung, run.value_of(solver_time), run.value_of(loop_time)};
+    for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k) {
+      const double time = run.value_of(time_of(SubStep(k)));
+      row.push_back(std::isnan(time) ? 0 : time);
+    }
     table.rows.push_back(std::move(row));
   }
   record.tables.push_back(std::move(table));
@@ -209,8 +204,8 @@ void tabulate_sub_steps(const Results& results, Record& record) {
 void draw_empty_background(const Results& results, Record& record) {
   Curve curve{"empty_background", results.method.name, Role::ours, {}, {}, false};
   for (const Run& run : results.runs)
-    if (const auto share = found_in(run, empty_share)) {
-      curve.x.push_back(*share);
+    if (const double share = run.value_of(empty_share); !std::isnan(share)) {
+      curve.x.push_back(share);
       curve.y.push_back(run.summary.cost.per_step());
     }
   if (curve.x.empty()) return;

@@ -17,14 +17,14 @@ using namespace touchstone::vnv;
 
 namespace {
 
-const std::string over_courant_numbers = "Courant numbers", over_fluids = "fluids";
+const std::string over_courant_numbers = "Courant numbers", over_arrangements = "arrangements", over_fluids = "fluids";
 const std::string share_stable = "share of the map that is stable [%]",
                   stable_as_theory = "share of the map where theory and trial agree on stability [%]",
                   share_right = "share of the map that is stable and right [%]",
                   stable_where_made_for = "share of the map up to Mach 0.32 and Reynolds 100 that is stable [%]";
 
 constexpr double c = RestingLattice::sound_speed;
-constexpr double U = 0.01 * c;         // m/s  of the wave
+constexpr double U = 0.01 * c;         // m/s  of the wave over Courant numbers
 constexpr double inaccurate_from = 5;  // %  of the velocity at the end of a trial
 
 enum class Ending { right, unstable, inaccurate };
@@ -35,11 +35,17 @@ RestingLattice lattice_for(const LatticeMethod& method, double reynolds) {
   return {.cells = 8, .points = 2, .reynolds = reynolds};
 }
 
-/// A wave of velocity along x, one up the lattice, and a millionth of it noise.
-Start wave_on(const RestingLattice& lattice) {
-  Start start = noisy(lattice, 1e-6 * U / c);
-  start.velocity = [side = lattice.side(), stir = start.velocity](const Vec2& x) -> Vec2 {
-    return stir(x) + Vec2(U * std::sin(2 * std::numbers::pi * x.y() / side), 0);
+/// A wave of velocity along x, one up the lattice, with noise in it.
+struct Wave {
+  double speed = U;     // m/s
+  double noise = 1e-6;  // of the speed
+  long least = 400;     // steps of a trial
+};
+
+Start wave_on(const RestingLattice& lattice, const Wave& wave) {
+  Start start = noisy(lattice, wave.noise * wave.speed / c);
+  start.velocity = [wave, side = lattice.side(), stir = start.velocity](const Vec2& x) -> Vec2 {
+    return stir(x) + Vec2(wave.speed * std::sin(2 * std::numbers::pi * x.y() / side), 0);
   };
   return start;
 }
@@ -50,20 +56,21 @@ double amplitude(const Samples& s, double side) {
   return (s.v.row(0).transpose().array() * wave).sum() / wave.square().sum();
 }
 
-/// A wave that decays as the steps go, until it has lost half of its height, but no longer than `most` steps and no
-/// shorter than 400: stable if nothing moves as it never does, right if its height is as it should be at the end.
-Ending tried(Simulation simulation, double side, double nu, double speed = U) {
-  constexpr long least = 400, most = 1500;
+/// The wave decays as the steps go, until it has lost half of its height, but no longer than `most` steps: stable if
+/// nothing moves as it never does, right if its height is as it should be at the end. Counts its steps.
+Ending tried(Simulation simulation, double side, double nu, const Wave& wave, long& steps) {
+  constexpr long most = 1500;
   const double decay = nu * std::pow(2 * std::numbers::pi / side, 2), dt = simulation.time_step();  // 1/s, s
   const long judged_at = std::clamp(std::lround(std::numbers::ln2 / (decay * dt)), 1l, most);
   double error = 0;
   try {
-    for (long k = 1; k <= std::max(judged_at, least); ++k) {
+    for (long k = 1; k <= std::max(judged_at, wave.least); ++k) {
       simulation.step();
+      ++steps;
       if (k % 25 != 0 && k != judged_at) continue;
       const Samples s = simulation.samples();
-      if (!(s.v.allFinite() && s.v.colwise().norm().maxCoeff() < 3 * speed)) return Ending::unstable;
-      if (k == judged_at) error = 100 * std::abs(amplitude(s, side) / speed - std::exp(-decay * s.time));
+      if (!(s.v.allFinite() && s.v.colwise().norm().maxCoeff() < 3 * wave.speed)) return Ending::unstable;
+      if (k == judged_at) error = 100 * std::abs(amplitude(s, side) / wave.speed - std::exp(-decay * s.time));
     }
   } catch (const Diverged&) {
     return Ending::unstable;
@@ -97,7 +104,7 @@ class Map {
 };
 
 std::string figure_of(const std::string& map, const LatticeMethod& method) {
-  return (map == over_fluids ? "fluids_" : "numbers_") + method.name();
+  return (map == over_fluids ? "fluids_" : map == over_arrangements ? "arrangements_" : "numbers_") + method.name();
 }
 
 std::vector<double> rising(double from, double to, int count) {
@@ -106,28 +113,10 @@ std::vector<double> rising(double from, double to, int count) {
   return all;
 }
 
-Run finished(const CostMeter& meter) {
-  Run run;
-  run.summary.finished = true;
-  run.summary.outcome = "finished";
-  run.summary.cost = meter.read();
-  run.summary.cost.stepping = run.summary.cost.wall;
-  run.summary.cost.particles = 256;
-  run.summary.cost.steps = 1;
-  return run;
-}
-
 /// The lattice on which sound travels `acoustic` unit cells in a step while momentum diffuses over sqrt(`viscous`) of
 /// them.
 RestingLattice lattice_at(const LatticeMethod& method, double acoustic, double viscous) {
   return lattice_for(method, acoustic / viscous / lattice_for(method, 1).points);
-}
-
-/// Whether linear theory says that noise grows; on few cells, so that no kernel meets itself.
-bool grows(const LatticeMethod& method, double acoustic, double viscous) {
-  RestingLattice few = lattice_at(method, acoustic, viscous);
-  few.cells = method.family == Family::sph ? 10 : 8;
-  return spectrum(method.for_theory(), few, acoustic, method.every).radius > growing;
 }
 
 /// Where, between two numbers, something becomes true, to a fiftieth; nothing if it is at the lower or is not at the
@@ -139,44 +128,100 @@ std::optional<double> boundary(double low, double high, Predicate is_beyond) {
   return std::sqrt(low * high);
 }
 
-Run map_of_courant_numbers(const LatticeMethod& method) {
-  const CostMeter meter;
-  const std::string figure = figure_of(over_courant_numbers, method);
-  Map map(figure);
-  Curve theory{figure, "limit by linear theory", Role::exact, {}, {}, false};
-  const std::vector<double> acoustic = rising(0.1, 6, 14), viscous = rising(0.003, 3, 11);
-  double agree = 0;
-  for (const double v : viscous) {
+/// A map over the acoustic Courant number and something else, with the boundary of linear theory.
+class CourantMap {
+ public:
+  using LatticeAt = std::function<RestingLattice(double acoustic)>;
+
+  CourantMap(const LatticeMethod& method, const std::string& figure, std::vector<double> acoustic, const Wave& wave)
+      : method_(method), acoustic_(std::move(acoustic)), wave_(wave), map_(figure), theory_{figure,
+                                                                                            "limit by linear theory",
+                                                                                            Role::exact,
+                                                                                            {},
+                                                                                            {},
+                                                                                            false} {}
+
+  /// Whether linear theory says that noise grows; on so many unit cells that no kernel meets itself.
+  bool grows(RestingLattice lattice, double acoustic) const {
+    if (method_.family == Family::sph) lattice.cells = lattice.smoothing > 0 ? 14 : 10;
+    return spectrum(method_.for_theory(), lattice, acoustic, method_.every).radius > growing;
+  }
+
+  /// Tries all Courant numbers on the lattices of a row, and asks theory for the limit.
+  void add_row(double at, const LatticeAt& lattice_at) {
     const std::optional<double> limit =
-        boundary(acoustic.front(), acoustic.back(), [&](double a) { return grows(method, a, v); });
-    if (limit) {
-      theory.x.push_back(*limit);
-      theory.y.push_back(v);
-    }
-    const double stable_to = limit.value_or(grows(method, acoustic.front(), v) ? 0 : INFINITY);
-    for (const double a : acoustic) {
-      const RestingLattice lattice = lattice_at(method, a, v);
+        boundary(acoustic_.front(), acoustic_.back(), [&](double a) { return grows(lattice_at(a), a); });
+    if (limit) add_to_boundary(*limit, at);
+    const double stable_to = limit.value_or(grows(lattice_at(acoustic_.front()), acoustic_.front()) ? 0 : INFINITY);
+    for (const double a : acoustic_) {
+      const RestingLattice lattice = lattice_at(a);
       const double nu = c * RestingLattice::spacing / lattice.reynolds;
-      const Ending ending = tried(simulate(method.on, lattice, wave_on(lattice), a), lattice.side(), nu);
-      map.add(a, v, ending);
-      agree += (ending == Ending::unstable) == (a > stable_to);
+      const Ending ending =
+          tried(simulate(method_.on, lattice, wave_on(lattice, wave_), a), lattice.side(), nu, wave_, steps_);
+      map_.add(a, at, ending);
+      ++trials_;
+      agree_ += (ending == Ending::unstable) == (a > stable_to);
     }
   }
+  void add_to_boundary(double acoustic, double at) {
+    theory_.x.push_back(acoustic);
+    theory_.y.push_back(at);
+  }
+  const Curve& theory() const { return theory_; }
+
+  Run run(const CostMeter& meter) const {
+    Run run = run_of_trials(meter, lattice_for(method_, 1).particles(), 0, steps_);
+    map_.give_to(run);
+    run.curves.push_back(theory_);
+    run.add(share_stable, 100 - map_.share(Ending::unstable));
+    run.add(stable_as_theory, 100.0 * agree_ / trials_);
+    return run;
+  }
+
+ private:
+  LatticeMethod method_;
+  std::vector<double> acoustic_;
+  Wave wave_;
+  Map map_;
+  Curve theory_;
+  int trials_ = 0, agree_ = 0;
+  long steps_ = 0;
+};
+
+Run map_of_courant_numbers(const LatticeMethod& method) {
+  const CostMeter meter;
+  const std::vector<double> acoustic = rising(0.1, 6, 14), viscous = rising(0.003, 3, 11);
+  CourantMap map(method, figure_of(over_courant_numbers, method), acoustic, {});
+  for (const double v : viscous) map.add_row(v, [&](double a) { return lattice_at(method, a, v); });
   // The other side of the boundary, where it is viscosity that ends it.
-  for (auto a = acoustic.rbegin(); a != acoustic.rend() && !theory.y.empty(); ++a)
-    if (*a < theory.x.back())
-      if (const auto limit =
-              boundary(theory.y.back(), viscous.back(), [&](double v) { return grows(method, *a, v); })) {
-        theory.x.push_back(*a);
-        theory.y.push_back(*limit);
-      }
-  Run run = finished(meter);
-  map.give_to(run);
-  run.curves.push_back(theory);
-  const double all = static_cast<double>(acoustic.size() * viscous.size());
-  run.found = {{"", 0, not_a_number, share_stable, 100 - map.share(Ending::unstable)},
-               {"", 0, not_a_number, stable_as_theory, 100 * agree / all}};
-  return run;
+  const Curve rising_side = map.theory();
+  for (auto a = acoustic.rbegin(); a != acoustic.rend() && !rising_side.y.empty(); ++a)
+    if (*a < rising_side.x.back())
+      if (const auto limit = boundary(rising_side.y.back(), viscous.back(),
+                                      [&](double v) { return map.grows(lattice_at(method, *a, v), *a); }))
+        map.add_to_boundary(*a, *limit);
+  return map.run(meter);
+}
+
+/// Over the smoothing length in SPH, over the particles in a cell in MPM; momentum diffuses over a tenth of a length in
+/// a step. The wave is so slow that particles stay in their places: what crossing cells adds is seen in the other map.
+Run map_of_arrangements(const LatticeMethod& method) {
+  const CostMeter meter;
+  CourantMap map(method, figure_of(over_arrangements, method), rising(0.3, 5, 9),
+                 {.speed = 1e-4 * c, .noise = 0.03, .least = 1000});
+  if (method.family == Family::sph)
+    for (const double h : {1.2, 1.3, 1.45, 1.6, 1.8, 2.0})
+      map.add_row(h, [&](double a) {
+        RestingLattice lattice = lattice_at(method, a, 0.01);
+        lattice.smoothing = h;
+        return lattice;
+      });
+  else
+    for (const int points : {1, 2, 3})
+      map.add_row(points * points, [&](double a) {
+        return RestingLattice{.cells = points < 3 ? 8 : 6, .points = points, .reynolds = a / 0.01 / points};
+      });
+  return map.run(meter);
 }
 
 /// Reynolds number of the wave, by its amplitude and length, and bulk modulus over that of a Mach number of 0.1; the
@@ -185,54 +230,51 @@ Run map_of_fluids(const LatticeMethod& method) {
   const CostMeter meter;
   Map map(figure_of(over_fluids, method));
   int made_for = 0, stable_there = 0;
+  long steps = 0;
   for (const double stiffness : rising(1e-2, 1e6, 9))
     for (const double reynolds : rising(1e-3, 1e5, 9)) {
       // The lattice has a speed of sound of its own: it is the wave that is slower in a stiffer fluid.
-      const double speed = 0.1 * c / std::sqrt(stiffness);
+      const Wave wave{.speed = 0.1 * c / std::sqrt(stiffness)};
       RestingLattice lattice = lattice_for(method, 1);
-      lattice.reynolds = reynolds * (c / speed) * (RestingLattice::spacing / lattice.side());
-      Start start = noisy(lattice, 1e-6 * speed / c);
-      start.velocity = [=, side = lattice.side(), stir = start.velocity](const Vec2& x) -> Vec2 {
-        return stir(x) + Vec2(speed * std::sin(2 * std::numbers::pi * x.y() / side), 0);
-      };
-      const Method here = method.on(lattice, start);
+      lattice.reynolds = reynolds * (c / wave.speed) * (RestingLattice::spacing / lattice.side());
+      const Method here = method.on(lattice, wave_on(lattice, wave));
       const double nu = c * RestingLattice::spacing / lattice.reynolds;
       const Ending ending =
-          tried(here.solver(lattice.rung(), here.time_step(lattice.rung())), lattice.side(), nu, speed);
+          tried(here.solver(lattice.rung(), here.time_step(lattice.rung())), lattice.side(), nu, wave, steps);
       map.add(reynolds, stiffness, ending);
       if (stiffness < 0.099 || reynolds > 101) continue;
       ++made_for;
       stable_there += ending != Ending::unstable;
     }
-  Run run = finished(meter);
+  Run run = run_of_trials(meter, lattice_for(method, 1).particles(), 0, steps);
   map.give_to(run);
-  run.found = {{"", 0, not_a_number, share_stable, 100 - map.share(Ending::unstable)},
-               {"", 0, not_a_number, stable_where_made_for, 100.0 * stable_there / made_for},
-               {"", 0, not_a_number, share_right, map.share(Ending::right)}};
+  run.add(share_stable, 100 - map.share(Ending::unstable));
+  run.add(stable_where_made_for, 100.0 * stable_there / made_for);
+  run.add(share_right, map.share(Ending::right));
   return run;
 }
+
+/// Least squares want four particles in a cell or more, the regularised methods h = 1 spacing.
+bool can_be_arranged(const LatticeMethod& method) { return !method.fits && !method.one_kernel; }
 
 Method maps_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
   Rung rung = lattice_for(on_lattice, 1).rung();
   rung.nightly = 1;
-  for (const std::string& name : {over_courant_numbers, over_fluids}) {
+  for (const std::string& name : {over_courant_numbers, over_arrangements, over_fluids}) {
+    if (name == over_arrangements && !can_be_arranged(on_lattice)) continue;
     rung.name = name;
     method.rungs.push_back(rung);
   }
   method.run = [on_lattice](const Rung& which, const Schedule&) {
-    return which.name == over_fluids ? map_of_fluids(on_lattice) : map_of_courant_numbers(on_lattice);
+    return which.name == over_fluids         ? map_of_fluids(on_lattice)
+           : which.name == over_arrangements ? map_of_arrangements(on_lattice)
+                                             : map_of_courant_numbers(on_lattice);
   };
   method.claims = {
       at_least(stable_as_theory, 95, theory("but for points on the boundary trial and linear theory agree")),
       at_least(stable_where_made_for, 100, theory("the step that a method chooses is a stable one")).on(over_fluids)};
   return method;
-}
-
-std::vector<Method> all_methods() {
-  std::vector<Method> methods;
-  for (const LatticeMethod& method : methods_on_lattice()) methods.push_back(maps_of(method));
-  return methods;
 }
 
 void declare_figures(const Results& results, Record& record) {
@@ -245,6 +287,14 @@ void declare_figures(const Results& results, Record& record) {
        "400 to 1500 steps, until half of the wave is left.",
        {.label = "c dt / " + length, .logarithmic = true},
        {.label = "nu dt / " + length + "^2", .logarithmic = true}});
+  if (can_be_arranged(method))
+    record.figures.push_back(
+        {figure_of(over_arrangements, method),
+         method.name() + ": stable steps by arrangement",
+         "The same for a wave of a ten-thousandth, over the smoothing length or the number of particles in a cell, with nu dt = 0.01 " +
+             length + "^2.",
+         {.label = "c dt / " + length, .logarithmic = true},
+         {.label = method.family == Family::mpm ? "particles in a cell" : "h / spacing", .low = 0}});
   record.figures.push_back(
       {figure_of(over_fluids, method),
        method.name() + ": stiff and viscous fluids",
@@ -262,11 +312,11 @@ Case vnv::the_case() {
       .description =
           "A wave of shear on a lattice that repeats along both axes, 16 particles across. Over the distance that sound "
           "travels in a step and that over which momentum diffuses, the boundary of linear theory is drawn: the largest "
-          "eigenvalue of the method's own linearised step. Over stiffness and Reynolds number, eight decades of each, the "
-          "method chooses its step itself.",
+          "eigenvalue of the method's own linearised step; likewise over the number of particles in a cell, or the smoothing "
+          "length. Over stiffness and Reynolds number, eight decades of each, the method chooses its step itself.",
       .times = {1},
       .measurements = {},
-      .methods = all_methods(),
+      .methods = each_of(methods_on_lattice(), maps_of),
       .plots = {declare_figures},
       .label = "stability",
   };

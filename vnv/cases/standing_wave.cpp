@@ -45,13 +45,17 @@ std::vector<Claim> swings_right(const std::vector<std::string>& rungs) {
   return all;
 }
 
-/// Each up the levels that are worth their time: 150 across takes the dearer methods three to ten minutes each.
+/// Each up the levels that are worth their time: 150 across takes the dearer methods three to ten minutes each, 100
+/// across takes those on B-splines one or more.
 std::vector<Method> methods_up_levels() {
   std::vector<Method> methods =
       up(levels, methods_on(scene),
          {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}});
   for (Method& method : methods)
-    if (method.relative_cost > 1) method = up({levels[0], levels[1]}, method, method.claims);
+    if (method.name == "mpm_apic" || method.name == "mpm_xpic")
+      method = up({levels[0]}, method, method.claims);
+    else if (method.relative_cost > 1)
+      method = up({levels[0], levels[1]}, method, method.claims);
   return methods;
 }
 

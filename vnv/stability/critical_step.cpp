@@ -84,27 +84,30 @@ double growth_per_step(Simulation simulation, const StepSearch& search) {
 }
 
 Run search_critical_step(const SolverWith& solver_with, const StepSearch& search, double length, double sound_speed) {
-  Run run;
   const CostMeter meter;
   const CriticalStep found = critical_step(solver_with, search);
-  const auto add = [&](const std::string& quantity, double value) {
-    run.found.push_back({"", 0, not_a_number, quantity, value});
-  };
-  add(stable_end, found.low / us);
-  add(unstable_end, found.high / us);
-  add(over_courant, found.low * sound_speed / length);
   const double growth = growth_per_step(solver_with(1.05 * found.high), search);
-  if (std::isfinite(growth)) add(growth_beyond, growth);  // not of one that has blown up within a few steps
-  run.summary.finished = true;
-  run.summary.outcome = "finished";
-  run.summary.time_step = found.low;
   const Simulation simulation = solver_with(found.low);
-  run.summary.cost = meter.read();
-  run.summary.cost.stepping = run.summary.cost.wall;
-  run.summary.cost.particles = simulation.particles();
-  run.summary.cost.boundary_particles = simulation.boundary_particles();
-  run.summary.cost.steps = found.steps;
+  Run run = run_of_trials(meter, simulation.particles(), simulation.boundary_particles(), found.steps);
+  run.summary.time_step = found.low;
+  run.add(stable_end, found.low / us);
+  run.add(unstable_end, found.high / us);
+  run.add(over_courant, found.low * sound_speed / length);
+  if (std::isfinite(growth)) run.add(growth_beyond, growth);  // not of one that has blown up within a few steps
   return run;
+}
+
+Plot limits_table(std::string title, std::string caption, std::string rungs, std::vector<LimitColumn> columns) {
+  return [=](const Results& results, Record& record) {
+    Table table{"limits", title, caption, {"method", rungs}, {}};
+    for (const LimitColumn& column : columns) table.columns.push_back(column.heading);
+    for (const Run& run : results.runs) {
+      std::vector<Cell> row = {results.method.name, run.summary.rung};
+      for (const LimitColumn& column : columns) row.push_back(run.value_of(column.quantity));
+      table.rows.push_back(std::move(row));
+    }
+    record.tables.push_back(std::move(table));
+  };
 }
 
 }  // namespace touchstone::vnv

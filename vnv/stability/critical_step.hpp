@@ -1,7 +1,7 @@
 #pragma once
 /// The largest stable time step, found by trying, and how fast disturbances grow beyond it.
 
-#include "vnv/run.hpp"
+#include "vnv/case.hpp"
 
 namespace touchstone::vnv {
 
@@ -44,7 +44,29 @@ inline const std::string stable_end = "critical time step, stable end [us]",
                          over_courant = "critical time step over (31) [-]",
                          growth_beyond = "growth per step, with a step longer by a twentieth [-]";
 
+/// The step that a method takes where a scene names none, and that it is a stable one.
+inline const std::string step_chosen = "step chosen over largest stable [-]";
+inline const Claim chosen_is_stable =
+    at_most(step_chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"));
+
+/// How far a stability limit may be from its baseline.
+inline const Tolerance moved_limit{0.03,
+                                   "a change that moves a stability limit by more than 3 % is one to be accepted"};
+
 /// The search as a run of a case: bracket, ratio to the Courant limit (31) of Sun et al., length / c, and growth.
 Run search_critical_step(const SolverWith& solver_with, const StepSearch& search, double length, double sound_speed);
+
+/// A column of a table of limits, and the quantity in it.
+struct LimitColumn {
+  std::string heading, quantity;
+};
+
+/// A table of what each run found; `rungs` heads the column of their names.
+Plot limits_table(std::string title, std::string caption, std::string rungs, std::vector<LimitColumn> columns);
+
+/// What most such tables have to say.
+inline const std::string words_of_limits =
+    "In lengths that sound travels, cells of MPM with four particles each and spacings of SPH; growth is that of the "
+    "fastest particle's speed in a step that is longer by a twentieth.";
 
 }  // namespace touchstone::vnv

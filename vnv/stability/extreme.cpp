@@ -30,17 +30,11 @@ Run meet(const Extreme& extreme, const Schedule& when) {
   }
   const bool is_met = extreme.declared < Ending::stable ? ending == extreme.declared : ending >= extreme.declared;
   run.summary.finished = is_met;  // it ended as it was meant to; the outcome says how
-  run.found = {{"", 0, not_a_number, ends_as_declared, is_met ? 1.0 : 0.0},
-               {"", 0, not_a_number, ending_met, static_cast<double>(ending)},
-               {"", 0, not_a_number, ending_declared, static_cast<double>(extreme.declared)}};
-  if (std::isfinite(error)) run.found.push_back({"", 0, not_a_number, error_at_end, error});
+  run.add(ends_as_declared, is_met ? 1 : 0);
+  run.add(ending_met, static_cast<double>(ending));
+  run.add(ending_declared, static_cast<double>(extreme.declared));
+  if (std::isfinite(error)) run.add(error_at_end, error);
   return run;
-}
-
-double value_of(const Run& run, const std::string& quantity) {
-  for (const Error& e : run.found)
-    if (e.quantity == quantity) return e.value;
-  return not_a_number;
 }
 
 std::string words_of(double ending) { return std::string(name_of(static_cast<Ending>(static_cast<int>(ending)))); }
@@ -77,9 +71,9 @@ Plot endings(std::vector<std::string> drawn) {
                 {"scene", "method", "expected", "seen", "error [%]", "in words"},
                 {}};
     for (const Run& run : results.runs) {
-      const double error = value_of(run, error_at_end);
-      table.rows.push_back({run.summary.rung, results.method.name, words_of(value_of(run, ending_declared)),
-                            words_of(value_of(run, ending_met)), std::isfinite(error) ? Cell(error) : Cell("–"),
+      const double error = run.value_of(error_at_end);
+      table.rows.push_back({run.summary.rung, results.method.name, words_of(run.value_of(ending_declared)),
+                            words_of(run.value_of(ending_met)), std::isfinite(error) ? Cell(error) : Cell("–"),
                             run.summary.outcome});
     }
     record.tables.push_back(std::move(table));

@@ -92,10 +92,7 @@ std::vector<LatticeMethod> methods_on_lattice() {
                         }),
        .one_kernel = true},
       {.family = Family::sph,
-       .on = of_channel("sph_one_evaluation",
-                        channel::sph_regularised_words +
-                            " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.",
-                        0.5,
+       .on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
                         [](const Still& s, const Rung& rung, double time_step) {
                           return channel::transport_solver<AdamsBashforth>(s, rung, time_step);
                         }),
@@ -127,12 +124,25 @@ std::vector<LatticeMethod> methods_in_single_precision() {
         },
         by_cells(scene, 0.5, whole));
   };
-  return {{Family::mpm, mpm},
-          {Family::sph,
-           of_channel("sph_regularised_float", channel::sph_regularised_words + " Sums over pairs in single precision.",
-                      0.5, [](const Still& s, const Rung& rung, double time_step) {
-                        return channel::transport_solver<KickDriftKick, float>(s, rung, time_step);
-                      })}};
+  return {{.family = Family::mpm,
+           .on = mpm,
+           .linear = plain([](const Still& s) { return mpm_as_printed(s, whole); }),
+           .at_night_only = true},
+          {.family = Family::sph,
+           .on = of_channel("sph_regularised_float",
+                            channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
+                            [](const Still& s, const Rung& rung, double time_step) {
+                              return channel::transport_solver<KickDriftKick, float>(s, rung, time_step);
+                            }),
+           .linear = method_on_lattice("sph_regularised").on,
+           .one_kernel = true,
+           .at_night_only = true}};
+}
+
+std::vector<Method> each_of(const std::vector<LatticeMethod>& all, Method (*make)(const LatticeMethod&)) {
+  std::vector<Method> methods;
+  for (const LatticeMethod& method : all) methods.push_back(make(method));
+  return methods;
 }
 
 LatticeMethod method_on_lattice(const std::string& name) {

@@ -22,6 +22,7 @@ struct RestingLattice {
   double unit() const { return points * spacing; }  // m  side of a unit cell
   double side() const { return cells * unit(); }    // m
   int across() const { return cells * points; }     // particles along a side
+  long particles() const { return static_cast<long>(across()) * across(); }
   /// As a rung: its spacing and its cell or smoothing length [m].
   Rung rung() const {
     return {.spacing = spacing, .cell = unit(), .smoothing_length = smoothing > 0 ? smoothing * spacing : not_a_number};

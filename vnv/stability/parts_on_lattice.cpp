@@ -1,0 +1,120 @@
+#include "vnv/stability/parts_on_lattice.hpp"
+
+#include "solvers/integrators/adams_bashforth.hpp"
+#include "solvers/integrators/drift_kick_drift.hpp"
+#include "solvers/integrators/symplectic.hpp"
+#include "solvers/mpm/shapes/gimp.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/transfers/blend.hpp"
+#include "solvers/mpm/transfers/flip.hpp"
+#include "solvers/mpm/transfers/pic.hpp"
+#include "solvers/mpm/updates/stress_first.hpp"
+#include "solvers/mpm/updates/stress_last.hpp"
+#include "solvers/sph/diffusion/molteni_colagrossi.hpp"
+#include "solvers/sph/gradients/oger.hpp"
+#include "solvers/sph/kernels/wendland_c4.hpp"
+#include "vnv/free_surface_methods.hpp"
+
+namespace touchstone::vnv {
+namespace {
+
+constexpr double whole = 1;  // s
+
+template <class Shape, class Transfer, class UpdateOrder, class Density = mpm::CarriedDensity>
+LatticeMethod mpm_with(const std::string& name, const std::string& part) {
+  const OnLattice method = [=](const RestingLattice& lattice, const Start& start) {
+    const Scene<Newtonian> scene = lattice.scene(start);
+    return simulating(
+        {.name = name,
+         .description =
+             "Material point method with linear hats, FLIP, MUSL and carried densities, but for " + part + ".",
+         .relative_cost = 2},
+        [=](const Rung& rung, double time_step) {
+          return mpm::composed<Shape, Transfer, UpdateOrder, Density>(
+              scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+        },
+        by_cells(scene, 0.4, whole));
+  };
+  return {.family = Family::mpm, .on = method, .at_night_only = true};
+}
+
+/// `ratio` is that of h to the spacing.
+template <class Kernel, class Integrator, class MakeParts>
+LatticeMethod sph_with(const std::string& name, const std::string& part, double ratio, MakeParts parts) {
+  const OnLattice method = [=](const RestingLattice& lattice, const Start& start) {
+    const Scene<Newtonian> scene = lattice.scene(start);
+    return simulating(
+        {.name = name,
+         .description = fmt::format("delta-SPH with sums of pressures, Wendland's C2 kernel and kick-drift-kick, "
+                                    "but for {}; h = {:g} spacings.",
+                                    part, ratio),
+         .relative_cost = 2},
+        [=](const Rung& rung, double time_step) {
+          const double h = rung.smoothing_or(ratio * rung.spacing);
+          return sph::free_surface<Kernel, Integrator>(
+              scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+              detail::viscosity_of(scene.fluid, 0, h), parts(scene.fluid, h));
+        },
+        by_spacings(scene, 0.3, whole));
+  };
+  return {.family = Family::sph, .on = method, .at_night_only = true};
+}
+
+constexpr auto usual_parts = [](const Newtonian& fluid, double h) {
+  return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = detail::diffusion_in(fluid, h)};
+};
+template <class Kernel>
+LatticeMethod sph_with_kernel(const std::string& name, const std::string& part, double ratio) {
+  return sph_with<Kernel, KickDriftKick>(name, part, ratio, usual_parts);
+}
+template <class Integrator>
+LatticeMethod sph_moved_by(const std::string& name, const std::string& part) {
+  return sph_with<sph::WendlandC2, Integrator>(name, part, 2, usual_parts);
+}
+
+}  // namespace
+
+std::vector<LatticeMethod> parts_on_lattice() {
+  using Hat = mpm::LinearHat;
+  using Usual = mpm::ModifiedStressLast;
+  std::vector<LatticeMethod> all = {
+      mpm_with<mpm::Gimp, mpm::Flip, Usual>("mpm_gimp", "generalised interpolation (GIMP) in the place of hats"),
+      mpm_with<mpm::BSpline<2>, mpm::Flip, Usual>("mpm_quadratic", "quadratic B-splines in the place of hats"),
+      mpm_with<mpm::BSpline<3>, mpm::Flip, Usual>("mpm_cubic", "cubic B-splines in the place of hats"),
+      mpm_with<Hat, mpm::Pic, Usual>("mpm_pic", "PIC"),
+      mpm_with<Hat, mpm::Blend<std::ratio<99, 100>>, Usual>("mpm_blend", "a hundredth of PIC"),
+      mpm_with<Hat, mpm::Xpic<2>, Usual>("mpm_xpic_2", "XPIC(2)"),
+      mpm_with<Hat, mpm::Apic, Usual>("mpm_apic_hats", "affine particle velocities (APIC)"),
+      mpm_with<Hat, mpm::Flip, mpm::StressFirst>("mpm_stress_first", "the stress found first in a step (USF)"),
+      mpm_with<Hat, mpm::Flip, mpm::StressLast>("mpm_stress_last", "the stress found last in a step (USL)"),
+      mpm_with<Hat, mpm::Flip, Usual, mpm::AffineDensity>("mpm_affine_density", "densities that nodes smooth"),
+      sph_with_kernel<sph::CubicSpline>("sph_cubic", "the cubic spline", 1.5),
+      sph_with_kernel<sph::QuinticSpline>("sph_quintic", "the quintic spline", 1.5),
+      sph_with_kernel<sph::WendlandC4>("sph_wendland_c4", "Wendland's C4 kernel", 2),
+      sph_with<sph::WendlandC2, KickDriftKick>(
+          "sph_without_diffusion", "no diffusion of density", 2,
+          [](const Newtonian&, double) { return sph::Parts{.pressure = sph::PressureSum{}}; }),
+      sph_with<sph::WendlandC2, KickDriftKick>(
+          "sph_molteni_colagrossi", "diffusion of density after Molteni & Colagrossi (2009)", 2,
+          [](const Newtonian& fluid, double h) {
+            return sph::Parts{
+                .pressure = sph::PressureSum{},
+                .diffusion = sph::MolteniColagrossi{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
+          }),
+      sph_with<sph::WendlandC2, KickDriftKick>("sph_oger", "gradients corrected after Oger et al. (2007)", 2,
+                                               [](const Newtonian& fluid, double h) {
+                                                 return sph::Parts{.pressure = sph::PressureSum{},
+                                                                   .diffusion = detail::diffusion_in(fluid, h),
+                                                                   .gradient = sph::Oger{}};
+                                               }),
+      sph_moved_by<PredictorCorrector>("sph_predictor_corrector", "the midpoint rule"),
+      sph_moved_by<Symplectic>("sph_symplectic", "the symplectic scheme of Domínguez et al. (2022)"),
+      sph_moved_by<DriftKickDrift>("sph_drift_kick_drift", "drift-kick-drift"),
+      sph_moved_by<AdamsBashforth>("sph_adams_bashforth", "third-order Adams-Bashforth"),
+  };
+  for (LatticeMethod& method : all)
+    if (method.name() == "mpm_blend") method.theory_from = 0.3;
+  return all;
+}
+
+}  // namespace touchstone::vnv
