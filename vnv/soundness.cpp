@@ -38,7 +38,8 @@ void Soundness::require(const Samples& s, long step) const {
   if (!(std::abs(mass - mass_) <= 1e-9 * mass_))
     of_all("mass [kg/m]", mass, fmt::format("{:g} as at the start", mass_));
   if (!(energy <= most))
-    of_all("kinetic energy of all [J/m]", energy, fmt::format("at most {:g}, as if all moved at twice the speed of sound", most));
+    of_all("kinetic energy of all [J/m]", energy,
+           fmt::format("at most {:g}, as if all moved at twice the speed of sound", most));
 }
 
 }  // namespace touchstone::vnv

@@ -13,7 +13,7 @@ class Soundness {
  public:
   static constexpr double fastest = 5;                    // speeds of sound
   static constexpr double thinnest = 1e-2, densest = 10;  // densities at rest
-  static constexpr double most_energy = 4;  // kinetic, of what it is when all move at the speed of sound
+  static constexpr double most_energy = 4;                // kinetic, of what it is when all move at the speed of sound
 
   Soundness(const Medium& medium, const Samples& at_start);
 

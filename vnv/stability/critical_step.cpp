@@ -103,7 +103,10 @@ Plot limits_table(std::string title, std::string caption, std::string rungs, std
     for (const LimitColumn& column : columns) table.columns.push_back(column.heading);
     for (const Run& run : results.runs) {
       std::vector<Cell> row = {results.method.name, run.summary.rung};
-      for (const LimitColumn& column : columns) row.push_back(run.value_of(column.quantity));
+      for (const LimitColumn& column : columns) {
+        const double value = run.value_of(column.quantity);
+        row.push_back(std::isnan(value) ? Cell("–") : Cell(value));  // a growth too fast to be told, say
+      }
       table.rows.push_back(std::move(row));
     }
     record.tables.push_back(std::move(table));
