@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <omp.h>
 
+#include <algorithm>
+
 namespace touchstone {
 
 /// Calls work(begin, end) for contiguous parts of [0, count), one part a thread; with one thread it is a plain call.
@@ -17,6 +19,17 @@ void share_out(int threads, Eigen::Index count, const Work& work) {
     const Eigen::Index part = omp_get_thread_num(), parts = omp_get_num_threads();
     work(count * part / parts, count * (part + 1) / parts);
   }
+}
+
+/// The same for fields of particles. Parts begin where a vector register does: numbers that are left over at the end of a
+/// loop over vectors are reckoned one by one and may be rounded otherwise, as on arm64. So only the very last ones are,
+/// for any number of threads.
+template <class Work>
+void share_out_fields(int threads, Eigen::Index count, const Work& work) {
+  constexpr Eigen::Index block = 16;  // doubles  at least a vector register
+  share_out(threads, (count + block - 1) / block, [&](Eigen::Index begin, Eigen::Index end) {
+    work(begin * block, std::min(end * block, count));
+  });
 }
 
 }  // namespace touchstone

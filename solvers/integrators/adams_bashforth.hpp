@@ -31,7 +31,7 @@ class AdamsBashforth {
   template <class Flow>
   static void advance(Flow& flow, double dt) {
     FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       for (std::size_t k = 0; k < 2; ++k) {
         double *const x = (k == 0 ? all.x : all.y).data(), *const v = (k == 0 ? all.vx : all.vy).data();
         const double* const a = (k == 0 ? all.ax : all.ay).data();

@@ -29,7 +29,7 @@ class KickDriftKick {
 
  private:
   static void kick_and_drift(FluidState& all, int threads, double dt) {
-    share_out(threads, all.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.vx(part) += dt / 2 * all.ax(part);
       all.vy(part) += dt / 2 * all.ay(part);

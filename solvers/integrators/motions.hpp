@@ -8,7 +8,7 @@ namespace touchstone {
 
 /// Places, by the velocities, over dt [s].
 inline void drift(FluidState& all, int threads, double dt) {
-  share_out(threads, all.fluid, [&](Index begin, Index end) {
+  share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
     const auto part = Eigen::seqN(begin, end - begin);
     all.x(part) += dt * all.vx(part);
     all.y(part) += dt * all.vy(part);
@@ -17,7 +17,7 @@ inline void drift(FluidState& all, int threads, double dt) {
 
 /// Velocities, by the accelerations.
 inline void kick(FluidState& all, int threads, double dt) {
-  share_out(threads, all.fluid, [&](Index begin, Index end) {
+  share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
     const auto part = Eigen::seqN(begin, end - begin);
     all.vx(part) += dt * all.ax(part);
     all.vy(part) += dt * all.ay(part);
@@ -26,7 +26,7 @@ inline void kick(FluidState& all, int threads, double dt) {
 
 /// Densities, by their rates.
 inline void thicken(FluidState& all, int threads, double dt) {
-  share_out(threads, all.fluid, [&](Index begin, Index end) {
+  share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
     const auto part = Eigen::seqN(begin, end - begin);
     all.rho(part) += dt * all.drho(part);
   });

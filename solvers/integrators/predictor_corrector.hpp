@@ -39,7 +39,7 @@ class PredictorCorrector {
   void remember_start(Flow& flow) {
     const FluidState& all = flow.state();
     for (Scalars* field : {&start_.x, &start_.y, &start_.vx, &start_.vy, &start_.rho}) field->resize(all.fluid);
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       start_.x(part) = all.x(part);
       start_.y(part) = all.y(part);
@@ -52,7 +52,7 @@ class PredictorCorrector {
   template <class Flow>
   void advance(Flow& flow, double dt) const {
     FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.x(part) = start_.x(part) + dt * all.vx(part);
       all.y(part) = start_.y(part) + dt * all.vy(part);

@@ -32,7 +32,7 @@ class Symplectic {
   void predict(Flow& flow, double dt) {
     FluidState& all = flow.state();
     for (Scalars& field : start_) field.resize(all.fluid);
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       start_[0](part) = all.vx(part);
       start_[1](part) = all.vy(part);
@@ -49,7 +49,7 @@ class Symplectic {
   template <class Flow>
   void correct(Flow& flow, double dt) const {
     FluidState& all = flow.state();
-    share_out(flow.threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       all.vx(part) = start_[0](part) + dt * all.ax(part);
       all.vy(part) = start_[1](part) + dt * all.ay(part);

@@ -123,7 +123,7 @@ class FittedNodes {
   /// Lists the particles by the row of their nearest node, each row in the order of the particles.
   void sort_by_row(const FluidState& all, int threads) {
     near_.resize(static_cast<std::size_t>(all.fluid));
-    share_out(threads, all.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) near_[i] = near(all.x[i], all.y[i]);
     });
     first_.assign(rows + 1, 0);

@@ -163,7 +163,7 @@ class LeastSquares {
   void remesh() {
     fit_and_hold(time());
     take_seats();
-    share_out(threads_, all_.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads_, all_.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) {
         const auto fitted = nodes_.joined(nodes_.near(all_.x[i], all_.y[i]));
         all_.vx[i] = fitted[FittedNodes::v_x];
@@ -272,7 +272,7 @@ class LeastSquares {
   void read_rates() {
     const double of_rho = damping_of_rho * scene_.fluid.sound_speed() / grid_.cell.minCoeff(),
                  of_v = std::min(damping_of_v * strain_rate_, of_rho);
-    share_out(threads_, all_.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads_, all_.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) {
         const NearNode at = nodes_.near(all_.x[i], all_.y[i]);
         const auto rates = nodes_.through_nodes(at, [&](int node) { return rates_[node]; });

@@ -24,7 +24,7 @@ Reach reach_of(const Settings& s) {
 /// Adds the body force per mass, the last part of (24).
 template <class Force>
 void add_force(const Force& body_force, Particles& all, double time, int threads) {
-  share_out(threads, all.fluid, [&, body_force](Index begin, Index end) {
+  share_out_fields(threads, all.fluid, [&, body_force](Index begin, Index end) {
     const double *const x = all.x.data(), *const y = all.y.data();
     double *const ax = all.ax.data(), *const ay = all.ay.data();
     for (Index i = begin; i < end; ++i) {

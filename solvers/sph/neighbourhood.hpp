@@ -105,7 +105,7 @@ class Neighbourhood {
   /// Writes the records of the fluid and of its images, with the pressure of its density (33).
   template <class FluidLaw>
   void see_fluid(const FluidLaw& fluid) {
-    share_out(threads_, all.fluid, [&, law = fluid](Index begin, Index end) {
+    share_out_fields(threads_, all.fluid, [&, law = fluid](Index begin, Index end) {
       const double *const x = all.x.data(), *const y = all.y.data(), *const vx = all.vx.data(),
                           *const vy = all.vy.data(), *const rho = all.rho.data();
       Record* const record = seen.data();
@@ -170,7 +170,7 @@ class Neighbourhood {
     constexpr double margin = 0.9;  // for what the velocity changes within the step
     const double farthest = margin * margin * reach_.skin * reach_.skin / 4;
     std::atomic<bool> hold = true;
-    share_out(threads_, all.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads_, all.fluid, [&](Index begin, Index end) {
       const double *const x = all.x.data(), *const y = all.y.data(), *const vx = all.vx.data(),
                           *const vy = all.vy.data(), *const from_x = listed_x_.data(), *const from_y = listed_y_.data();
       long beyond = 0;

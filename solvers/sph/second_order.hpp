@@ -86,7 +86,7 @@ class SecondOrder {
 
   void drift(double dt) {
     Particles& all = near_.all;
-    share_out(threads(), all.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
       const Scalars x = dt * all.carried[drift_x](part), y = dt * all.carried[drift_y](part);
       const auto change = [&](DriftField slope_x, DriftField slope_y) {

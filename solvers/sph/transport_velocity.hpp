@@ -123,7 +123,7 @@ class TransportVelocity {
   }
 
   void see_drift() {
-    share_out(threads(), near_.all.fluid, [&](Index begin, Index end) {
+    share_out_fields(threads(), near_.all.fluid, [&](Index begin, Index end) {
       const double *const rho = near_.all.rho.data(), *const drift_x = wx().data(), *const drift_y = wy().data();
       Seen* const seen = near_.seen.data();
       for (Index i = begin; i < end; ++i) {
