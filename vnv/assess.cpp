@@ -220,10 +220,9 @@ bool claims_more_than_ends(const Record& record) {
 }
 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
-  constexpr double rounding = 1e-12;  // in any unit: what another order of a sum leaves of zero
   std::vector<Baseline> rows;
   for (const Error& e : record.errors) {
-    const double room = std::max(tolerance.relative * std::abs(e.value), rounding);
+    const double room = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
     rows.push_back(
         {record.method, e.rung, e.time, e.quantity, e.value, e.value - room, e.value + room, tolerance.basis});
   }

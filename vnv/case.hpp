@@ -43,6 +43,7 @@ struct Ladder {
 struct Tolerance {
   double relative = 1e-6;
   std::string basis = "another compiler or processor rounds otherwise";
+  double absolute = 1e-12;  // in any unit: what another order of a sum leaves of zero
 };
 
 struct Method {

@@ -91,6 +91,13 @@ Method turned_by(const Make& make, std::vector<Claim> claims = {}) {
   return rotating;
 }
 
+/// Shifting does not keep momentum: the patch's symmetry does, until rounding has grown.
+Method shifted_and_turned() {
+  Method method = turned_by(shifted);
+  method.tolerance.absolute = 1e-6;
+  return method;
+}
+
 }  // namespace
 
 Case vnv::the_case() {
@@ -108,7 +115,7 @@ Case vnv::the_case() {
       .methods = {turned_by(printed, {keeps_momentum()}), turned_by(apic, {keeps_momentum()}),
                   turned_by(delta, {keeps_momentum(),
                                     at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
-                  turned_by(shifted)},
+                  shifted_and_turned()},
       .plots = {
           snapshots({"patch",
                      "Patch and its pressure",
