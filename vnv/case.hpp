@@ -60,13 +60,14 @@ struct Method {
 };
 
 /// A method whose runs are simulations of a scene: `solver(rung, time step [s])` makes one, `time_step(rung)` says
-/// which step it takes where the rung says nothing.
+/// which step it takes where the rung says nothing; that one follows the flow.
 template <class MakeSolver, class TimeStep>
 Method simulating(Method method, MakeSolver solver, TimeStep time_step) {
   method.solver = solver;
   method.time_step = time_step;
   method.run = [=](const Rung& rung, const Schedule& when) {
-    return record([&] { return Simulation(solver(rung, rung.step_or(time_step(rung)))); }, when);
+    return record([&] { return Simulation(solver(rung, rung.step_or(time_step(rung)))); }, when,
+                  std::isnan(rung.time_step) ? Stepping::adaptive : Stepping::as_given);
   };
   return method;
 }

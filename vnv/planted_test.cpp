@@ -37,6 +37,8 @@ struct Planted {
   long steps() const { return solver.steps(); }
   Eigen::Index particles() const { return solver.particles(); }
   Eigen::Index boundary_particles() const { return 0; }
+  Extremes extremes() const { return solver.extremes(); }
+  void change_time_step(double time_step) { solver.change_time_step(time_step); }
   Samples samples() const {
     Samples s = solver.samples();
     if (steps() >= from) spoil(s);

@@ -16,19 +16,26 @@ namespace {
 /// A simulation that is watched as it goes.
 class Watched {
  public:
-  Watched(Simulation simulation, const std::string& name, double end)
+  Watched(Simulation simulation, const std::string& name, double end, Stepping stepping)
       : simulation_(std::move(simulation)),
+        stepping_(stepping),
+        pace_(simulation_),
         soundness_(simulation_.medium(), simulation_.samples()),
         progress_(name, end) {}
 
-  /// Steps until its time is nearest to a target [s]. Throws Diverged.
+  /// Steps until its time is nearest to a target [s], in steps that may be longer than those before. Throws Diverged.
   void step_to(double target) {
-    constexpr long batch = 100;  // the clock is read once in so many steps
-    const double steps = (target - simulation_.time()) / simulation_.time_step();
-    for (long left = std::lround(std::ceil(steps - 0.5)); left > 0; left -= batch) {
+    constexpr long batch = 50;  // the watch is read, and the pace kept, once in so many steps
+    bool may_lengthen = true;
+    for (long left = steps_to(target); left > 0; left = steps_to(target)) {
+      if (stepping_ == Stepping::adaptive) {
+        keep_pace(target, may_lengthen);
+        left = steps_to(target);
+        may_lengthen = false;
+      }
       const StopWatch watch;
       for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
-      stepping_ += watch.seconds();
+      seconds_ += watch.seconds();
       progress_.show(simulation_.time());
       if (simulation_.steps() - last_look_ >= steps_between_looks) sound_samples();
     }
@@ -43,25 +50,48 @@ class Watched {
   }
 
   const Simulation& simulation() const { return simulation_; }
+  const std::vector<StepChange>& changes() const { return changes_; }
   long last_look() const { return last_look_; }  // the step of the last look that found it sound
-  double stepping() const { return stepping_; }  // s  wall time of all steps
+  double stepping() const { return seconds_; }   // s  wall time of all steps
 
  private:
+  long steps_to(double target) const {
+    return std::lround(std::ceil((target - simulation_.time()) / simulation_.time_step() - 0.5));
+  }
+
+  /// Shortens the steps to a whole number of them up to the target [s] where the flow needs it, and takes the given one
+  /// again where it does not.
+  void keep_pace(double target, bool may_lengthen) {
+    const double longest = pace_.longest(simulation_), now = simulation_.time_step();
+    if (longest >= now && !may_lengthen) return;
+    const double left = target - simulation_.time();
+    const double next = longest < pace_.given() ? left / std::ceil(left / longest * (1 - 1e-9)) : longest;
+    if (std::abs(next - now) <= 1e-9 * now) return;
+    simulation_.change_time_step(next);
+    changes_.push_back({simulation_.steps(), next});
+  }
+
   Simulation simulation_;
+  Stepping stepping_;
+  Pace pace_;
+  std::vector<StepChange> changes_;
   Soundness soundness_;
   Progress progress_;
   long last_look_ = 0;
-  double stepping_ = 0;
+  double seconds_ = 0;
 };
 
-/// How the run ends when it is looked at after each step from one on that was sound; `seen` is how it ended before.
-std::string run_closely(Simulation simulation, long sound_step, const std::string& seen) {
+/// How the run ends when it is made again and looked at after each step from the last look on, which was sound; `seen`
+/// is how it ended before.
+std::string run_closely(Simulation simulation, const Watched& watched, const std::string& seen) {
   try {
     const Soundness soundness(simulation.medium(), simulation.samples());
-    for (long k = 0; k < sound_step; ++k) simulation.step();
-    for (long k = 0; k <= steps_between_looks; ++k) {
+    auto change = watched.changes().begin();
+    while (simulation.steps() <= watched.last_look() + steps_between_looks) {
+      for (; change != watched.changes().end() && change->after == simulation.steps(); ++change)
+        simulation.change_time_step(change->time_step);
       simulation.step();
-      soundness.require(simulation.samples(), simulation.steps());
+      if (simulation.steps() > watched.last_look()) soundness.require(simulation.samples(), simulation.steps());
     }
   } catch (const Diverged& diverged) {
     return diverged.what();
@@ -106,12 +136,12 @@ Run run_of_trials(const CostMeter& meter, long particles, long boundary_particle
   return run;
 }
 
-Run record(const MakeSimulation& make, const Schedule& when) {
+Run record(const MakeSimulation& make, const Schedule& when, Stepping stepping) {
   if (when.watch.see && !(when.watch.every > 0 && std::isfinite(when.watch.every)))
     throw std::invalid_argument(
         fmt::format("{}: watch every {} s, wanted a positive time", when.name, when.watch.every));
   Run run;
-  Watched watched(make(), when.name, when.times.back());
+  Watched watched(make(), when.name, when.times.back(), stepping);
   const Simulation& simulation = watched.simulation();
   run.summary.time_step = simulation.time_step();
   const CostMeter meter;
@@ -131,7 +161,10 @@ Run record(const MakeSimulation& make, const Schedule& when) {
   cost.boundary_particles = simulation.boundary_particles();
   cost.steps = simulation.steps();
   run.summary.end_time = run.summary.finished ? when.times.back() : simulation.time();
-  if (!run.summary.finished) run.summary.outcome = run_closely(make(), watched.last_look(), fault);
+  if (!run.summary.finished) run.summary.outcome = run_closely(make(), watched, fault);
+  if (!watched.changes().empty())
+    run.add(shortest_step_taken,
+            std::ranges::min(watched.changes(), {}, &StepChange::time_step).time_step / run.summary.time_step);
   return run;
 }
 

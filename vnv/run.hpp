@@ -2,6 +2,7 @@
 /// The only time loop: step to each asked time, take samples, keep account of what it cost.
 
 #include "vnv/cost.hpp"
+#include "vnv/pace.hpp"
 #include "vnv/record.hpp"
 #include "vnv/simulation.hpp"
 
@@ -62,7 +63,10 @@ struct Run {
 /// Runs a simulation to the last time of the schedule. Divergence is a result, not an error: the watch looks at all
 /// particles every few hundred steps, and a run that is no flow any more is made again up to the last look, and on
 /// step by step, so that what it ends with names the first step and the particle.
-Run record(const MakeSimulation& make, const Schedule& when);
+Run record(const MakeSimulation& make, const Schedule& when, Stepping stepping = Stepping::as_given);
+
+/// What a run says whose step was shortened.
+inline const std::string shortest_step_taken = "shortest step over the one given [-]";
 
 /// A run that is made of many simulations, to find something out: what they cost together, by the meter, the number
 /// of their particles and the steps of all.

@@ -5,7 +5,8 @@ namespace touchstone {
 
 /// Third-order Adams-Bashforth for velocity and density, places by the mean of the old and the new velocity: one
 /// evaluation a step. Durran, Mon. Weather Rev. 119 (1991), 702-720: oscillations are damped and stable up to a phase
-/// of 0.72 a step, the most but for a few per cent that one evaluation allows. Started by two midpoint steps.
+/// of 0.72 a step, the most but for a few per cent that one evaluation allows. Started by two midpoint steps, and again
+/// when the step changes: its weights are those of equal steps.
 class AdamsBashforth {
  public:
   static constexpr std::size_t past_fields = 6;
@@ -14,6 +15,8 @@ class AdamsBashforth {
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     flow.find_rates(time, lap);
     FluidState& all = flow.state();
+    if (dt != last_dt_) known_ = 0;
+    last_dt_ = dt;
     if (known_ < 2) {
       const std::array<Scalars, 3> at_start{all.ax, all.ay, all.drho};
       starter_.from_rates_at_start(flow, time, dt, lap);
@@ -57,7 +60,8 @@ class AdamsBashforth {
   }
 
   PredictorCorrector starter_;
-  int known_ = 0;  // rates of past steps
+  int known_ = 0;       // rates of past steps
+  double last_dt_ = 0;  // s
 };
 
 }  // namespace touchstone

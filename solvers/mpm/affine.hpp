@@ -11,6 +11,7 @@
 /// the longest stable step: 0.8 cells last; 1.2 last for thousands of steps from an even lattice, but not always
 /// longer.
 
+#include "solvers/clock.hpp"
 #include "solvers/laps.hpp"
 #include "solvers/mpm/affine_mirrors.hpp"
 #include "solvers/mpm/affine_transfer.hpp"
@@ -22,58 +23,57 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double.
+/// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double. A change of
+/// the time step reaches the stress, which particles hold as what it gives in a step, one step later.
 template <class Number, class FluidLaw, class Force>
-class Affine {
+class Affine : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
   /// than the filled box, a filled box that reaches out of the domain, or a wall off the grid.
   Affine(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : scene_(scene),
-        dt_(settings.time_step),
+      : Clock("mpm", settings.time_step),
+        scene_(scene),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
         particles_(at_rest<AffineParticles<Number>>(scene, settings.spacing, grid_)),
         nodes_(grid_, lanes_of<Number>),
         mirrors_(scene.walls, grid_) {
-    require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
-    set_going(particles_, scene.start, grid_, scene.fluid, dt_);
+    set_going(particles_, scene.start, grid_, scene.fluid, time_step());
     list_near();
   }
 
   /// One step. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
+    const double dt = time_step();
     push_particles();                       // v_p + dt b(x_p), where b is not the same everywhere
     scatter(particles_, threads_, nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)) + ...
     lap(SubStep::scatter);
-    nodes_.collect(dt_ * common_acceleration(scene_.body_force), threads_);  // + dt b m_i
-    mirrors_.fold(nodes_, time() + dt_);                                     // images behind walls give too
-    nodes_.find_velocities(threads_);                                        // v_i = (m v)_i / m_i
-    mirrors_.unfold(nodes_, time() + dt_);
+    nodes_.collect(dt * common_acceleration(scene_.body_force), threads_);  // + dt b m_i
+    mirrors_.fold(nodes_, time() + dt);                                     // images behind walls give too
+    nodes_.find_velocities(threads_);                                       // v_i = (m v)_i / m_i
+    mirrors_.unfold(nodes_, time() + dt);
     lap(SubStep::grid);
-    gather(nodes_, grid_, scene_.fluid, dt_, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
+    gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
     lap(SubStep::gather);
-    ++steps_;
-    if (keep_order(particles_, calm_, grid_, scene_.fluid, steps_, time())) list_near();
+    tick();
+    if (keep_order(particles_, calm_, grid_, scene_.fluid, steps(), time())) list_near();
     lap(SubStep::sorting);
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return static_cast<double>(steps_) * dt_; }  // s
-  long steps() const { return steps_; }
-  double time_step() const { return dt_; }  // s
   Eigen::Index particles() const { return particles_.count; }
   Eigen::Index boundary_particles() const { return 0; }
   Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
 
   /// The particles in the order in which they were seeded.
   Samples samples() const { return samples_of(particles_, grid_, scene_.fluid, time()); }
+  Extremes extremes() const { return extremes_of(particles_, scene_.fluid); }
 
  private:
   void push_particles() {
-    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), dt_);
+    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), time_step());
   }
 
   void list_near() {
@@ -82,14 +82,12 @@ class Affine {
   }
 
   Scene<FluidLaw, Force> scene_;
-  double dt_;
   int threads_;
   Grid grid_;
   AffineParticles<Number> particles_;
   CentreNodes nodes_;
   Mirrors mirrors_;
   std::vector<char> calm_;  // of each block, within a step
-  long steps_ = 0;
 };
 
 /// A simulation of a scene: `mpm::affine(channel, {.cell = ...})`.

@@ -2,7 +2,9 @@
 /// The material point method made of parts that are chosen by type: shape, transfer, order of updates, density, walls.
 /// Plain loops over particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
+#include "solvers/clock.hpp"
 #include "solvers/diverged.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/laps.hpp"
 #include "solvers/lattice.hpp"
 #include "solvers/mpm/beginning.hpp"
@@ -21,19 +23,18 @@ namespace touchstone::mpm {
 /// its start.
 template <class Shape, class Transfer, class UpdateOrder, class Density, class WallTreatment, class FluidLaw,
           class Force>
-class Composed {
+class Composed : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
   /// than the filled box, fluid outside the domain, or a wall where the shape has no node of its own.
   Composed(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : scene_(scene),
-        dt_(settings.time_step),
+      : Clock("mpm", settings.time_step),
+        scene_(scene),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         weights_(grid_, lattice_.step),
         nodes_(weights_.nodes()) {
-    require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
     for (std::size_t wall = 0; wall < scene.walls.size(); ++wall)
       for (int node : weights_.nodes_on(scene.walls[wall]))
@@ -48,15 +49,12 @@ class Composed {
     weights_.find(particles_.x, threads_);
     lap(SubStep::sorting);
     UpdateOrder::step(*this, lap);
-    ++steps_;
+    tick();
     settle();
     lap(SubStep::sorting);
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return static_cast<double>(steps_) * dt_; }  // s
-  long steps() const { return steps_; }
-  double time_step() const { return dt_; }  // s
   Index particles() const { return particles_.count(); }
   Index boundary_particles() const { return 0; }
   Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
@@ -71,6 +69,10 @@ class Composed {
               Scalars(particles_.count())};
     for (Index p = 0; p < s.size(); ++p) s.pressure[p] = pressure_of_expansion(scene_.fluid, particles_.expansion[p]);
     return s;
+  }
+  Extremes extremes() const {
+    return {std::sqrt(particles_.v.colwise().squaredNorm().maxCoeff()),
+            scene_.fluid.density / (1 + particles_.expansion.minCoeff())};
   }
 
  private:
@@ -95,20 +97,20 @@ class Composed {
     mpm::scatter_forces(weights_, particles_, scene_.fluid, scene_.body_force, time(), threads_, nodes_);
   }
   void accelerate() {
-    mpm::accelerate(dt_, nodes_);
+    mpm::accelerate(time_step(), nodes_);
     hold_motion();
   }
   void gather_motion() {
     transfer_.gather(weights_, nodes_, threads_, particles_);
-    move_places(weights_, nodes_, dt_, threads_, particles_);
+    move_places(weights_, nodes_, time_step(), threads_, particles_);
   }
   void remap_velocity() {
     scatter_velocity(weights_, nodes_, threads_, given_by_particles(), nodes_.velocity);
-    hold_velocity(time() + dt_);
+    hold_velocity(time() + time_step());
   }
   void strain_and_stress() {
     find_slopes(weights_, nodes_, threads_, particles_);
-    density_.update(weights_, nodes_, dt_, threads_, particles_);
+    density_.update(weights_, nodes_, time_step(), threads_, particles_);
   }
 
   auto given_by_particles() const {
@@ -119,7 +121,7 @@ class Composed {
   void hold_motion() {
     for (auto held = held_.begin(); held < held_.end();) {
       const int node = held->node;
-      NodeAtWall at_wall{nodes_.start.col(node), nodes_.velocity.col(node), time(), time() + dt_, steps_ == 0,
+      NodeAtWall at_wall{nodes_.start.col(node), nodes_.velocity.col(node), time(), time() + time_step(), steps() == 0,
                          held->of_scene};
       for (; held < held_.end() && held->node == node; ++held) WallTreatment::hold(scene_.walls[held->wall], at_wall);
       if (!nodes_.moves(node)) continue;
@@ -175,7 +177,7 @@ class Composed {
       const Vec2 place = particles_.x.col(p);
       const auto refuse = [&](std::string quantity, double value, double low, double high) {
         if (low <= value && value <= high) return;
-        throw Diverged({steps_, time(), p, place, std::move(quantity), value, fmt::format("{:g} to {:g}", low, high)});
+        throw Diverged({steps(), time(), p, place, std::move(quantity), value, fmt::format("{:g} to {:g}", low, high)});
       };
       for (const int axis : {0, 1}) {
         const double low = grid_.box.low[axis], high = grid_.box.high[axis], length = high - low;
@@ -191,7 +193,6 @@ class Composed {
   }
 
   Scene<FluidLaw, Force> scene_;
-  double dt_;
   int threads_;
   Grid grid_;
   Lattice lattice_;
@@ -201,7 +202,6 @@ class Composed {
   std::vector<Held> held_;  // by node, then in the order of the scene
   Transfer transfer_;
   Density density_;
-  long steps_ = 0;
 };
 
 /// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic, mpm::ModifiedStressLast>(tank, {.cell = ...})`.

@@ -4,7 +4,9 @@
 /// fit likewise), the equations of motion are solved by central differences on the nodes, and particles move and
 /// change by what they read there.
 
+#include "solvers/clock.hpp"
 #include "solvers/diverged.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/laps.hpp"
@@ -23,13 +25,13 @@ namespace touchstone::mpm {
 /// velocities and densities from the fits (remeshing; Cottet & Koumoutsakos, Vortex Methods (2000), chapter 7). They
 /// stand for equal parts of the volume that they fill, so the mean of their densities is kept, and with it the mass.
 template <class Integrator, class FluidLaw, class Force>
-class LeastSquares {
+class LeastSquares : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a spacing of more than half a cell, water that
   /// does not fill the domain, or a wall off the grid.
   LeastSquares(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : scene_(scene),
-        dt_(settings.time_step),
+      : Clock("mpm", settings.time_step),
+        scene_(scene),
         threads_(settings.threads),
         grid_(scene.domain, settings.cell),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
@@ -37,7 +39,6 @@ class LeastSquares {
         nodes_(grid_),
         rates_(nodes_.count()),
         divergence_(nodes_.count()) {
-    require_positive("mpm", "time step [s]", dt_);
     require_positive("mpm", "threads", threads_);
     require_filled("mpm", scene.filled, scene.domain.box);
     if ((2 * lattice_.step.array() > grid_.cell.array() * (1 + 1e-9)).any())
@@ -58,17 +59,14 @@ class LeastSquares {
     refuse_strays();
     if (strained_ > most_strain) remesh();
     lap(SubStep::sorting);
-    integrator_.step(*this, time(), dt_, lap);
-    strained_ += dt_ * strain_rate_;
+    integrator_.step(*this, time(), time_step(), lap);
+    strained_ += time_step() * strain_rate_;
     all_.rho += mean_density_ - all_.rho.mean();
     lap(SubStep::motion);
-    ++steps_;
+    tick();
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return static_cast<double>(steps_) * dt_; }  // s
-  long steps() const { return steps_; }
-  double time_step() const { return dt_; }  // s
   Index particles() const { return all_.fluid; }
   Index boundary_particles() const { return 0; }
   Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
@@ -89,6 +87,7 @@ class LeastSquares {
     }
     return s;
   }
+  Extremes extremes() const { return extremes_of(all_); }
 
  private:
   friend Integrator;
@@ -249,10 +248,10 @@ class LeastSquares {
       }
       rates_[node] = rate;
     });
+    const double dt = time_step();
     for (const auto& [node, wall] : at_walls_) {  // moves as the wall lets it
       const Vec2 v = nodes_.velocity(node), a(rates_[node][0], rates_[node][1]);
-      const Vec2 held =
-          (scene_.walls[wall].at_wall(v + dt_ * a, time + dt_) - scene_.walls[wall].at_wall(v, time)) / dt_;
+      const Vec2 held = (scene_.walls[wall].at_wall(v + dt * a, time + dt) - scene_.walls[wall].at_wall(v, time)) / dt;
       rates_[node][0] = held.x();
       rates_[node][1] = held.y();
     }
@@ -295,13 +294,12 @@ class LeastSquares {
                                 ? std::isfinite(x[axis])
                                 : x[axis] > grid_.box.low[axis] - slack && x[axis] < grid_.box.high[axis] + slack;
         if (!inside)
-          throw Diverged({steps_, time(), i, x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
+          throw Diverged({steps(), time(), i, x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
       }
     }
   }
 
   Scene<FluidLaw, Force> scene_;
-  double dt_;
   int threads_;
   Grid grid_;
   Lattice lattice_;
@@ -314,7 +312,6 @@ class LeastSquares {
   Integrator integrator_;
   double mean_density_ = 0;                // kg/m³
   double strain_rate_ = 0, strained_ = 0;  // 1/s, -  of the lattice since it was laid out
-  long steps_ = 0;
 };
 
 /// A simulation of a scene: `mpm::least_squares(channel, {.cell = ..., .spacing = half a cell, ...})`.

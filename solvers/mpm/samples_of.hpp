@@ -1,4 +1,5 @@
 #pragma once
+#include "solvers/extremes.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/samples.hpp"
 
@@ -17,6 +18,17 @@ Samples samples_of(const Particles& particles, const Grid& grid, const FluidLaw&
     s.pressure[p] = fluid.pressure(s.density[p]);
   });
   return s;
+}
+
+/// Of the particles; a slot without one is at rest with the density of rest.
+template <class Particles, class FluidLaw>
+Extremes extremes_of(const Particles& particles, const FluidLaw& fluid) {
+  double square = 0, expansion = 0;
+  for (int slot = 0; slot < particles.order.slots(); ++slot) {
+    square = std::max(square, particles.velocity(slot).squaredNorm());
+    expansion = std::min(expansion, static_cast<double>(particles.expansion[slot]));
+  }
+  return {std::sqrt(square), fluid.density / (1 + expansion)};
 }
 
 }  // namespace touchstone::mpm

@@ -3,6 +3,8 @@
 /// type: how pressure pulls, what diffuses density, what corrects the gradient of the kernel, what shifts particles.
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
+#include "solvers/clock.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
@@ -64,11 +66,12 @@ void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMet
 
 /// Continuity density, fixed wall particles that balance the fluid (Adami, Hu & Adams 2012), kick-drift-kick.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force, class Terms, class PartsOfMethod>
-class FreeSurface {
+class FreeSurface : public Clock {
  public:
   FreeSurface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,
               const PartsOfMethod& parts)
-      : scene_(scene),
+      : Clock("sph", settings.time_step),
+        scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
         parts_(parts),
@@ -82,23 +85,21 @@ class FreeSurface {
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     shift(lap);
-    near_.follow(steps_, time_, time_step());
+    near_.follow(steps(), time(), time_step());
     lap(SubStep::sorting);
-    integrator_.step(*this, time_, time_step(), lap);
-    time_ = static_cast<double>(++steps_) * time_step();
+    integrator_.step(*this, time(), time_step(), lap);
+    tick();
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return time_; }                     // s
-  double time_step() const { return settings_.time_step; }  // s
-  long steps() const { return steps_; }
   Index particles() const { return near_.all.fluid; }
   Index boundary_particles() const { return near_.ghosts(); }
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
-    near_.refuse_strays(steps_, time_);
-    return near_.samples(time_, scene_.fluid);
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
   }
+  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
   friend Integrator;
@@ -151,7 +152,7 @@ class FreeSurface {
   template <class Laps>
   void shift(const Laps& lap) {
     if constexpr (shifts) {
-      look_around<true>(time_, lap);
+      look_around<true>(time(), lap);
       parts_.shifting.template shift<Kernel>(near_, settings_.smoothing_length, settings_.spacing, time_step());
       lap(SubStep::motion);
     }
@@ -163,8 +164,6 @@ class FreeSurface {
   PartsOfMethod parts_;
   Neighbourhood<Seen> near_;
   Integrator integrator_;
-  double time_ = 0;
-  long steps_ = 0;
 };
 
 /// sph::free_surface<sph::WendlandC2>(scene, {.spacing = ...}, sph::momentum(sph::ArtificialViscosity{...}),

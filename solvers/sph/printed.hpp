@@ -1,6 +1,8 @@
 #pragma once
 /// Smoothed particle hydrodynamics as printed by Sun et al., sections 2.2 to 2.5.
 
+#include "solvers/clock.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/flow.hpp"
@@ -12,10 +14,11 @@ namespace touchstone::sph {
 
 /// Continuity density, predictor-corrector, density restored every 30 steps, ghosts and soft repulsion at walls.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
-class Printed {
+class Printed : public Clock {
  public:
   Printed(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
-      : scene_(scene),
+      : Clock("sph", settings.time_step),
+        scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
         near_(scene, settings.spacing,
@@ -32,25 +35,23 @@ class Printed {
   /// One step of the integrator, section 2.4, and every so often the density restored. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    near_.follow(steps_, time_, time_step());
+    near_.follow(steps(), time(), time_step());
     lap(SubStep::sorting);
-    integrator_.step(*this, time_, time_step(), lap);
-    if (++steps_ % steps_between_restorations == 0) restore();  // (29), (30)
+    integrator_.step(*this, time(), time_step(), lap);
+    tick();
+    if (steps() % steps_between_restorations == 0) restore();  // (29), (30)
     lap(SubStep::rates);
-    time_ = static_cast<double>(steps_) * time_step();
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return time_; }                     // s
-  double time_step() const { return settings_.time_step; }  // s
-  long steps() const { return steps_; }
   Index particles() const { return near_.all.fluid; }
   Index boundary_particles() const { return near_.all.boundary; }
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
-    near_.refuse_strays(steps_, time_);
-    return near_.samples(time_, scene_.fluid);
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
   }
+  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
   friend Integrator;
@@ -163,8 +164,6 @@ class Printed {
   Terms terms_;
   Neighbourhood<Record<Real>> near_;
   Integrator integrator_;
-  double time_ = 0;
-  long steps_ = 0;
 };
 
 /// sph::printed<sph::CubicSpline>(scene, {.spacing = ...}, sph::momentum(sph::Pressure{}, ...)); sums in `Real`.

@@ -3,6 +3,8 @@
 /// and pressure are fitted by polynomials of second degree, weighted by the kernel, and the equations of motion use
 /// their derivatives (finite particle method, Liu & Liu, Appl. Numer. Math. 56 (2006), 19-36).
 
+#include "solvers/clock.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/quadratic_fit.hpp"
@@ -22,11 +24,12 @@ namespace touchstone::sph {
 /// Evenly spread particles stand for equal parts of the volume that they fill, so the mean of their densities is that
 /// of the fluid's mass, and is kept. Continuity at each of them alone lets it creep, and the mean pressure with it.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force>
-class SecondOrder {
+class SecondOrder : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
   SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : scene_(scene),
+      : Clock("sph", settings.time_step),
+        scene_(scene),
         settings_(checked(settings)),
         near_(scene, settings.spacing, reach_of<Kernel>(settings),
               lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
@@ -39,27 +42,25 @@ class SecondOrder {
   /// The particles drift, then one step of the integrator. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    near_.follow(steps_, time_, time_step());
+    near_.follow(steps(), time(), time_step());
     lap(SubStep::sorting);
     drift(time_step());
     lap(SubStep::motion);
-    integrator_.step(*this, time_, time_step(), lap);
+    integrator_.step(*this, time(), time_step(), lap);
     near_.all.rho += mean_density_ - near_.all.rho.mean();
     lap(SubStep::rates);
-    time_ = static_cast<double>(++steps_) * time_step();
+    tick();
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return time_; }                     // s
-  double time_step() const { return settings_.time_step; }  // s
-  long steps() const { return steps_; }
   Index particles() const { return near_.all.fluid; }
   Index boundary_particles() const { return near_.ghosts(); }
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
-    near_.refuse_strays(steps_, time_);
-    return near_.samples(time_, scene_.fluid);
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
   }
+  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
   friend Integrator;
@@ -192,9 +193,8 @@ class SecondOrder {
   Settings settings_;
   Neighbourhood<Record<Real>> near_;
   Integrator integrator_;
-  double mean_density_ = 0;            // kg/m³
-  double time_ = 0, strain_rate_ = 0;  // s; 1/s  the largest slope of a velocity
-  long steps_ = 0;
+  double mean_density_ = 0;  // kg/m³
+  double strain_rate_ = 0;   // 1/s  the largest slope of a velocity
 };
 
 /// sph::second_order<sph::WendlandC2>(scene, {.spacing = ..., .smoothing_length = 1.3 spacings, ...}), sums in `Real`.

@@ -15,7 +15,6 @@ struct Settings {
 inline const Settings& checked(const Settings& s) {
   require_positive("sph", "spacing [m]", s.spacing);
   require_positive("sph", "smoothing length [m]", s.smoothing_length);
-  require_positive("sph", "time step [s]", s.time_step);
   require_positive("sph", "threads", s.threads);
   return s;
 }

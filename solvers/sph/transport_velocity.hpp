@@ -2,6 +2,8 @@
 /// Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013): a background pressure moves the
 /// particles, not the momentum, and keeps them evenly spread for any length of time. For fluid without a free surface.
 
+#include "solvers/clock.hpp"
+#include "solvers/extremes.hpp"
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
@@ -22,10 +24,11 @@ struct DriftRecord : Record<Number> {
 /// lattice of particles elastic: a uniform pressure p resists its shear with a modulus of about 0.003 p, which bends
 /// the straight profile of Couette flow by 2.1 % at 1 s. With continuity and `PressureDifference` it is 0.01 %.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
-class TransportVelocity {
+class TransportVelocity : public Clock {
  public:
   TransportVelocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
-      : scene_(scene),
+      : Clock("sph", settings.time_step),
+        scene_(scene),
         settings_(checked(settings)),
         terms_(terms),
         near_(scene, settings.spacing, reach_of<Kernel>(settings),
@@ -37,27 +40,25 @@ class TransportVelocity {
   /// The particles drift, then one step of the integrator. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    near_.follow(steps_, time_, time_step());
+    near_.follow(steps(), time(), time_step());
     lap(SubStep::sorting);
     drift(time_step());
     lap(SubStep::motion);
-    integrator_.step(*this, time_, time_step(), lap);
-    if (++steps_ % 30 == 0) keep_volume();
+    integrator_.step(*this, time(), time_step(), lap);
+    tick();
+    if (steps() % 30 == 0) keep_volume();
     lap(SubStep::rates);
-    time_ = static_cast<double>(steps_) * time_step();
   }
 
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  double time() const { return time_; }                     // s
-  double time_step() const { return settings_.time_step; }  // s
-  long steps() const { return steps_; }
   Index particles() const { return near_.all.fluid; }
   Index boundary_particles() const { return near_.ghosts(); }
   /// Throws Diverged when a particle is outside the domain.
   Samples samples() const {
-    near_.refuse_strays(steps_, time_);
-    return near_.samples(time_, scene_.fluid);
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
   }
+  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
   friend Integrator;
@@ -186,8 +187,6 @@ class TransportVelocity {
   Terms terms_;
   Neighbourhood<Seen> near_;
   Integrator integrator_;
-  double time_ = 0;
-  long steps_ = 0;
 };
 
 /// sph::transport_velocity<sph::QuinticSpline>(scene, {.spacing = ...}, sph::momentum(sph::PressureDifference{}, ...)),

@@ -22,6 +22,7 @@ struct Extreme {
   Ending declared = Ending::stable;
   bool in_acceptance = true;
   bool is_drawn = false;  // its particles at the end
+  Stepping stepping = Stepping::adaptive;
 };
 
 inline const std::string ends_as_declared = "ends as declared [-]";

@@ -48,6 +48,8 @@ struct Diffusing {
   long steps() const { return count; }
   Eigen::Index particles() const { return now.size(); }
   Eigen::Index boundary_particles() const { return 0; }
+  Extremes extremes() const { return {0, of.fluid.density}; }
+  void change_time_step(double) { FAIL() << "the lattice has a step of its own"; }
   Samples samples() const { return now; }
 };
 
