@@ -1,0 +1,49 @@
+#include "vnv/gate/compare_verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace touchstone::gate {
+namespace {
+
+using vnv::Outcome, vnv::Verdict;
+
+std::string_view word_of(Outcome outcome) {
+  return outcome == Outcome::holds ? "holds" : outcome == Outcome::fails ? "fails" : "is inconclusive";
+}
+
+int rank_of(Outcome outcome) { return outcome == Outcome::holds ? 2 : outcome == Outcome::inconclusive ? 1 : 0; }
+
+/// Whether a baseline is left on the side on which its value is better.
+bool is_left_for_the_better(const Verdict& before, const Verdict& after) {
+  if (!after.author.starts_with("baseline") || !after.lower || !after.upper) return false;
+  const Direction direction = meaning_of(after.quantity).direction;
+  if (direction == Direction::smaller) return after.value < *after.lower;
+  if (direction == Direction::larger) return after.value > *after.upper;
+  return direction == Direction::towards_zero && std::abs(after.value) < std::abs(before.value);
+}
+
+/// Whether a limit of theory or literature allows more than it did. Those of baselines follow their values, which are
+/// compared themselves.
+bool is_loosened(const Verdict& before, const Verdict& after) {
+  if (before.author.starts_with("baseline")) return false;
+  const bool upper = before.upper && (!after.upper || *after.upper > *before.upper);
+  const bool lower = before.lower && (!after.lower || *after.lower < *before.lower);
+  return upper || lower;
+}
+
+}  // namespace
+
+Reason compare_verdicts(const Verdict& before, const Verdict& after) {
+  if (meaning_of(before.quantity).of_the_machine) return {Change::unjudged, "of the machine"};
+  const int rise = rank_of(after.outcome) - rank_of(before.outcome);
+  if (rise < 0 && is_left_for_the_better(before, after))
+    return {Change::better, "better than its baseline allows; to be accepted"};
+  const std::string words = fmt::format("{} before, {} now", word_of(before.outcome), word_of(after.outcome));
+  if (rise < 0) return {Change::worse, words};
+  if (is_loosened(before, after)) return {Change::inconclusive, words + ", by a limit that allows more"};
+  return {rise > 0 ? Change::better : Change::same, words};
+}
+
+}  // namespace touchstone::gate

@@ -1,0 +1,13 @@
+#pragma once
+/// Whether what was claimed still holds.
+
+#include "vnv/gate/compare_values.hpp"
+
+namespace touchstone::gate {
+
+/// Judges two verdicts on one claim. Worse if it held and now fails or is inconclusive, or was inconclusive and fails,
+/// unless a baseline is left because its value got better, which is better. Inconclusive if it holds as before, but by
+/// a limit of theory or literature that allows more. Unjudged if it is on a time or a memory.
+Reason compare_verdicts(const vnv::Verdict& before, const vnv::Verdict& after);
+
+}  // namespace touchstone::gate

@@ -1,0 +1,21 @@
+#pragma once
+/// Where in a record a value stands, and how far it may move there.
+
+#include "vnv/record.hpp"
+
+#include <optional>
+#include <string>
+
+namespace touchstone::gate {
+
+/// Times agree to nine digits, since a run may reach 0.1 s in many steps; two that are not numbers agree.
+bool same_time(double a, double b);
+
+/// The error at the place of another, or null.
+const vnv::Error* find_error(const vnv::Record& record, const vnv::Error& other);
+
+/// How far an error may move [its own unit]: half the width between the limits of its baseline, the narrowest of them;
+/// nothing where it has none.
+std::optional<double> room_of(const vnv::Error& error, const vnv::Record& record);
+
+}  // namespace touchstone::gate
