@@ -1,0 +1,116 @@
+#include "vnv/gate/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace touchstone::gate {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return vnv::not_a_number;
+  std::ranges::sort(values);
+  const std::size_t last = values.size() - 1;
+  return (values[last / 2] + values[last - last / 2]) / 2;
+}
+
+bool is_too_short(const Timing& timing) {
+  return median(timing.before) < shortest_timed && median(timing.after) < shortest_timed;
+}
+
+/// Which of the probabilities rule chance out when all are looked at: the smallest has to be below the share that is
+/// allowed over how many there are, the next below that over one fewer, until one is not.
+std::vector<bool> ruled_out_by_holm(const std::vector<double>& probabilities) {
+  std::vector<std::size_t> order(probabilities.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return probabilities[k]; });
+  std::vector<bool> is_ruled_out(probabilities.size(), false);
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    if (!(probabilities[order[rank]] <= false_alarms / static_cast<double>(order.size() - rank))) break;
+    is_ruled_out[order[rank]] = true;
+  }
+  return is_ruled_out;
+}
+
+std::string in_words(const Ratio& ratio) {
+  return fmt::format("{:.3f} times as long, 95 % interval {:.3f} to {:.3f}, {} pairs of runs", ratio.estimate,
+                     ratio.lowest, ratio.highest, ratio.pairs);
+}
+
+/// Whether nobody would mind and what must be noticed is ruled out.
+bool is_harmless(const Ratio& ratio) {
+  return ratio.estimate < 1 + smallest_slowdown && ratio.highest < 1 + noticed_slowdown;
+}
+
+void conclude(CostChange& cost, bool is_slower, bool is_faster) {
+  const Ratio& ratio = cost.ratio;
+  cost.why = in_words(ratio);
+  if (is_slower && ratio.estimate >= 1 + smallest_slowdown)
+    cost.change = Change::worse;
+  else if (is_faster && ratio.estimate <= 1 / (1 + smallest_slowdown))
+    cost.change = Change::better;
+  else
+    cost.change = is_harmless(ratio) ? Change::same : Change::inconclusive;
+  if (ratio.pairs < least_pairs) cost.why += fmt::format(", wanted at least {}", least_pairs);
+}
+
+std::vector<double> negated(std::vector<double> values) {
+  for (double& value : values) value = -value;
+  return values;
+}
+
+Difference difference_of(const CostChange& cost, const Timing& timing) {
+  Difference d;
+  d.case_name = cost.case_name;
+  d.method = cost.method;
+  d.kind = Kind::cost;
+  d.quantity = "user CPU time [s]";
+  d.before = median(timing.before);
+  d.after = median(timing.after);
+  d.change = cost.change;
+  d.why = cost.why;
+  return d;
+}
+
+}  // namespace
+
+bool is_settled(const Timing& timing) {
+  if (is_too_short(timing)) return true;
+  const Ratio ratio = ratio_of(log_ratios(timing.before, timing.after));
+  return is_harmless(ratio) && ratio.estimate > 1 / (1 + smallest_slowdown);
+}
+
+std::vector<CostChange> judge_costs(const std::vector<Timing>& timings) {
+  std::vector<CostChange> costs;
+  std::vector<double> slower, faster;
+  for (const Timing& timing : timings) {
+    const std::vector<double> logarithms = log_ratios(timing.before, timing.after);
+    costs.push_back({timing.case_name, timing.method, ratio_of(logarithms)});
+    slower.push_back(is_too_short(timing) ? 1 : probability_of_chance(logarithms));
+    faster.push_back(is_too_short(timing) ? 1 : probability_of_chance(negated(logarithms)));
+  }
+  const std::vector<bool> is_slower = ruled_out_by_holm(slower), is_faster = ruled_out_by_holm(faster);
+  for (std::size_t k = 0; k < costs.size(); ++k) {
+    if (is_too_short(timings[k]))
+      costs[k].why = fmt::format("runs take less than {} s, too short to time", shortest_timed);
+    else
+      conclude(costs[k], is_slower[k], is_faster[k]);
+  }
+  return costs;
+}
+
+std::vector<Difference> compare_costs(const std::vector<Timing>& first, const TimeAgain& time_again) {
+  std::vector<Timing> settled, doubtful;
+  for (const Timing& timing : first) (is_settled(timing) ? settled : doubtful).push_back(timing);
+  if (!doubtful.empty()) doubtful = time_again(doubtful);
+  std::vector<Difference> found;
+  for (const std::vector<Timing>& look : {settled, doubtful}) {
+    const std::vector<CostChange> costs = judge_costs(look);
+    for (std::size_t k = 0; k < look.size(); ++k) found.push_back(difference_of(costs[k], look[k]));
+  }
+  return found;
+}
+
+}  // namespace touchstone::gate

@@ -1,0 +1,152 @@
+#include "vnv/gate/cost.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace touchstone::gate {
+namespace {
+
+TEST(PairedTimes, OfEqualTimesHaveARatioOfOneAndNoSignal) {
+  const std::vector<double> zeros(8, 0.0);
+  EXPECT_EQ(ratio_of(zeros).estimate, 1);
+  EXPECT_EQ(ratio_of(zeros).lowest, 1);
+  EXPECT_GE(probability_of_chance(zeros), 0.5);
+}
+
+TEST(PairedTimes, HaveTheIntervalAndTheProbabilityOfTheTables) {
+  // Hollander & Wolfe 1999, table A.4: for n = 6, P(T+ >= 21) = 0.016; for n = 10, P(T+ >= 47) = 0.024.
+  const std::vector<double> six = {0.01, 0.02, 0.03, 0.04, 0.05, 0.06};
+  EXPECT_DOUBLE_EQ(probability_of_chance(six), 1.0 / 64);
+  EXPECT_DOUBLE_EQ(ratio_of(six).lowest, std::exp(0.01));
+  EXPECT_DOUBLE_EQ(ratio_of(six).highest, std::exp(0.06));
+  EXPECT_DOUBLE_EQ(ratio_of(six).estimate, std::exp(0.035));
+  const std::vector<double> ten = {-0.01, -0.02, -0.05, 0.03, 0.04, 0.06, 0.07, 0.08, 0.09, 0.1};
+  EXPECT_NEAR(probability_of_chance(ten), 0.024, 5e-4);
+}
+
+TEST(PairedTimes, BelowSixPairsHaveNoInterval) {
+  EXPECT_TRUE(std::isnan(ratio_of({0.1, 0.1, 0.1, 0.1, 0.1}).lowest));
+  EXPECT_TRUE(std::isnan(ratio_of({}).estimate));
+  EXPECT_EQ(log_ratios({1, 0, 2, NAN}, {1, 1, 4, 1}), (std::vector<double>{0, std::log(2.0)}));
+}
+
+/// User times as measured here: they vary by 1.7 %, and while a neighbour runs by 2 to 8 % more.
+class Machine {
+ public:
+  Machine(unsigned seed, double share_of_outliers) : random_(seed), share_of_outliers_(share_of_outliers) {}
+
+  double time(double mean) {
+    const bool is_disturbed = uniform_(random_) < share_of_outliers_;
+    return mean * std::exp(0.017 * normal_(random_)) * (is_disturbed ? 1.02 + 0.06 * uniform_(random_) : 1);
+  }
+  Timing pairs(const std::string& method, double mean, double slower, long count) {
+    Timing timing{"case", method, {}, {}};
+    for (long k = 0; k < count; ++k) {
+      timing.before.push_back(time(mean));
+      timing.after.push_back(time(mean * slower));
+    }
+    return timing;
+  }
+
+ private:
+  std::mt19937 random_;
+  double share_of_outliers_;
+  std::normal_distribution<double> normal_;
+  std::uniform_real_distribution<double> uniform_;
+};
+
+struct Counts {
+  long worse = 0, better = 0, inconclusive = 0, same = 0;
+  long looked_again = 0;
+  bool right_row_is_worse = false;
+};
+
+/// One gate over many methods, of which the first takes `slower` times as long as before.
+Counts gate_once(Machine machine, double slower, long methods = 100) {
+  const auto factor = [&](const std::string& method) { return method == "0" ? slower : 1; };
+  std::vector<Timing> first;
+  for (long k = 0; k < methods; ++k)
+    first.push_back(
+        machine.pairs(std::to_string(k), 0.1 + 0.05 * static_cast<double>(k), factor(std::to_string(k)), least_pairs));
+  Counts counts;
+  const auto again = [&](const std::vector<Timing>& doubtful) {
+    counts.looked_again = std::ssize(doubtful);
+    std::vector<Timing> second;
+    for (const Timing& timing : doubtful)
+      second.push_back(machine.pairs(timing.method, 1, factor(timing.method), second_look * least_pairs));
+    return second;
+  };
+  for (const Difference& d : compare_costs(first, again)) {
+    counts.worse += d.change == Change::worse;
+    counts.better += d.change == Change::better;
+    counts.inconclusive += d.change == Change::inconclusive;
+    counts.same += d.change == Change::same;
+    counts.right_row_is_worse |= d.change == Change::worse && d.method == "0";
+  }
+  return counts;
+}
+
+TEST(Cost, OfABuildAgainstItselfAlarmsAtMostOnceInAHundredGates) {
+  for (const double outliers : {0.0, 0.02, 0.08}) {
+    long alarms = 0, unsure = 0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      const Counts counts = gate_once({seed, outliers}, 1);
+      alarms += counts.worse + counts.better > 0;
+      unsure += counts.inconclusive > 0;
+    }
+    EXPECT_LE(alarms, 1) << outliers;
+    EXPECT_LE(unsure, 1) << outliers;
+  }
+}
+
+TEST(Cost, NoticesOneMethodAmongAHundredThatIsATwentiethSlower) {
+  for (const double outliers : {0.0, 0.02, 0.08}) {
+    long named = 0, alone = 0, passed = 0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      const Counts counts = gate_once({seed, outliers}, 1.05);
+      named += counts.right_row_is_worse;
+      alone += counts.worse == 1;
+      passed += counts.worse + counts.inconclusive == 0;
+    }
+    EXPECT_GE(named, 95) << outliers;
+    EXPECT_GE(alone, 95) << outliers;
+    EXPECT_LE(passed, 1) << outliers;
+  }
+}
+
+TEST(Cost, NoticesASlowerMethodAlone) {
+  for (unsigned seed = 0; seed < 100; ++seed) EXPECT_TRUE(gate_once({seed, 0.02}, 1.05, 1).right_row_is_worse) << seed;
+}
+
+TEST(Cost, SaysTheSameOfOnePerCent) {
+  for (unsigned seed = 0; seed < 100; ++seed) EXPECT_EQ(gate_once({seed, 0.02}, 1.01, 1).same, 1) << seed;
+}
+
+TEST(Cost, OfTooFewRunsIsInconclusive) {
+  const auto found = judge_costs({Machine(1, 0).pairs("mpm", 1, 1, 5)});
+  EXPECT_EQ(found.front().change, Change::inconclusive);
+  EXPECT_NE(found.front().why.find("5 pairs of runs, wanted at least 6"), std::string::npos);
+}
+
+TEST(Cost, OfAMachineTooNoisyIsInconclusive) {
+  Timing noisy{"case", "mpm", {}, {}};
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, 0.3);
+  for (int k = 0; k < 24; ++k) {
+    noisy.before.push_back(std::exp(normal(random)));
+    noisy.after.push_back(std::exp(normal(random)));
+  }
+  EXPECT_EQ(judge_costs({noisy}).front().change, Change::inconclusive);
+}
+
+TEST(Cost, OfRunsTooShortToTimeIsUnjudged) {
+  const auto found = judge_costs({Machine(1, 0).pairs("mpm", 0.01, 3, 24)});
+  EXPECT_EQ(found.front().change, Change::unjudged);
+  EXPECT_TRUE(is_settled(Machine(1, 0).pairs("mpm", 0.01, 3, 24)));
+}
+
+}  // namespace
+}  // namespace touchstone::gate
