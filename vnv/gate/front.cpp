@@ -1,0 +1,89 @@
+#include "vnv/gate/front.hpp"
+
+#include "vnv/gate/meaning.hpp"
+#include "vnv/work_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::gate {
+namespace {
+
+using vnv::Error, vnv::Record, vnv::RunSummary, vnv::WorkPoint;
+
+std::string error_drawn(const Records& records, const std::string& case_name) {
+  for (const Record& record : records)
+    if (record.case_name == case_name)
+      for (const Error& error : record.errors)
+        if (meaning_of(error.quantity).kind == Kind::error) return error.quantity;
+  return "";
+}
+
+double last_value(const Record& record, const std::string& rung, const std::string& quantity) {
+  double value = vnv::not_a_number;
+  for (const Error& error : record.errors)  // in the order of time
+    if (error.rung == rung && error.quantity == quantity) value = error.value;
+  return value;
+}
+
+/// Over all runs of the program [s].
+double median_cpu(const std::vector<Records>& runs, const Record& method, const std::string& rung) {
+  std::vector<double> times;
+  for (const Records& records : runs)
+    for (const Record& record : records)
+      for (const RunSummary& run : record.runs)
+        if (record.case_name == method.case_name && record.method == method.method && run.rung == rung)
+          times.push_back(run.cost.cpu);
+  std::ranges::sort(times);
+  return (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
+}
+
+vnv::Curve curve_of(const Record& record, const std::vector<Records>& runs, const std::string& quantity,
+                    std::string_view side) {
+  std::vector<WorkPoint> points;
+  for (const RunSummary& run : record.runs)
+    if (run.finished)
+      points.push_back({.run = run.rung,
+                        .error = last_value(record, run.rung, quantity),
+                        .cpu = median_cpu(runs, record, run.rung)});
+  vnv::Curve curve{record.case_name, fmt::format("{}, {}", record.method, side), vnv::Role::ours, {}, {}};
+  for (const WorkPoint& point : vnv::pareto_front(points)) {
+    curve.x.push_back(point.cpu);
+    curve.y.push_back(point.error);
+  }
+  return curve;
+}
+
+vnv::Figure figure_of(const std::string& case_name, const std::string& quantity) {
+  return {.id = case_name,
+          .title = case_name,
+          .caption = "The runs that no other beats in both error and CPU time; lower left is better.",
+          .x = {.label = "CPU time [s]", .logarithmic = true},
+          .y = {.label = quantity, .logarithmic = true}};
+}
+
+}  // namespace
+
+vnv::Record front_of(const std::vector<Records>& before, const std::vector<Records>& after) {
+  Record front;
+  front.case_name = "gate";
+  front.title = "Error against run time, before and after";
+  front.method = "gate";
+  if (!before.empty() && !before.front().empty()) front.suite = before.front().front().suite;
+  const auto add = [&](const std::vector<Records>& runs, std::string_view side) {
+    for (const Record& record : runs.empty() ? Records{} : runs.front()) {
+      const std::string quantity = error_drawn(runs.front(), record.case_name);
+      vnv::Curve curve = curve_of(record, runs, quantity, side);
+      if (curve.x.empty()) continue;
+      if (std::ranges::find(front.figures, record.case_name, &vnv::Figure::id) == front.figures.end())
+        front.figures.push_back(figure_of(record.case_name, quantity));
+      front.curves.push_back(std::move(curve));
+    }
+  };
+  add(before, "before");
+  add(after, "after");
+  return front;
+}
+
+}  // namespace touchstone::gate

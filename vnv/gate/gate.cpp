@@ -1,0 +1,148 @@
+#include "vnv/gate/gate.hpp"
+
+#include "vnv/gate/front.hpp"
+#include "vnv/gate/telling.hpp"
+#include "vnv/gate/turns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace touchstone::gate {
+namespace {
+
+Difference of_whole_method(const std::string& case_name, const std::string& method, Change change, std::string why) {
+  Difference d;
+  d.case_name = case_name;
+  d.method = method;
+  d.kind = Kind::run;
+  d.quantity = "method";
+  d.change = change;
+  d.why = std::move(why);
+  return d;
+}
+
+/// What both builds can run, and in `found` what is only in one of them or need not be run.
+std::vector<Contest> contests_of(const Build& before, const Build& after, bool all, Findings& found) {
+  std::vector<Contest> contests;
+  const auto add = [&](const Program& program, const Program* other) {
+    if (other && !all && are_same_programs(before, after, program, *other)) {
+      found.skipped.push_back(program.case_name);
+      return;
+    }
+    for (const std::string& method : program.methods) {
+      if (other && std::ranges::count(other->methods, method) > 0)
+        contests.push_back({method, program, *other});
+      else
+        found.differences.push_back(of_whole_method(program.case_name, method, Change::worse, "no longer there"));
+    }
+  };
+  const auto program_in = [](const Build& build, const std::string& case_name) -> const Program* {
+    const auto at = std::ranges::find(build.programs, case_name, &Program::case_name);
+    return at == build.programs.end() ? nullptr : &*at;
+  };
+  for (const Program& program : before.programs) add(program, program_in(after, program.case_name));
+  for (const Program& program : after.programs) {
+    const Program* other = program_in(before, program.case_name);
+    for (const std::string& method : program.methods)
+      if (!other || std::ranges::count(other->methods, method) == 0)
+        found.differences.push_back(of_whole_method(program.case_name, method, Change::unjudged, "new"));
+  }
+  return contests;
+}
+
+/// What a program finds that judges time is its machine's, unless it is the same.
+void set_aside_times(const std::vector<Contest>& contests, std::vector<Difference>& differences) {
+  for (Difference& d : differences) {
+    const bool is_timed = std::ranges::any_of(
+        contests, [&](const Contest& c) { return c.before.case_name == d.case_name && c.before.is_timed; });
+    if (!is_timed || d.kind == Kind::run || d.change == Change::same) continue;
+    d.change = Change::unjudged;
+    d.why = "judges the time of its machine";
+  }
+}
+
+std::vector<Difference> compare_costs(const std::vector<Contest>& contests, const Turns& turns,
+                                      const GateRequest& request, std::ostream& progress) {
+  std::vector<Timing> first;
+  for (const Contest& contest : contests)
+    if (!contest.before.is_timed) first.push_back(timing_of(contest, turns));
+  return compare_costs(first, [&](const std::vector<Timing>& doubtful) {
+    progress << fmt::format("gate: {} methods whose cost is in doubt are run again\n", doubtful.size());
+    std::vector<Contest> again;
+    for (const Contest& contest : contests)
+      if (std::ranges::any_of(doubtful, [&](const Timing& timing) {
+            return timing.case_name == contest.before.case_name && timing.method == contest.method;
+          }))
+        again.push_back(contest);
+    const Turns longer = take_turns(again, request.repeats * second_look, request.suite, progress);
+    std::vector<Timing> second;
+    for (const Contest& contest : again) second.push_back(timing_of(contest, longer));
+    return second;
+  });
+}
+
+void append(std::vector<Difference> more, Findings& found) {
+  std::ranges::move(more, std::back_inserter(found.differences));
+}
+
+Turns compare_builds(const Build& before, const Build& after, const GateRequest& request, std::ostream& progress,
+                     Findings& found) {
+  found.suite = request.suite;
+  const std::vector<Contest> contests = contests_of(before, after, request.all, found);
+  if (contests.empty()) return {};
+  Turns turns = take_turns(contests, std::max(1L, request.repeats), request.suite, progress);
+  std::vector<Difference> differences = compare_repeated(turns.before, turns.after);
+  set_aside_times(contests, differences);
+  append(std::move(differences), found);
+  if (request.repeats > 0) append(compare_costs(contests, turns, request, progress), found);
+  return turns;
+}
+
+Turns compare_records(Source& before, Source& after, Findings& found) try {
+  found.suite = before.records.front().suite;
+  if (after.records.front().suite != found.suite)
+    throw BadInput(fmt::format("{}: suite '{}', {}: suite '{}', wanted records of one suite", before.name, found.suite,
+                               after.name, after.records.front().suite));
+  found.differences = compare(before.records, after.records);
+  return {{std::move(before.records)}, {std::move(after.records)}};
+} catch (const std::invalid_argument& error) {
+  throw BadInput(error.what());
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  if (file.empty()) return;
+  if (!(std::ofstream(file, std::ios::binary) << text << std::flush))
+    throw BadInput(fmt::format("{}: cannot be written", file.string()));
+}
+
+void require_sense(const GateRequest& request) {
+  if (request.repeats < 0) throw BadInput(fmt::format("repeats = {}, wanted none or more", request.repeats));
+  if (request.suite != "acceptance" && request.suite != "report" && request.suite != "nightly")
+    throw BadInput(fmt::format("suite '{}', wanted acceptance, report or nightly", request.suite));
+}
+
+}  // namespace
+
+Status gate(const GateRequest& request, std::ostream& told, std::ostream& progress) {
+  require_sense(request);
+  const Choice choice{request.suite, request.cases, request.only};
+  Source before = open_source(request.before, choice, progress), after = open_source(request.after, choice, progress);
+  if (before.build.has_value() != after.build.has_value())
+    throw BadInput(fmt::format("{} is a {} and {} is none, wanted two of a kind",
+                               before.build ? before.name : after.name, "build",
+                               before.build ? after.name : before.name));
+  Findings found{request.before, request.after, {}, {}, {}};
+  const Turns turns = before.build ? compare_builds(*before.build, *after.build, request, progress, found)
+                                   : compare_records(before, after, found);
+  told << text_of(found) << std::flush;
+  write_text(request.markdown, markdown_of(found));
+  write_text(request.json, json_of(found));
+  if (!request.figure.empty()) vnv::write(front_of(turns.before, turns.after), request.figure);
+  const Change conclusion = conclusion_of(found);
+  return conclusion == Change::worse ? worse : conclusion == Change::inconclusive ? inconclusive : same_or_better;
+}
+
+}  // namespace touchstone::gate

@@ -1,0 +1,33 @@
+#pragma once
+/// Gate: whether what comes after is worse than what was before.
+
+#include "vnv/gate/command.hpp"
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace touchstone::gate {
+
+struct GateRequest {
+  std::string before, after;         // each a record, a folder of records, a build folder or a git revision
+  std::string suite = "acceptance";  // that builds run; records say their own
+  std::vector<std::string> cases{};  // to look at; empty: all
+  std::string only{};                // regular expression found in "case.method"; empty: all
+  long repeats = 6;                  // pairs of runs in turn, of builds; 0: values are compared and cost is not
+  bool all = false;                  // run programs that are the same, too
+  std::filesystem::path markdown{};  // files to write; empty: none
+  std::filesystem::path json{};
+  std::filesystem::path figure{};  // a record that reports can draw
+};
+
+/// What the gate came to, as the exit status of a program.
+enum Status { same_or_better = 0, worse = 1, inconclusive = 2, bad_input = 3 };
+
+/// Compares and says what it finds; what it does meanwhile it says to `progress`. Builds are run in turn, those methods
+/// again whose cost the first look leaves in doubt. Throws BadInput, with one line that says why, for what cannot be
+/// compared: the status `bad_input`.
+Status gate(const GateRequest& request, std::ostream& told, std::ostream& progress);
+
+}  // namespace touchstone::gate

@@ -1,0 +1,323 @@
+#include "vnv/gate/gate.hpp"
+
+#include "vnv/gate/source.hpp"
+#include "vnv/record.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <random>
+#include <sstream>
+
+namespace touchstone::gate {
+namespace {
+
+namespace fs = std::filesystem;
+
+vnv::Record plain() {
+  vnv::Record record;
+  record.case_name = "flow";
+  record.method = "mpm";
+  record.suite = "acceptance";
+  record.runs = {{.rung = "M1", .end_time = 1, .finished = true, .outcome = "finished", .cost = {.cpu = 1}}};
+  record.errors = {{"M1", 1e-5, 1, "L2 v_x [%]", 0.4}};
+  return record;
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+std::string text_in(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class Gate : public testing::Test {
+ protected:
+  Gate() { request_.suite = "acceptance"; }
+
+  fs::path folder() const { return scratch_.path(); }
+
+  std::string record_file(const std::string& name, const vnv::Record& record) const {
+    fs::create_directories((folder() / name).parent_path());
+    vnv::write(record, folder() / name);
+    return folder() / name;
+  }
+
+  /// A build folder whose one program is a script that hands out records, one after another: a hundred, which differ
+  /// in their CPU time as those of a solver do that takes `slower` times as long.
+  std::string build(
+      const std::string& name, double slower, unsigned seed,
+      const std::function<void(vnv::Record&)>& change = [](vnv::Record&) {}) const {
+    const fs::path build = folder() / name, source = folder() / ("source of " + name);
+    write_text(build / "CMakeCache.txt", "# cache\nCMAKE_HOME_DIRECTORY:INTERNAL=" + source.string() + "\n");
+    write_text(source / "vnv/cases/flow.cpp", "");
+    write_text(build / "vnv/flow_tests.cmake",
+               "add_test([=[flow.mpm]=] [=[flow]=] --method mpm --suite acceptance --records x)\n");
+    write_text(build / "vnv/flow", "#!/bin/sh\n# " + name +
+                                       "\nn=$(cat \"$0.count\" 2>/dev/null || echo 0)\necho $((n+1)) > \"$0.count\"\n"
+                                       "test -e \"$0.$n.json\" || exit 9\ncp \"$0.$n.json\" \"$6/flow.mpm.json\"\n");
+    fs::permissions(build / "vnv/flow", fs::perms::owner_all);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < 100; ++k) {
+      vnv::Record record = plain();
+      record.runs[0].cost.cpu = slower * std::exp(0.017 * normal(random));
+      change(record);
+      vnv::write(record, build / "vnv" / ("flow." + std::to_string(k) + ".json"));
+    }
+    return build;
+  }
+
+  Status gate(const std::string& before, const std::string& after) {
+    request_.before = before;
+    request_.after = after;
+    told_.str("");
+    return touchstone::gate::gate(request_, told_, progress_);
+  }
+
+  /// What a refusal says; empty if there is none.
+  std::string refusal(const std::string& before, const std::string& after) {
+    try {
+      gate(before, after);
+    } catch (const BadInput& refusal) {
+      return refusal.what();
+    }
+    return "";
+  }
+
+  std::string told() const { return told_.str(); }
+
+  GateRequest request_;
+  std::ostringstream progress_;
+
+ private:
+  ScratchFolder scratch_;
+  std::ostringstream told_;
+};
+
+const auto less_accurate = [](vnv::Record& record) { record.errors[0].value *= 1.1; };
+
+TEST_F(Gate, LetsPassARecordAgainstItself) {
+  const std::string file = record_file("flow.mpm.json", plain());
+  EXPECT_EQ(gate(file, file), same_or_better);
+  EXPECT_EQ(gate(folder(), folder()), same_or_better);
+  EXPECT_NE(told().find("same: "), std::string::npos);
+}
+
+TEST_F(Gate, StopsALargerErrorAndLetsPassASmallerOne) {
+  vnv::Record changed = plain();
+  less_accurate(changed);
+  const std::string good = record_file("good.json", plain()), bad = record_file("bad.json", changed);
+  EXPECT_EQ(gate(good, bad), worse);
+  EXPECT_NE(told().find("flow.mpm M1: L2 v_x [%] at 1 s: 0.4 before, 0.44 after: worse"), std::string::npos) << told();
+  EXPECT_EQ(gate(bad, good), same_or_better);
+  EXPECT_NE(told().find("better: "), std::string::npos);
+}
+
+TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
+  vnv::Record changed = plain();
+  changed.errors[0].value = vnv::not_a_number;
+  request_.markdown = folder() / "gate.md";
+  request_.json = folder() / "gate.json";
+  request_.figure = folder() / "figure.json";
+  EXPECT_EQ(gate(record_file("good.json", plain()), record_file("bad.json", changed)), worse);
+  const std::string markdown = text_in(request_.markdown);
+  EXPECT_EQ(markdown.find("**worse**: "), 0u);
+  EXPECT_NE(markdown.find("| flow | mpm | same, 1 | – | worse, 1 |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("\n- flow.mpm M1: L2 v_x [%] at 1 s: 0.4 before, nan after: worse"), std::string::npos);
+  const auto json = nlohmann::json::parse(text_in(request_.json));
+  EXPECT_EQ(json["conclusion"], "worse");
+  EXPECT_EQ(json["differences"][1]["after"], "nan");
+  const vnv::Record figure = vnv::read_record(request_.figure);
+  ASSERT_EQ(figure.curves.size(), 1u);  // an error that is no number is not drawn
+  EXPECT_EQ(figure.curves[0].label, "mpm, before");
+  EXPECT_EQ(figure.curves[0].y, std::vector<double>{0.4});
+}
+
+TEST_F(Gate, RefusesWhatCannotBeCompared) {
+  const std::string good = record_file("good.json", plain());
+  vnv::Record nightly = plain();
+  nightly.suite = "nightly";
+  EXPECT_NE(refusal(good, record_file("other.json", nightly)).find("suite 'nightly', wanted records of one suite"),
+            std::string::npos);
+  vnv::Record future = plain();
+  future.schema = 999;
+  EXPECT_NE(refusal(good, record_file("future.json", future)).find("schema is 999"), std::string::npos);
+  record_file("mixed/a.json", plain());
+  record_file("mixed/b.json", nightly);
+  EXPECT_NE(refusal(good, folder() / "mixed").find("records of suites"), std::string::npos);
+  fs::create_directories(folder() / "empty");
+  EXPECT_NE(refusal(good, folder() / "empty").find("no records"), std::string::npos);
+  EXPECT_NE(refusal(good, "no_such_revision").find("nor a git revision"), std::string::npos);
+  EXPECT_NE(refusal(good, "--upload-pack=x").find("nor a git revision"), std::string::npos);
+  EXPECT_NE(refusal(good, build("build", 1, 1)).find("wanted two of a kind"), std::string::npos);
+  request_.only = "[";
+  EXPECT_NE(refusal(good, good).find("wanted a regular expression"), std::string::npos);
+  request_.only = "couette";
+  EXPECT_NE(refusal(good, good).find("none of a chosen method"), std::string::npos);
+}
+
+TEST_F(Gate, RefusesTwoRecordsOfOneMethodInAFolder) {
+  record_file("twice/a.json", plain());
+  record_file("twice/b.json", plain());
+  EXPECT_NE(refusal(folder() / "twice", folder() / "twice").find("flow.mpm: two records"), std::string::npos);
+}
+
+TEST_F(Gate, SkipsProgramsThatAreTheSame) {
+  const std::string same = build("same", 1, 1);
+  EXPECT_EQ(gate(same, same), same_or_better);
+  EXPECT_NE(told().find("programs of 1 cases the same"), std::string::npos) << told();
+  EXPECT_FALSE(fs::exists(same + "/vnv/flow.count"));
+}
+
+TEST_F(Gate, TakesProgramsForTheSameThatDifferInTheirRevisionOnly) {
+  const auto with_revision = [&](const std::string& name, const std::string& revision, const std::string& rest) {
+    const std::string folder = build(name, 1, 1);
+    write_text(folder + "/vnv/revision/vnv_revision.hpp", "#define TOUCHSTONE_REVISION \"" + revision + "\"\n");
+    write_text(folder + "/vnv/flow", "built as " + revision + " in " + folder + rest);
+    Build found{folder, "", revision};
+    found.programs = {{"flow", folder + "/vnv/flow", {"mpm"}}};
+    return found;
+  };
+  const Build a = with_revision("build1", "1234567", ""), b = with_revision("build2", "abcdef0", "");
+  const Build c = with_revision("build3", "abcdef0", ", otherwise"), d = with_revision("build4", "abcdef0-dirty", "");
+  EXPECT_TRUE(are_same_programs(a, b, a.programs[0], b.programs[0]));
+  EXPECT_FALSE(are_same_programs(a, c, a.programs[0], c.programs[0]));
+  EXPECT_FALSE(are_same_programs(a, d, a.programs[0], d.programs[0]));
+}
+
+TEST_F(Gate, ReadsDataBesideAProgram) {
+  const auto with_data = [&](const std::string& name, const std::string& file) {
+    const std::string source = folder() / name;
+    write_text(source + "/data/" + file, "a value");
+    write_text(source + "/flow", "the program");
+    Build found{folder(), source, ""};
+    found.programs = {{"flow", source + "/flow", {"mpm"}}};
+    return found;
+  };
+  const Build none = with_data("a", "baselines/other.csv"), own = with_data("b", "baselines/flow.csv");
+  const Build others = with_data("c", "baselines/third.csv"), paper = with_data("d", "papers/table.csv");
+  const auto same = [&](const Build& b) { return are_same_programs(none, b, none.programs[0], b.programs[0]); };
+  EXPECT_TRUE(same(others));
+  EXPECT_FALSE(same(own));
+  EXPECT_FALSE(same(paper));
+}
+
+TEST_F(Gate, OfABuildAgainstItselfIsTheSame) {
+  EXPECT_EQ(gate(build("before", 1, 1), build("after", 1, 2)), same_or_better) << told();
+}
+
+TEST_F(Gate, NamesASolverThatIsATwentiethSlower) {
+  EXPECT_EQ(gate(build("before", 1, 3), build("after", 1.05, 4)), worse);
+  EXPECT_NE(told().find("after: worse: 1.0"), std::string::npos) << told();
+  EXPECT_NE(told().find("30 pairs of runs"), std::string::npos) << told();
+  fs::remove_all(folder() / "before");
+  fs::remove_all(folder() / "after");
+  EXPECT_EQ(gate(build("before", 1.05, 5), build("after", 1, 6)), same_or_better);
+  EXPECT_NE(told().find("better: "), std::string::npos);
+}
+
+TEST_F(Gate, WithoutRepeatsComparesValuesOnly) {
+  request_.repeats = 0;
+  EXPECT_EQ(gate(build("before", 1, 1), build("after", 2, 2)), same_or_better) << told();
+  EXPECT_EQ(text_in(folder() / "before/vnv/flow.count"), "1\n");
+  fs::remove_all(folder() / "after");
+  EXPECT_EQ(gate(folder() / "before", build("after", 1, 2, less_accurate)), worse);
+}
+
+TEST_F(Gate, FindsAProgramWorseThatWritesNoRecordAnyMore) {
+  const std::string before = build("before", 1, 1), after = build("after", 1, 2);
+  write_text(after + "/vnv/flow.count", "1000");
+  EXPECT_EQ(gate(before, after), worse);
+  EXPECT_NE(told().find("flow.mpm: method: worse: no longer there"), std::string::npos) << told();
+  EXPECT_NE(progress_.str().find("no record, status 9"), std::string::npos);
+}
+
+TEST_F(Gate, FindsACaseWorseThatIsGone) {
+  const std::string before = build("before", 1, 1), after = build("after", 1, 2);
+  write_text(folder() / "source of before/vnv/cases/wave.cpp", "");
+  fs::copy(before + "/vnv/flow", before + "/vnv/wave");
+  write_text(before + "/vnv/wave_tests.cmake",
+             "add_test([=[wave.sph]=] --method sph --suite acceptance --records x)\n");
+  EXPECT_EQ(gate(before, after), worse);
+  EXPECT_NE(told().find("wave.sph: method: worse: no longer there"), std::string::npos) << told();
+}
+
+TEST_F(Gate, NeverJudgesWhatACaseFindsThatJudgesTime) {
+  const auto timed = [&](const std::string& name, double value) {
+    const std::string folder = build(name, value, 1, [&](vnv::Record& r) { r.errors[0].value = value; });
+    std::ofstream(folder + "/vnv/flow_tests.cmake", std::ios::app) << "set_tests_properties(x RUN_SERIAL TRUE)\n";
+    return folder;
+  };
+  EXPECT_EQ(gate(timed("before", 1), timed("after", 2)), same_or_better) << told();
+  EXPECT_EQ(text_in(folder() / "before/vnv/flow.count"), "1\n");
+}
+
+TEST_F(Gate, ABuildWithoutItsProgramsIsRefused) {
+  const std::string built = build("build", 1, 1);
+  fs::remove(built + "/vnv/flow");
+  EXPECT_NE(refusal(built, built).find("no program of a chosen case"), std::string::npos);
+}
+
+/// A repository with one commit, whose "project" is what `cmake_lists` says.
+class GateOfRevisions : public Gate {
+ protected:
+  void commit(const std::string& cmake_lists) const {
+    const fs::path repository = folder() / "repository";
+    write_text(repository / "CMakeLists.txt", cmake_lists);
+    write_text(repository / "vnv/cases/flow.cpp", "");
+    const std::string git = "cd '" + repository.string() + "' && git -c user.name=a -c user.email=a@b ";
+    const std::string silent = " >/dev/null 2>&1";
+    ASSERT_EQ(std::system(("cd '" + repository.string() + "' && git init" + silent).c_str()), 0);
+    ASSERT_EQ(std::system((git + "add ." + silent).c_str()), 0);
+    ASSERT_EQ(std::system((git + "commit -m first" + silent).c_str()), 0);
+    fs::current_path(repository);
+  }
+  void SetUp() override {
+    fs::create_directories(temporary());
+    setenv("TMPDIR", temporary().c_str(), 1);
+  }
+  void TearDown() override {
+    fs::current_path(before_);
+    unsetenv("TMPDIR");
+  }
+
+  /// Where folders for a while are made.
+  fs::path temporary() const { return folder() / "temporary"; }
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+TEST_F(GateOfRevisions, AreBuiltAndForgotten) {
+  const std::string source = folder() / "prepared";
+  build("prepared", 1, 1);
+  commit(
+      "cmake_minimum_required(VERSION 3.25)\nproject(flow NONE)\n"
+      "add_custom_target(flow COMMAND ${CMAKE_COMMAND} -E copy_directory \"" +
+      source + "/vnv\" ${CMAKE_BINARY_DIR}/vnv)\n");
+  request_.repeats = 0;
+  request_.all = true;
+  EXPECT_EQ(gate("HEAD", "HEAD"), same_or_better) << told();
+  EXPECT_NE(progress_.str().find("gate: builds "), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(temporary()));
+  EXPECT_FALSE(fs::exists(".git/worktrees/source"));
+}
+
+TEST_F(GateOfRevisions, ThatCannotBeBuiltAreRefusedAndForgotten) {
+  commit("cmake_minimum_required(VERSION 3.25)\nproject(flow NONE)\nmessage(FATAL_ERROR \"no compiler knows this\")\n");
+  EXPECT_NE(refusal("HEAD", "HEAD").find("no compiler knows this"), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(temporary()));
+  EXPECT_FALSE(fs::exists(".git/worktrees/source"));
+}
+
+}  // namespace
+}  // namespace touchstone::gate

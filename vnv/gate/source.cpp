@@ -1,0 +1,213 @@
+#include "vnv/gate/source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+namespace touchstone::gate {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The first group of the first match in a text; empty if there is none.
+std::string found_in(const std::string& text, const std::string& pattern) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
+}
+
+// ---- builds
+
+bool is_build(const fs::path& folder) {
+  return fs::exists(folder / "CMakeCache.txt") && fs::is_directory(folder / "vnv");
+}
+
+/// The program of a case by the file that registers its methods with ctest, which the program wrote when it was built.
+Program program_of(const fs::path& tests, const Choice& choice) {
+  const std::string stem = tests.stem().string(), text = bytes_of(tests);
+  Program program{stem.substr(0, stem.rfind("_tests")), {}, {}, text.find("RUN_SERIAL TRUE") != text.npos};
+  program.file = tests.parent_path() / program.case_name;
+  const std::regex method("--method ([^ ]+) --suite " + choice.suite + " ");
+  for (std::sregex_iterator at(text.begin(), text.end(), method), end; at != end; ++at)
+    if (choice.wants(program.case_name, (*at)[1])) program.methods.push_back((*at)[1]);
+  return program;
+}
+
+Build build_in(const fs::path& folder, const Choice& choice) {
+  Build build{folder, found_in(bytes_of(folder / "CMakeCache.txt"), "\nCMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*)"),
+              found_in(bytes_of(folder / "vnv/revision/vnv_revision.hpp"), "TOUCHSTONE_REVISION \"([^\"]*)\"")};
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "vnv")) {
+    if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
+    Program program = program_of(entry.path(), choice);
+    const bool has_source = fs::exists(build.source / "vnv/cases" / (program.case_name + ".cpp"));
+    if (has_source && fs::exists(program.file) && choice.wants_case(program.case_name) && !program.methods.empty())
+      build.programs.push_back(std::move(program));
+  }
+  std::ranges::sort(build.programs, {}, &Program::case_name);
+  if (build.programs.empty())
+    throw BadInput(fmt::format("{}: no program of a chosen case with a method that {} runs; wanted one built in {}",
+                               folder.string(), choice.suite, (folder / "vnv").string()));
+  return build;
+}
+
+// ---- records
+
+vnv::Record read(const fs::path& file) try { return vnv::read_record(file); } catch (const std::runtime_error& error) {
+  throw BadInput(error.what());
+}
+
+void require_one_suite(const Records& records, const std::string& name) {
+  for (const vnv::Record& record : records)
+    if (record.suite != records.front().suite)
+      throw BadInput(fmt::format("{}: records of suites '{}' and '{}', wanted those of one", name,
+                                 records.front().suite, record.suite));
+}
+
+Records records_in(const fs::path& path, const Choice& choice) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(path)) files.push_back(path);
+  if (fs::is_directory(path))
+    for (const fs::directory_entry& entry : fs::directory_iterator(path))
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::ranges::sort(files);
+  if (files.empty()) throw BadInput(fmt::format("{}: no records, wanted at least one *.json", path.string()));
+  Records records;
+  for (const fs::path& file : files) {
+    vnv::Record record = read(file);
+    if (choice.wants(record.case_name, record.method)) records.push_back(std::move(record));
+  }
+  if (records.empty())
+    throw BadInput(
+        fmt::format("{}: {} records and none of a chosen method, wanted at least one", path.string(), files.size()));
+  require_one_suite(records, path.string());
+  return records;
+}
+
+// ---- revisions
+
+/// The commit that a name means in the repository around a folder; empty if there is none.
+std::string commit_of(const std::string& name) {
+  if (name.empty() || name.front() == '-') return "";
+  const ScratchFolder scratch;
+  const fs::path output = scratch.path() / "commit";
+  const std::string wanted = name + "^{commit}";
+  if (run_command({"git", "rev-parse", "--verify", "--quiet", wanted}, output) != 0) return "";
+  return last_lines(output, 1);
+}
+
+}  // namespace
+
+bool Choice::wants_case(const std::string& name) const {
+  return cases.empty() || std::ranges::find(cases, name) != cases.end();
+}
+
+bool Choice::wants(const std::string& case_name, const std::string& method) const try {
+  return wants_case(case_name) && (only.empty() || std::regex_search(case_name + "." + method, std::regex(only)));
+} catch (const std::regex_error& error) {
+  throw BadInput(fmt::format("only '{}': {}, wanted a regular expression", only, error.what()));
+}
+
+BuiltRevision::BuiltRevision(const fs::path& repository, const std::string& commit, const Choice& choice,
+                             std::ostream& told)
+    : repository_(repository) {
+  try {
+    told << fmt::format("gate: checks out {} in {}\n", commit.substr(0, 12), scratch_.path().string()) << std::flush;
+    run({"git", "-C", repository_, "worktree", "add", "--detach", source(), commit}, "checked out");
+    told << fmt::format("gate: builds {}, which takes minutes\n", commit.substr(0, 12)) << std::flush;
+    run({"cmake", "-S", source(), "-B", folder(), "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
+        "configured");
+    std::vector<std::string> build = {"cmake", "--build", folder(), "--parallel", "--target"};
+    for (const fs::directory_entry& entry : fs::directory_iterator(source() / "vnv/cases"))
+      if (entry.path().extension() == ".cpp" && choice.wants_case(entry.path().stem()))
+        build.push_back(entry.path().stem());
+    if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
+    run(build, "built");
+  } catch (...) {
+    forget_source();
+    throw;
+  }
+}
+
+BuiltRevision::~BuiltRevision() { forget_source(); }
+
+void BuiltRevision::run(const std::vector<std::string>& words, const std::string& what) const {
+  const fs::path output = scratch_.path() / "output";
+  if (run_command(words, output) != 0)
+    throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, last_lines(output, 20)));
+}
+
+void BuiltRevision::forget_source() const {
+  try {
+    run_command({"git", "-C", repository_, "worktree", "remove", "--force", source()}, scratch_.path() / "output");
+  } catch (const std::exception&) {  // whatever is left is removed with the folder, and forgotten by git in time
+  }
+}
+
+Source open_source(const std::string& name, const Choice& choice, std::ostream& told) {
+  Source source{.name = name};
+  if (fs::is_directory(name) && is_build(name)) {
+    source.build = build_in(fs::absolute(name), choice);
+  } else if (fs::exists(name)) {
+    source.records = records_in(name, choice);
+  } else {
+    const std::string commit = commit_of(name);
+    if (commit.empty())
+      throw BadInput(fmt::format("{}: neither a record, a folder of records, a build folder nor a git revision", name));
+    source.revision = std::make_unique<BuiltRevision>(fs::current_path(), commit, choice, told);
+    source.build = build_in(source.revision->folder(), choice);
+  }
+  return source;
+}
+
+namespace {
+
+void mask(std::string& bytes, const std::string& text) {
+  if (text.empty()) return;
+  for (std::size_t at = bytes.find(text); at != bytes.npos; at = bytes.find(text, at + text.size()))
+    std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), text.size(), '*');
+}
+
+/// The linker's checksum of all else: 20 bytes behind the head of their note in an ELF file.
+void mask_checksum(std::string& bytes) {
+  static const std::string head("\4\0\0\0\24\0\0\0\3\0\0\0GNU\0", 16);
+  const std::size_t at = bytes.find(head);
+  if (at != bytes.npos && at + head.size() + 20 <= bytes.size()) bytes.replace(at + head.size(), 20, 20, '*');
+}
+
+std::string essence_of(const fs::path& program, const Build& build) {
+  std::string bytes = bytes_of(program);
+  mask(bytes, build.revision);
+  mask(bytes, build.folder.string());
+  mask(bytes, build.source.string());
+  mask_checksum(bytes);
+  return bytes;
+}
+
+/// The data that a case may read: all, but for the baselines of others.
+std::map<std::string, std::string> data_of(const Build& build, const std::string& case_name) {
+  std::map<std::string, std::string> data;
+  const fs::path folder = build.source / "data";
+  if (!fs::is_directory(folder)) return data;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const bool is_baseline = entry.path().parent_path().filename() == "baselines";
+    if (entry.is_regular_file() && (!is_baseline || entry.path().stem() == case_name))
+      data[entry.path().lexically_relative(folder).string()] = bytes_of(entry.path());
+  }
+  return data;
+}
+
+}  // namespace
+
+bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other) {
+  return program.methods == other.methods && essence_of(program.file, before) == essence_of(other.file, after) &&
+         data_of(before, program.case_name) == data_of(after, program.case_name);
+}
+
+}  // namespace touchstone::gate

@@ -1,0 +1,80 @@
+#pragma once
+/// What BEFORE and AFTER are: records that were written before, or builds whose programs can be run.
+
+#include "vnv/gate/command.hpp"
+#include "vnv/gate/comparison.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <regex>
+
+namespace touchstone::gate {
+
+/// Which methods of which cases to look at.
+struct Choice {
+  std::string suite = "acceptance";
+  std::vector<std::string> cases{};  // names; empty: all
+  std::string only{};                // regular expression found in "case.method"; empty: all
+
+  bool wants_case(const std::string& name) const;
+  bool wants(const std::string& case_name, const std::string& method) const;
+};
+
+/// The program of one case, with the methods that a suite runs.
+struct Program {
+  std::string case_name;
+  std::filesystem::path file;
+  std::vector<std::string> methods;
+  bool is_timed = false;  // what it judges is time
+};
+
+/// A build folder, with the sources it was made of.
+struct Build {
+  std::filesystem::path folder, source;
+  std::string revision;  // as its records tell it
+  std::vector<Program> programs{};
+};
+
+/// A revision's sources and build, in folders that are gone with this.
+class BuiltRevision {
+ public:
+  /// Checks the revision out beside `repository`'s own work tree and builds the programs of the chosen cases, all if
+  /// none is chosen. Throws BadInput with the end of what the compiler said if they cannot be built.
+  BuiltRevision(const std::filesystem::path& repository, const std::string& commit, const Choice& choice,
+                std::ostream& told);
+  ~BuiltRevision();
+  BuiltRevision(const BuiltRevision&) = delete;
+  BuiltRevision& operator=(const BuiltRevision&) = delete;
+
+  std::filesystem::path folder() const { return scratch_.path() / "build"; }
+
+ private:
+  std::filesystem::path source() const { return scratch_.path() / "source"; }
+  void run(const std::vector<std::string>& words, const std::string& what) const;
+  void forget_source() const;
+
+  ScratchFolder scratch_;
+  std::filesystem::path repository_;
+};
+
+/// One side of a comparison: records, or a build.
+struct Source {
+  std::string name;  // as it was asked for
+  Records records{};
+  std::optional<Build> build{};
+  std::unique_ptr<BuiltRevision> revision{};  // holds the build's folders
+};
+
+/// What a name means: a file is a record, a folder with CMakeCache.txt and vnv/ a build, any other folder one of
+/// records, and whatever is neither a revision of the repository around the current folder. Throws BadInput for what is
+/// none of these, for a folder without records, for records that cannot be read, and for those of several suites.
+Source open_source(const std::string& name, const Choice& choice, std::ostream& told);
+
+/// Whether two builds would find the same: their programs of a case are equal byte for byte, but for the revision, the
+/// folder of the sources and the linker's checksum of both, each where its text is as long in both; and so are the data
+/// that the case may read. Whatever cannot be told apart from a change is one: then both are run.
+bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other);
+
+}  // namespace touchstone::gate

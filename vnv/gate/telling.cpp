@@ -1,0 +1,175 @@
+#include "vnv/gate/telling.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace touchstone::gate {
+namespace {
+
+/// So many changes are named; a reviewer who wants the rest reads the JSON.
+constexpr std::size_t most_named = 40;
+
+constexpr auto kinds =
+    std::to_array({Kind::run, Kind::claim, Kind::error, Kind::order, Kind::stability, Kind::other, Kind::cost});
+
+std::string heading_of(Kind kind) {
+  switch (kind) {
+    case Kind::run:
+      return "runs";
+    case Kind::claim:
+      return "claims";
+    case Kind::error:
+      return "error";
+    case Kind::order:
+      return "order";
+    case Kind::stability:
+      return "stability limit";
+    case Kind::other:
+      return "other values";
+    case Kind::cost:
+      break;
+  }
+  return "cost, after over before";
+}
+
+using Row = std::vector<std::string>;
+
+/// "worse, 2 of 12", "same, 12", or the words of a cost; a dash if there is nothing of the kind.
+std::string cell_of(const std::vector<const Difference*>& all) {
+  if (all.empty()) return "–";
+  const Change worst = (*std::ranges::max_element(all, {}, &Difference::change))->change;
+  if (all.front()->kind == Kind::cost) return fmt::format("{}: {}", name_of(worst), all.front()->why);
+  const auto count = std::ranges::count(all, worst, &Difference::change);
+  const std::string share = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
+  return fmt::format("{}, {}{}", name_of(worst), share, all.size());
+}
+
+/// The headings, and below them a row for each method of each case.
+std::vector<Row> table_of(const Findings& findings) {
+  std::map<std::pair<std::string, std::string>, std::map<Kind, std::vector<const Difference*>>> methods;
+  for (const Difference& d : findings.differences) methods[{d.case_name, d.method}][d.kind].push_back(&d);
+  std::vector<Row> rows = {{"case", "method"}};
+  for (const Kind kind : kinds) rows.front().push_back(heading_of(kind));
+  for (auto& [place, by_kind] : methods) {
+    Row& row = rows.emplace_back(Row{place.first, place.second});
+    for (const Kind kind : kinds) row.push_back(cell_of(by_kind[kind]));
+  }
+  return rows;
+}
+
+/// What must be looked at, worst first and runs before values; what got better last.
+std::vector<const Difference*> changes_of(const Findings& findings) {
+  std::vector<const Difference*> changes;
+  for (const Difference& d : findings.differences)
+    if (d.change > Change::same) changes.push_back(&d);
+  std::ranges::stable_sort(changes, [](const Difference* a, const Difference* b) {
+    return a->change != b->change ? a->change > b->change : a->kind < b->kind;
+  });
+  return changes;
+}
+
+std::string lines_of_changes(const Findings& findings, std::string_view mark) {
+  const std::vector<const Difference*> changes = changes_of(findings);
+  std::string text;
+  for (std::size_t k = 0; k < std::min(changes.size(), most_named); ++k)
+    text += fmt::format("{}{}\n", mark, sentence_of(*changes[k]));
+  if (changes.size() > most_named) text += fmt::format("{}and {} more\n", mark, changes.size() - most_named);
+  return text;
+}
+
+std::string summary_of(const Findings& findings) {
+  std::map<Change, long> count;
+  for (const Difference& d : findings.differences) ++count[d.change];
+  const std::string skipped =
+      findings.skipped.empty() ? "" : fmt::format(", programs of {} cases the same", findings.skipped.size());
+  return fmt::format(
+      "{} against {}, suite {}: {} things compared: {} worse, {} inconclusive, {} better, {} same, {} "
+      "unjudged{}",
+      findings.after, findings.before, findings.suite, findings.differences.size(), count[Change::worse],
+      count[Change::inconclusive], count[Change::better], count[Change::same], count[Change::unjudged], skipped);
+}
+
+/// In letters, not bytes; all that a table holds are letters of the width of one.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width_of(row[k]));
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) line += row[k] + std::string(widths[k] - width_of(row[k]) + 2, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string escaped(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
+std::string markdown_row(const Row& row) {
+  std::string line = "|";
+  for (const std::string& cell : row) line += fmt::format(" {} |", escaped(cell));
+  return line + "\n";
+}
+
+nlohmann::ordered_json number(double value) {
+  if (std::isfinite(value)) return value;
+  if (std::isnan(value)) return "nan";
+  return value > 0 ? "inf" : "-inf";
+}
+
+}  // namespace
+
+Change conclusion_of(const Findings& findings) {
+  Change worst = Change::same;  // the changes rise: same, better, inconclusive, worse
+  for (const Difference& d : findings.differences) worst = std::max(worst, d.change);
+  return worst;
+}
+
+std::string text_of(const Findings& findings) {
+  const std::vector<Row> table = table_of(findings);
+  return (table.size() > 1 ? aligned(table) + "\n" : "") + lines_of_changes(findings, "") +
+         fmt::format("{}: {}\n", name_of(conclusion_of(findings)), summary_of(findings));
+}
+
+std::string markdown_of(const Findings& findings) {
+  std::string text = fmt::format("**{}**: {}\n", name_of(conclusion_of(findings)), summary_of(findings));
+  const std::vector<Row> table = table_of(findings);
+  if (table.size() > 1) {
+    text += "\n" + markdown_row(table.front()) + markdown_row(Row(table.front().size(), "---"));
+    for (std::size_t k = 1; k < table.size(); ++k) text += markdown_row(table[k]);
+  }
+  const std::string changes = lines_of_changes(findings, "- ");
+  return changes.empty() ? text : text + "\n" + changes;
+}
+
+std::string json_of(const Findings& findings) {
+  nlohmann::ordered_json json = {{"before", findings.before},   {"after", findings.after},
+                                 {"suite", findings.suite},     {"conclusion", name_of(conclusion_of(findings))},
+                                 {"skipped", findings.skipped}, {"differences", nlohmann::ordered_json::array()}};
+  for (const Difference& d : findings.differences)
+    json["differences"].push_back({{"case", d.case_name},
+                                   {"method", d.method},
+                                   {"rung", d.rung},
+                                   {"time", number(d.time)},
+                                   {"quantity", d.quantity},
+                                   {"kind", name_of(d.kind)},
+                                   {"before", number(d.before)},
+                                   {"after", number(d.after)},
+                                   {"change", name_of(d.change)},
+                                   {"why", d.why}});
+  return json.dump(1) + "\n";
+}
+
+}  // namespace touchstone::gate

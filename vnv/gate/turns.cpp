@@ -1,0 +1,76 @@
+#include "vnv/gate/turns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::gate {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Adds the record that a program writes of a method; nothing if it writes none. That claims fail is no matter here.
+void run_once(const Program& program, const std::string& method, const std::string& suite, Records& records,
+              std::ostream& told) {
+  const ScratchFolder scratch;
+  const int status = run_command({program.file, "--suite", suite, "--method", method, "--records", scratch.path()},
+                                 scratch.path() / "output");
+  const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
+  if (fs::exists(file)) {
+    records.push_back(vnv::read_record(file));
+    return;
+  }
+  told << fmt::format("gate: {} --method {}: no record, status {}: {}\n", program.file.string(), method, status,
+                      last_lines(scratch.path() / "output", 3))
+       << std::flush;
+}
+
+const vnv::Record* record_in(const Records& records, const Contest& contest) {
+  const auto found = std::ranges::find_if(records, [&](const vnv::Record& record) {
+    return record.case_name == contest.before.case_name && record.method == contest.method;
+  });
+  return found == records.end() ? nullptr : &*found;
+}
+
+const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string& rung) {
+  const auto found = std::ranges::find(record.runs, rung, &vnv::RunSummary::rung);
+  return found == record.runs.end() || !found->finished ? nullptr : &*found;
+}
+
+}  // namespace
+
+Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& told) {
+  told << fmt::format("gate: runs {} methods by both programs, {} times in turn\n", contests.size(), pairs)
+       << std::flush;
+  Turns turns;
+  for (long pair = 0; pair < pairs; ++pair) {
+    Records &before = turns.before.emplace_back(), &after = turns.after.emplace_back();
+    for (const Contest& contest : contests) {
+      if (pair > 0 && contest.before.is_timed) continue;
+      if (pair % 2 == 0) run_once(contest.before, contest.method, suite, before, told);
+      run_once(contest.after, contest.method, suite, after, told);
+      if (pair % 2 == 1) run_once(contest.before, contest.method, suite, before, told);
+    }
+  }
+  return turns;
+}
+
+Timing timing_of(const Contest& contest, const Turns& turns) {
+  Timing timing{contest.before.case_name, contest.method, {}, {}};
+  for (std::size_t pair = 0; pair < turns.before.size(); ++pair) {
+    const vnv::Record *before = record_in(turns.before[pair], contest), *after = record_in(turns.after[pair], contest);
+    if (!before || !after) continue;
+    double was = 0, is = 0;
+    for (const vnv::RunSummary& run : before->runs) {
+      const vnv::RunSummary* other = finished_run(*after, run.rung);
+      if (!run.finished || !other) continue;
+      was += run.cost.cpu;
+      is += other->cost.cpu;
+    }
+    timing.before.push_back(was);
+    timing.after.push_back(is);
+  }
+  return timing;
+}
+
+}  // namespace touchstone::gate
