@@ -179,19 +179,26 @@ TEST_F(Gate, SkipsProgramsThatAreTheSame) {
 }
 
 TEST_F(Gate, TakesProgramsForTheSameThatDifferInTheirRevisionOnly) {
-  const auto with_revision = [&](const std::string& name, const std::string& revision, const std::string& rest) {
-    const std::string folder = build(name, 1, 1);
-    write_text(folder + "/vnv/revision/vnv_revision.hpp", "#define TOUCHSTONE_REVISION \"" + revision + "\"\n");
-    write_text(folder + "/vnv/flow", "built as " + revision + " in " + folder + rest);
-    Build found{folder, "", revision};
+  const auto compiled = [&](const std::string& name, const std::string& revision, const std::string& solver) {
+    const std::string folder = build(name, 1, 1), files = folder + "/vnv/CMakeFiles/";
+    write_text(folder + "/vnv/flow", revision + solver);
+    write_text(files + "flow.dir/cases/flow.cpp.o", "compiled in " + folder + solver);
+    write_text(files + "vnv.dir/environment.cpp.o", revision);
+    write_text(files + "vnv.dir/run.cpp.o", "compiled in " + folder);
+    write_text(files + "wave.dir/cases/wave.cpp.o", revision);
+    Build found{folder, ""};
     found.programs = {{"flow", folder + "/vnv/flow", {"mpm"}}};
     return found;
   };
-  const Build a = with_revision("build1", "1234567", ""), b = with_revision("build2", "abcdef0", "");
-  const Build c = with_revision("build3", "abcdef0", ", otherwise"), d = with_revision("build4", "abcdef0-dirty", "");
-  EXPECT_TRUE(are_same_programs(a, b, a.programs[0], b.programs[0]));
-  EXPECT_FALSE(are_same_programs(a, c, a.programs[0], c.programs[0]));
-  EXPECT_FALSE(are_same_programs(a, d, a.programs[0], d.programs[0]));
+  const Build a = compiled("build1", "1234567", ""), b = compiled("build2", "abcdef0-dirty", "");
+  const Build c = compiled("build3", "1234567", ", otherwise"), d = compiled("build4", "abcdef0", "");
+  const auto same = [&](const Build& other) { return are_same_programs(a, other, a.programs[0], other.programs[0]); };
+  EXPECT_TRUE(same(b));
+  EXPECT_FALSE(same(c));
+  write_text(folder() / "build4/vnv/CMakeFiles/vnv.dir/run.cpp.o", "otherwise");
+  EXPECT_FALSE(same(d));
+  fs::remove_all(folder() / "build2/vnv/CMakeFiles");
+  EXPECT_FALSE(same(b));  // nothing tells whether they are the same
 }
 
 TEST_F(Gate, ReadsDataBesideAProgram) {
@@ -199,7 +206,7 @@ TEST_F(Gate, ReadsDataBesideAProgram) {
     const std::string source = folder() / name;
     write_text(source + "/data/" + file, "a value");
     write_text(source + "/flow", "the program");
-    Build found{folder(), source, ""};
+    Build found{folder(), source};
     found.programs = {{"flow", source + "/flow", {"mpm"}}};
     return found;
   };

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace touchstone::gate {
 namespace {
@@ -41,8 +42,7 @@ Program program_of(const fs::path& tests, const Choice& choice) {
 }
 
 Build build_in(const fs::path& folder, const Choice& choice) {
-  Build build{folder, found_in(bytes_of(folder / "CMakeCache.txt"), "\nCMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*)"),
-              found_in(bytes_of(folder / "vnv/revision/vnv_revision.hpp"), "TOUCHSTONE_REVISION \"([^\"]*)\"")};
+  Build build{folder, found_in(bytes_of(folder / "CMakeCache.txt"), "\nCMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*)")};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "vnv")) {
     if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
     Program program = program_of(entry.path(), choice);
@@ -174,25 +174,35 @@ void mask(std::string& bytes, const std::string& text) {
     std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), text.size(), '*');
 }
 
-/// The linker's checksum of all else: 20 bytes behind the head of their note in an ELF file.
-void mask_checksum(std::string& bytes) {
-  static const std::string head("\4\0\0\0\24\0\0\0\3\0\0\0GNU\0", 16);
-  const std::size_t at = bytes.find(head);
-  if (at != bytes.npos && at + head.size() + 20 <= bytes.size()) bytes.replace(at + head.size(), 20, 20, '*');
+using Texts = std::map<std::string, std::string>;  // by file, within its folder
+
+/// The compiled files that a program of a case is linked of, but for the one that holds the revision.
+Texts objects_of(const Build& build, const std::string& case_name) {
+  static const std::set<std::string> libraries = {"vnv", "vnv_bench", "vnv_main", "vnv_methods", "vnv_record"};
+  const fs::path folder = build.folder / "vnv/CMakeFiles";
+  Texts objects;
+  if (!fs::is_directory(folder / (case_name + ".dir"))) return objects;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path file = entry.path().lexically_relative(folder);
+    const std::string target = file.begin()->stem().string();
+    const bool is_linked = target == case_name || libraries.count(target) > 0;
+    if (!is_linked || file.extension() != ".o" || file.filename() == "environment.cpp.o") continue;
+    std::string& bytes = objects[file.string()] = bytes_of(entry.path());
+    mask(bytes, build.folder.string());
+    mask(bytes, build.source.string());
+  }
+  return objects;
 }
 
-std::string essence_of(const fs::path& program, const Build& build) {
-  std::string bytes = bytes_of(program);
-  mask(bytes, build.revision);
-  mask(bytes, build.folder.string());
-  mask(bytes, build.source.string());
-  mask_checksum(bytes);
-  return bytes;
+bool are_compiled_alike(const Build& before, const Build& after, const Program& program, const Program& other) {
+  if (bytes_of(program.file) == bytes_of(other.file)) return true;
+  const Texts objects = objects_of(before, program.case_name);
+  return !objects.empty() && objects == objects_of(after, program.case_name);
 }
 
 /// The data that a case may read: all, but for the baselines of others.
-std::map<std::string, std::string> data_of(const Build& build, const std::string& case_name) {
-  std::map<std::string, std::string> data;
+Texts data_of(const Build& build, const std::string& case_name) {
+  Texts data;
   const fs::path folder = build.source / "data";
   if (!fs::is_directory(folder)) return data;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -206,7 +216,7 @@ std::map<std::string, std::string> data_of(const Build& build, const std::string
 }  // namespace
 
 bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other) {
-  return program.methods == other.methods && essence_of(program.file, before) == essence_of(other.file, after) &&
+  return program.methods == other.methods && are_compiled_alike(before, after, program, other) &&
          data_of(before, program.case_name) == data_of(after, program.case_name);
 }
 

@@ -33,7 +33,6 @@ struct Program {
 /// A build folder, with the sources it was made of.
 struct Build {
   std::filesystem::path folder, source;
-  std::string revision;  // as its records tell it
   std::vector<Program> programs{};
 };
 
@@ -72,9 +71,11 @@ struct Source {
 /// none of these, for a folder without records, for records that cannot be read, and for those of several suites.
 Source open_source(const std::string& name, const Choice& choice, std::ostream& told);
 
-/// Whether two builds would find the same: their programs of a case are equal byte for byte, but for the revision, the
-/// folder of the sources and the linker's checksum of both, each where its text is as long in both; and so are the data
-/// that the case may read. Whatever cannot be told apart from a change is one: then both are run.
+/// Whether two builds would find the same in a case: its program has the same bytes in both, or else all the compiled
+/// files that it is linked of have, and the data that it may read are the same. The file that holds the revision is
+/// left out: it describes where a record was made and the compiler writes it into its code, so that programs of two
+/// revisions never have the same bytes. Names of the folders of a build and its sources count for nothing where they
+/// are as long in both. Whatever cannot be told from a change is one: then both are run.
 bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other);
 
 }  // namespace touchstone::gate
