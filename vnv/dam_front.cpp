@@ -91,20 +91,20 @@ std::vector<Error> DamFront::compare(const Rung& rung, const Run& run) const {
 }
 
 Plot DamFront::history(Figure frame, std::vector<std::string> rungs) const {
-  return [dam = *this, frame, rungs](const Results& results, Record& record) {
+  const DataTable lobovsky = measured_by_lobovsky(*this);
+  const DataTable martin_moyce =
+      read_table(data_folder() / "experiments" / "martin_moyce_1952_front_square.csv", {"T [-]", "L [-]", "series"})
+          .only("series", "table");
+  require_geometry(martin_moyce, "column_aspect", column_height / column_length, 1e-6);
+  return [dam = *this, frame, rungs, lobovsky, martin_moyce](const Results& results, Record& record) {
     record.figures.push_back(frame);
     for (const std::string& rung : rungs)
       if (const Run* run = results.run(rung)) {
         const FrontHistory ours = history_of(dam, *run, half_full);
         record.curves.push_back({frame.id, results.method.name + " " + rung, Role::ours, ours.T, ours.L, false});
       }
-    const DataTable lobovsky = measured_by_lobovsky(dam);
     record.curves.push_back({frame.id, "Lobovský et al. 2014", Role::experiment, lobovsky.numbers("T [-]"),
                              lobovsky.numbers("L [-]"), true});
-    const DataTable martin_moyce =
-        read_table(data_folder() / "experiments" / "martin_moyce_1952_front_square.csv", {"T [-]", "L [-]", "series"})
-            .only("series", "table");
-    require_geometry(martin_moyce, "column_aspect", dam.column_height / dam.column_length, 1e-6);
     record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
                              martin_moyce.numbers("L [-]"), true});
     record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
@@ -112,7 +112,11 @@ Plot DamFront::history(Figure frame, std::vector<std::string> rungs) const {
 }
 
 Plot DamFront::models() const {
-  return [](const Results& results, Record& record) {
+  const DataTable published = read_table(data_folder() / "papers" / "sun_table_5.csv",
+                                         {"method", "model", "cell [m]", "particles per cell [-]", "spacing [m]",
+                                          "boundary particles [-]", "particles [-]"},
+                                         {"cell [m]", "particles per cell [-]", "boundary particles [-]"});
+  return [published](const Results& results, Record& record) {
     Table table{
         "models",
         "Table 5 of Sun et al. beside ours",
@@ -122,11 +126,7 @@ Plot DamFront::models() const {
          "boundary particles ours", "ratio", "T_p ours [ms]", "memory ours [MB]"},
         {}};
     const std::string method = results.method.name == "mpm" ? "MPM" : "SPH";
-    const DataTable paper = read_table(data_folder() / "papers" / "sun_table_5.csv",
-                                       {"method", "model", "cell [m]", "particles per cell [-]", "spacing [m]",
-                                        "boundary particles [-]", "particles [-]"},
-                                       {"cell [m]", "particles per cell [-]", "boundary particles [-]"})
-                                .only("method", method);
+    const DataTable paper = published.only("method", method);
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       const Run* run = results.run(paper.words("model")[k]);
       if (!run) continue;

@@ -2,6 +2,7 @@
 
 #include "solvers/lattice.hpp"
 #include "vnv/assess.hpp"
+#include "vnv/describe.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
@@ -118,6 +120,13 @@ int explore(const Case& declared) {
   return EXIT_SUCCESS;
 }
 
+/// What a test does must not change what it is judged by; ctest sets one of these for each of its tests.
+void require_no_test(std::string_view option) {
+  for (const char* mark : {"DASHBOARD_TEST_FROM_CTEST", "CTEST_INTERACTIVE_DEBUG_MODE"})
+    if (std::getenv(mark))
+      throw std::invalid_argument(fmt::format("{}: {} is set, as in a test of ctest; wanted a person", option, mark));
+}
+
 /// Makes today's values the baselines, and forgets those of methods and rungs that are gone, unless a claim of theory
 /// or literature fails.
 int accept(const Case& declared) {
@@ -181,7 +190,7 @@ int run(int count, char** arguments) {
                   "Example: {} --method mpm --suite acceptance --records build/records",
                   case_name, case_name)};
   std::string ctest_file, records;
-  bool list = false;
+  bool list = false, describes = false;
   const std::map<std::string, Suite> suites = {
       {"acceptance", Suite::acceptance}, {"report", Suite::report}, {"nightly", Suite::nightly}};
   app.add_option("--method", options.method, "only this method");
@@ -202,6 +211,7 @@ int run(int count, char** arguments) {
       ->check(positive);
   app.add_option("--accept", options.accept_reason, "make today's values the baselines, for this reason");
   app.add_flag("--list", list, "name the methods and their rungs");
+  app.add_flag("--describe", describes, "print methods, rungs, claims, tolerances and baselines as JSON");
   app.add_option("--ctest-file", ctest_file)->group("");
   CLI11_PARSE(app, count, arguments);
   options.records = records;
@@ -221,6 +231,10 @@ int run(int count, char** arguments) {
     }
     return EXIT_SUCCESS;
   }
+  if (describes) {
+    fmt::print("{}", json_of(describe(case_name, declared, data_folder())));
+    return EXIT_SUCCESS;
+  }
   if (app.count("--spacing") > 0) {
     require_positive("--spacing", "spacing [m]", options.spacing);
     if (std::isnan(options.cell)) options.cell = options.spacing;
@@ -229,6 +243,7 @@ int run(int count, char** arguments) {
   if (app.count("--accept") > 0) {
     if (options.accept_reason.empty())
       throw std::invalid_argument("--accept '': wanted the reason why the new values are right");
+    require_no_test("--accept");
     return accept(declared);
   }
   return run_tests(declared, arguments[0]);

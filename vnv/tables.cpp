@@ -224,6 +224,11 @@ void keep(Columns& columns, const std::vector<std::string>& words, std::string_v
   }
 }
 
+std::set<path>& remembered_tables() {
+  static std::set<path> files;
+  return files;
+}
+
 }  // namespace
 
 BadData::BadData(const path& file, int line, std::string_view what)
@@ -329,8 +334,11 @@ DataTable read_table(const path& file, const std::vector<std::string>& headings,
                      const std::vector<std::string>& may_be_nan) {
   const Sheet sheet = read_sheet(file);
   require_headings(sheet, headings);
+  remembered_tables().insert(file);
   return DataTable(sheet, may_be_nan);
 }
+
+const std::set<path>& tables_read() { return remembered_tables(); }
 
 void require_geometry(const DataTable& table, std::string_view key, double value, double tolerance) {
   const auto& provenance = table.provenance();

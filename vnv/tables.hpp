@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -94,6 +95,9 @@ class DataTable {
 /// another unit.
 DataTable read_table(const std::filesystem::path& file, const std::vector<std::string>& headings,
                      const std::vector<std::string>& may_be_nan = {});
+
+/// The files that `read_table` has read so far in this process: what its numbers rest on.
+const std::set<std::filesystem::path>& tables_read();
 
 /// Refuses data that were taken in another geometry. Value and tolerance are SI. Throws BadData.
 void require_geometry(const DataTable& table, std::string_view key, double value, double tolerance);
