@@ -1,0 +1,102 @@
+#include "vnv/command/catalogue.hpp"
+
+#include "vnv/command/joined.hpp"
+#include "vnv/command/patterns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> case_names(const Build& build) {
+  const fs::path file = build.folder / "vnv" / "cases.txt";
+  std::ifstream in(file);
+  if (!in)
+    throw std::runtime_error(fmt::format(
+        "{}: cannot be read, wanted the list of cases in a build folder; --build names one", file.string()));
+  std::vector<std::string> names;
+  for (std::string name; in >> name;) names.push_back(name);
+  return names;
+}
+
+Description described_by(const Words& call) {
+  const Heard heard = run_and_hear(call);
+  const std::string source = joined(call, " ");
+  if (!heard.ending.well()) throw std::runtime_error(fmt::format("{}: {}", source, heard.complaint()));
+  return description_in(heard.output, source);
+}
+
+/// By name, as the cases of the list are.
+std::vector<std::string> cases_meant(const std::vector<std::string>& patterns, const std::vector<std::string>& all) {
+  if (patterns.empty()) return all;
+  std::set<std::string> meant;
+  for (const std::string& pattern : patterns)
+    for (std::string& name : possible_cases(pattern, all)) meant.insert(std::move(name));
+  return {meant.begin(), meant.end()};
+}
+
+}  // namespace
+
+Words Build::call(const std::string& case_name, const Words& arguments) const {
+  Words words = {program(case_name).string()};
+  if (!data.empty()) words.insert(words.end(), {"--data", data.string()});
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+std::vector<Chosen> Catalogue::methods() const {
+  std::vector<Chosen> all;
+  for (const Description& one : cases)
+    for (const MethodDescription& method : one.methods) all.push_back({&one, &method});
+  return all;
+}
+
+Catalogue read_catalogue(const Build& build, const std::vector<std::string>& patterns) {
+  Catalogue catalogue;
+  for (const std::string& name : cases_meant(patterns, case_names(build))) {
+    if (fs::is_regular_file(build.program(name)))
+      catalogue.cases.push_back(described_by(build.call(name, {"--describe"})));
+    else
+      catalogue.not_built.push_back(name);
+  }
+  return catalogue;
+}
+
+std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::string>& patterns,
+                           const std::string& suite) {
+  std::vector<Chosen> methods = catalogue.methods();
+  std::vector<std::string> names;
+  for (const Chosen& one : methods) names.push_back(one.name());
+  const std::vector<std::string> wanted = chosen_by(patterns, names);
+  std::erase_if(methods, [&](const Chosen& one) {
+    return std::ranges::find(wanted, one.name()) == wanted.end() || !(suite.empty() || one.method->is_run_in(suite));
+  });
+  if (methods.empty())
+    throw std::invalid_argument(
+        wanted.empty()
+            ? "no case is built; wanted at least one: cmake --build BUILD"
+            : fmt::format("{}: the suite {} runs none of it, wanted at least one method", joined(wanted, ", "), suite));
+  return methods;
+}
+
+std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std::string>& patterns,
+                               const std::string& suite) {
+  if (!catalogue.not_built.empty())
+    throw std::invalid_argument(fmt::format("not built: {}; wanted the program of each case: cmake --build BUILD",
+                                            joined(catalogue.not_built)));
+  return choose(catalogue, patterns, suite);
+}
+
+void tell_not_built(const Catalogue& catalogue) {
+  if (!catalogue.not_built.empty())
+    fmt::print(stderr, "vnv: {} cases are not built, so not told: cmake --build BUILD\n", catalogue.not_built.size());
+}
+
+}  // namespace touchstone::vnv::command

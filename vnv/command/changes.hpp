@@ -1,0 +1,26 @@
+#pragma once
+/// What an acceptance changed.
+
+#include "vnv/baselines.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv::command {
+
+/// A baseline that is new, gone or other than it was.
+struct Change {
+  std::optional<Baseline> before, after;
+
+  /// The share of the old room, on the side the value went to, that is left; negative beyond the old limits, and not a
+  /// number for a value that is new or gone.
+  double margin() const;
+  /// "poiseuille.mpm M2, 0.1 s, L2 [%]: 1.2 -> 1.3, margin -0.5 of its old room: beyond it"
+  std::string sentence(const std::string& case_name) const;
+};
+
+/// The baselines whose value or limits differ, in the order of the new ones, then those that are gone.
+std::vector<Change> changes(const Baselines& before, const Baselines& after);
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,132 @@
+/// vnv explain: what a case solves, what is claimed of it on whose word, and where its data come from.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/command/joined.hpp"
+#include "vnv/command/terminal.hpp"
+#include "vnv/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+namespace touchstone::vnv::command {
+namespace {
+
+void print_wrapped(const std::string& text, int indent) { fmt::print("{}", wrapped(text, width(), indent)); }
+
+void print_heading(std::string_view text) { fmt::print("\n{}\n", coloured(Colour::bold, text)); }
+
+std::string limits(const ClaimDescription& claim) {
+  if (claim.lower && claim.upper) return fmt::format("{:g} to {:g}", *claim.lower, *claim.upper);
+  if (claim.upper) return fmt::format("at most {:g}", *claim.upper);
+  return claim.lower ? fmt::format("at least {:g}", *claim.lower) : "any";
+}
+
+/// "order of L2 [%] over grid, M2, 0.1 s: at least 1.9, surely above 1.5 (theory: second order)"
+std::string sentence(const ClaimDescription& claim) {
+  std::string text =
+      claim.ladder.empty() ? claim.quantity : fmt::format("order of {} over {}", claim.quantity, claim.ladder);
+  if (!claim.rung.empty()) text += ", " + claim.rung;
+  if (claim.time) text += fmt::format(", {:g} s", *claim.time);
+  text += ": " + limits(claim);
+  if (claim.surely_above) text += fmt::format(", surely above {:g}", *claim.surely_above);
+  return fmt::format("{} ({})", text, claim.author);
+}
+
+/// "2 by theory, 1 by literature, 14 accepted values"
+std::string authors(const std::vector<ClaimDescription>& claims, long accepted) {
+  std::map<std::string, long> counts;
+  for (const ClaimDescription& claim : claims) ++counts[claim.author.substr(0, claim.author.find(':'))];
+  std::string text;
+  for (const std::string author : {"theory", "literature", "baseline"})
+    if (counts[author] > 0) text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", counts[author], author);
+  if (accepted > 0) text += fmt::format("{}{} accepted values", text.empty() ? "" : ", ", accepted);
+  return text.empty() ? "none of its own" : text;
+}
+
+void print_rungs(const MethodDescription& method) {
+  for (const RungDescription& rung : method.rungs) {
+    std::string text = fmt::format("{}: spacing {:g} m", rung.name, rung.spacing);
+    if (rung.cell) text += fmt::format(", cell {:g} m", *rung.cell);
+    if (rung.smoothing_length) text += fmt::format(", smoothing length {:g} m", *rung.smoothing_length);
+    if (rung.time_step) text += fmt::format(", time step {:g} s", *rung.time_step);
+    for (const auto& [suite, until] : rung.until) text += fmt::format("; {} to {:g} s", suite, until);
+    print_wrapped(text, 6);
+  }
+}
+
+void print_method(const MethodDescription& method, bool whole) {
+  fmt::print("  {}\n", coloured(Colour::bold, method.name));
+  print_wrapped(method.description, 4);
+  print_wrapped("Claims: " + authors(method.claims, method.baselines), 4);
+  if (!whole) return;
+  for (const ClaimDescription& claim : method.claims) print_wrapped(sentence(claim), 6);
+  fmt::print("    Rungs:\n");
+  print_rungs(method);
+  for (const LadderDescription& ladder : method.ladders)
+    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.rungs, ", ")), 4);
+  print_wrapped(fmt::format("New baselines have {:g} % of room, or {:g}: {}", 100 * method.tolerance.relative,
+                            method.tolerance.absolute, method.tolerance.basis),
+                4);
+}
+
+/// Where the numbers of a file come from, what they hold for and how far.
+void print_table(const std::string& file) {
+  print_wrapped(file, 2);
+  for (const Sheet::Key& key : read_sheet(file).keys)
+    if (key.name != "scaling") print_wrapped(key.name + ": " + key.value, 4);
+}
+
+void print_data(const Description& one) {
+  if (!one.tables.empty()) print_heading("Data that the case declares");
+  for (const std::string& file : one.tables) print_table(file);
+  print_heading("Baselines");
+  if (one.acceptance.revision.empty()) return fmt::print("  none accepted yet\n");
+  print_wrapped(one.baseline_file, 2);
+  print_wrapped(fmt::format("accepted {} at revision {}: {}", one.acceptance.date, one.acceptance.revision,
+                            one.acceptance.reason),
+                4);
+}
+
+void explain_case(const Description& one, const std::vector<Chosen>& methods, bool whole) {
+  fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", one.name, one.title)));
+  print_wrapped(one.description, 0);
+  if (!one.claims.empty()) print_heading("Claimed of any method");
+  for (const ClaimDescription& claim : one.claims) print_wrapped(sentence(claim), 2);
+  print_heading("Methods");
+  for (const Chosen& chosen : methods)
+    if (chosen.of == &one) print_method(*chosen.method, whole);
+  print_data(one);
+}
+
+int explain(const Build& build, const std::string& pattern) {
+  const Catalogue catalogue = read_catalogue(build, {pattern});
+  const std::vector<Chosen> methods = choose_all(catalogue, {pattern}, "");
+  const bool whole = methods.size() == 1;
+  const Description* last = nullptr;
+  for (const Chosen& chosen : methods) {
+    if (chosen.of == last) continue;
+    if (last) fmt::print("\n");
+    last = chosen.of;
+    explain_case(*chosen.of, methods, whole);
+  }
+  return all_holds;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Session& session) {
+  const auto pattern = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "explain", "Tells what a case solves, what is claimed on whose word, and where its data come from.");
+  command->footer(
+
+      "One method alone is told with its claims and rungs.\n"
+      "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
+  command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
+  command->callback(
+      [&session, pattern] { session.todo = [&session, pattern] { return explain(session.build, *pattern); }; });
+}
+
+}  // namespace touchstone::vnv::command

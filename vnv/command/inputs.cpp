@@ -1,0 +1,71 @@
+#include "vnv/command/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path inputs_file(const fs::path& records, const std::string& name) { return records / "inputs" / name; }
+
+std::string text_of(const Inputs& inputs) { return fmt::format("suite {}\nhash {}\n", inputs.suite, inputs.hash); }
+
+}  // namespace
+
+void Hash::add(std::string_view bytes) {
+  for (const char byte : bytes) value_ = (value_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+}
+
+void Hash::add_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> part(1 << 16);
+  while (in.read(part.data(), std::ssize(part)), in.gcount() > 0)
+    add({part.data(), static_cast<std::size_t>(in.gcount())});
+  if (!in.eof()) throw std::runtime_error(fmt::format("{}: cannot be read, wanted a file to hash", file.string()));
+}
+
+std::string Hash::digits() const { return fmt::format("{:016x}", value_); }
+
+std::string hash_of_inputs(const fs::path& program, const Description& described) {
+  std::set<fs::path> files;  // in the order of their names
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(described.data_folder))
+    if (entry.is_regular_file() && entry.path().parent_path().filename() != "baselines") files.insert(entry.path());
+  if (fs::exists(described.baseline_file)) files.insert(described.baseline_file);
+  Hash hash;
+  hash.add_file(program);
+  for (const fs::path& file : files) {
+    hash.add(file.lexically_relative(described.data_folder).string() + '\0');
+    hash.add_file(file);
+  }
+  return hash.digits();
+}
+
+fs::path record_file(const fs::path& records, const std::string& name) { return records / (name + ".json"); }
+
+bool is_done(const fs::path& records, const std::string& name, const Inputs& inputs) {
+  std::ifstream in(inputs_file(records, name));
+  std::ostringstream found;
+  found << in.rdbuf();
+  return fs::exists(record_file(records, name)) && found.str() == text_of(inputs);
+}
+
+void set_done(const fs::path& records, const std::string& name, const Inputs& inputs) {
+  const fs::path file = inputs_file(records, name);
+  fs::create_directories(file.parent_path());
+  if (!(std::ofstream(file) << text_of(inputs) << std::flush))
+    throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+void forget(const fs::path& records, const std::string& name) {
+  fs::remove(inputs_file(records, name));
+  fs::remove(record_file(records, name));
+}
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,94 @@
+#include "vnv/command/inputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FinishedWork : public testing::Test {
+ protected:
+  FinishedWork() {
+    for (const char* folder : {"data/baselines", "data/papers", "records"}) fs::create_directories(root_ / folder);
+    put("program", "machine code");
+    put("data/papers/table.csv", "1");
+    put("data/baselines/small.csv", "2");
+    put("data/baselines/other.csv", "3");
+    described_.data_folder = root_ / "data";
+    described_.baseline_file = root_ / "data/baselines/small.csv";
+  }
+  ~FinishedWork() override { fs::remove_all(root_); }
+
+  void put(const std::string& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
+  std::string hash() const { return hash_of_inputs(root_ / "program", described_); }
+  fs::path records() const { return root_ / "records"; }
+  Inputs inputs() const { return {hash(), "acceptance"}; }
+
+  const fs::path root_ = fs::path(testing::TempDir()) /
+                         ("inputs." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  Description described_;
+};
+
+TEST_F(FinishedWork, IsKnownAgain) {
+  put("records/small.mpm.json", "{}");
+  EXPECT_FALSE(is_done(records(), "small.mpm", inputs()));
+  set_done(records(), "small.mpm", inputs());
+  EXPECT_TRUE(is_done(records(), "small.mpm", inputs()));
+  EXPECT_FALSE(is_done(records(), "small.sph", inputs()));
+}
+
+TEST_F(FinishedWork, OfAnotherSuiteIsOther) {
+  put("records/small.mpm.json", "{}");
+  set_done(records(), "small.mpm", inputs());
+  EXPECT_FALSE(is_done(records(), "small.mpm", {hash(), "nightly"}));
+}
+
+TEST_F(FinishedWork, WithoutItsRecordIsNone) {
+  set_done(records(), "small.mpm", inputs());
+  EXPECT_FALSE(is_done(records(), "small.mpm", inputs()));
+}
+
+TEST_F(FinishedWork, ThatIsForgottenIsGone) {
+  put("records/small.mpm.json", "{}");
+  set_done(records(), "small.mpm", inputs());
+  forget(records(), "small.mpm");
+  EXPECT_FALSE(fs::exists(record_file(records(), "small.mpm")));
+  EXPECT_FALSE(is_done(records(), "small.mpm", inputs()));
+}
+
+TEST_F(FinishedWork, IsDoneAnewAfterAnyInputChanged) {
+  const std::string before = hash();
+  EXPECT_EQ(hash(), before);
+  put("data/papers/table.csv", "1.1");
+  const std::string other_table = hash();
+  EXPECT_NE(other_table, before);
+  put("data/baselines/small.csv", "2.1");
+  const std::string other_baselines = hash();
+  EXPECT_NE(other_baselines, other_table);
+  put("program", "other machine code");
+  EXPECT_NE(hash(), other_baselines);
+}
+
+TEST_F(FinishedWork, StandsWhenBaselinesOfOthersChange) {
+  const std::string before = hash();
+  put("data/baselines/other.csv", "3.1");
+  EXPECT_EQ(hash(), before);
+}
+
+TEST_F(FinishedWork, OfAProgramThatIsGoneIsRefused) {
+  fs::remove(root_ / "program");
+  EXPECT_THROW(hash(), std::runtime_error);
+}
+
+TEST(AHash, IsThatOfFowlerNollAndVo) {
+  Hash hash;
+  hash.add("foobar");
+  EXPECT_EQ(hash.digits(), "85944171f73967e8");
+}
+
+}  // namespace
+}  // namespace touchstone::vnv::command

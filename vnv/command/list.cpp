@@ -1,0 +1,86 @@
+/// vnv list: cases, methods, rungs, and which suite runs what.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/command/joined.hpp"
+#include "vnv/command/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace touchstone::vnv::command {
+namespace {
+
+struct Options {
+  std::vector<std::string> patterns{};
+  std::string suite{};  // empty: all
+  bool as_json = false, names_alone = false;
+};
+
+std::vector<std::string> rungs_of(const MethodDescription& method, const std::string& suite) {
+  std::vector<std::string> names;
+  for (const RungDescription& rung : method.rungs)
+    if (rung.until.contains(suite)) names.push_back(rung.name);
+  return names;
+}
+
+void print_names(const std::vector<Chosen>& methods) {
+  for (const Chosen& one : methods) fmt::print("{}\n", one.name());
+}
+
+void print_json(const std::vector<Chosen>& methods) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Chosen& one : methods) {
+    nlohmann::ordered_json rungs = nlohmann::ordered_json::object();
+    for (const std::string& suite : suites)
+      if (one.method->is_run_in(suite)) rungs[suite] = rungs_of(*one.method, suite);
+    all.push_back({{"case", one.of->name},
+                   {"title", one.of->title},
+                   {"method", one.method->name},
+                   {"timed", one.of->timed},
+                   {"rungs", rungs}});
+  }
+  fmt::print("{}\n", all.dump(2));
+}
+
+void print_for_people(const std::vector<Chosen>& methods, const std::string& only) {
+  const Description* last = nullptr;
+  for (const Chosen& one : methods) {
+    if (one.of != last) fmt::print("{}  {}\n", coloured(Colour::bold, one.of->name), one.of->title);
+    last = one.of;
+    fmt::print("  {}\n", one.method->name);
+    for (const std::string& suite : suites)
+      if (one.method->is_run_in(suite) && (only.empty() || suite == only))
+        fmt::print("    {:<10}  {}\n", suite, joined(rungs_of(*one.method, suite), ", "));
+  }
+}
+
+int list(const Build& build, const Options& options) {
+  const Catalogue catalogue = read_catalogue(build, options.patterns);
+  if (!options.names_alone) tell_not_built(catalogue);
+  const std::vector<Chosen> methods = choose(catalogue, options.patterns, options.suite);
+  if (options.names_alone)
+    print_names(methods);
+  else if (options.as_json)
+    print_json(methods);
+  else
+    print_for_people(methods, options.suite);
+  return all_holds;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Session& session) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("list", "Names cases, methods and rungs, and which suite runs what.");
+  command->footer("Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json");
+  add_patterns(*command, options->patterns);
+  add_suite(*command, options->suite);
+  CLI::Option* json = command->add_flag("--json", options->as_json, "for other programs");
+  command->add_flag("--names", options->names_alone, "CASE.METHOD alone, a line each")->excludes(json);
+  command->callback(
+      [&session, options] { session.todo = [&session, options] { return list(session.build, *options); }; });
+}
+
+}  // namespace touchstone::vnv::command

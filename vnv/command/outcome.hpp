@@ -1,0 +1,28 @@
+#pragma once
+/// What came of a method: by its record, and by how its program ended.
+
+#include "vnv/command/process.hpp"
+#include "vnv/record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv::command {
+
+struct MethodOutcome {
+  long held = 0, judged = 0;            // claims
+  double cpu = 0;                       // s  of all its runs
+  std::vector<std::string> failures{};  // sentences
+};
+
+MethodOutcome outcome_in(const Record& record);
+
+/// Of a program that has just ended, and the record it was to write. A program that did not end by itself, that wrote
+/// no record, or that failed although no claim did, is a failure of its own; `log` is where it said why.
+MethodOutcome outcome_of(const std::string& name, const Ending& ending, const std::filesystem::path& record,
+                         const std::filesystem::path& log);
+
+/// Whether a record tells all there is to tell: then the method need not run again.
+bool is_conclusive(const MethodOutcome& outcome, const Ending& ending);
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,60 @@
+#include "vnv/command/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AnOutcome : public testing::Test {
+ protected:
+  AnOutcome() { fs::create_directories(folder_); }
+  ~AnOutcome() override { fs::remove_all(folder_); }
+
+  fs::path record_with(const std::vector<Outcome>& outcomes) const {
+    Record record;
+    for (const Outcome outcome : outcomes) {
+      Verdict& verdict = record.verdicts.emplace_back();
+      verdict.outcome = outcome;
+      verdict.sentence = "small.mpm: L2 = 2: FAILS";
+    }
+    write(record, folder_ / "small.mpm.json");
+    return folder_ / "small.mpm.json";
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           ("outcome." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const Ending well_{}, failed_{.status = 1}, killed_{.signal = 9};
+};
+
+TEST_F(AnOutcome, CountsWhatHoldsAndQuotesWhatDoesNot) {
+  const MethodOutcome outcome =
+      outcome_of("small.mpm", failed_, record_with({Outcome::holds, Outcome::fails, Outcome::inconclusive}), "log");
+  EXPECT_EQ(outcome.held, 1);
+  EXPECT_EQ(outcome.judged, 3);
+  EXPECT_EQ(outcome.failures, std::vector<std::string>(2, "small.mpm: L2 = 2: FAILS"));
+  EXPECT_TRUE(is_conclusive(outcome, failed_));
+}
+
+TEST_F(AnOutcome, OfAProgramThatWasKilledSaysBySignal) {
+  const MethodOutcome outcome = outcome_of("small.mpm", killed_, folder_ / "none.json", "logs/small.mpm.txt");
+  ASSERT_EQ(outcome.failures.size(), 1u);
+  EXPECT_EQ(outcome.failures[0], "small.mpm: its program was killed by signal 9 (Killed); logs/small.mpm.txt");
+  EXPECT_FALSE(is_conclusive(outcome, killed_));
+}
+
+TEST_F(AnOutcome, OfAProgramThatFailsThoughAllHoldsIsAFailure) {
+  const MethodOutcome outcome = outcome_of("small.mpm", failed_, record_with({Outcome::holds}), "log");
+  EXPECT_EQ(outcome.failures.size(), 1u);
+  EXPECT_FALSE(is_conclusive(outcome, failed_));
+}
+
+TEST_F(AnOutcome, WithoutARecordIsAFailure) {
+  const MethodOutcome outcome = outcome_of("small.mpm", well_, folder_ / "none.json", "log");
+  EXPECT_EQ(outcome.failures.size(), 1u);
+  EXPECT_FALSE(is_conclusive(outcome, well_));
+}
+
+}  // namespace
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,191 @@
+/// vnv run: judges methods by their programs, several at once, and skips what was done before from the same inputs.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/command/inputs.hpp"
+#include "vnv/command/outcome.hpp"
+#include "vnv/command/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <thread>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::vector<std::string> patterns{};
+  std::string suite = "acceptance";
+  int at_once = 1;
+  fs::path records{};
+  bool again = false;
+};
+
+struct Job {
+  Chosen chosen;
+  Inputs inputs;
+};
+
+/// What came of all methods.
+struct Sum {
+  long methods = 0, failed = 0, skipped = 0;
+  long held = 0, judged = 0;  // claims
+  std::vector<std::string> failures{};
+};
+
+void print_line(const std::string& name, const MethodOutcome& outcome, std::string_view how) {
+  const bool holds = outcome.failures.empty();
+  fmt::print("{} {}: {} of {} claims hold, {:.3g} CPU s{}\n",
+             coloured(holds ? Colour::green : Colour::red, holds ? "holds" : "FAILS"), name, outcome.held,
+             outcome.judged, outcome.cpu, how);
+  std::fflush(stdout);
+}
+
+void add(Sum& sum, const std::string& name, const MethodOutcome& outcome, bool skipped) {
+  ++sum.methods;
+  sum.failed += !outcome.failures.empty();
+  sum.skipped += skipped;
+  sum.held += outcome.held;
+  sum.judged += outcome.judged;
+  sum.failures.insert(sum.failures.end(), outcome.failures.begin(), outcome.failures.end());
+  if (!skipped || !outcome.failures.empty()) print_line(name, outcome, skipped ? ", as before" : "");
+}
+
+/// Runs jobs, the dearest first, and those whose claims are of time alone, last.
+class Runner {
+ public:
+  Runner(const Build& build, const Options& options, Sum& sum) : build_(build), options_(options), sum_(sum) {}
+
+  void run(std::vector<Job> jobs) {
+    std::ranges::sort(jobs, [](const Job& a, const Job& b) {
+      const auto place = [](const Job& job) {
+        return std::pair(job.chosen.of->timed, -job.chosen.method->relative_cost);
+      };
+      return place(a) < place(b);
+    });
+    count_ = jobs.size();
+    auto next = jobs.cbegin();
+    while (next != jobs.cend() || !running_.empty()) {
+      while (next != jobs.cend() && may_start(*next)) begin(*next++);
+      if (const std::optional<Child> child = any_ended())
+        end(*child);
+      else
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      show_progress();
+    }
+  }
+
+ private:
+  struct Running {
+    const Job* job;
+    Clock::time_point since;
+  };
+
+  bool may_start(const Job& job) const {
+    const bool one_is_timed =
+        std::ranges::any_of(running_, [](const auto& entry) { return entry.second.job->chosen.of->timed; });
+    return running_.empty() || (!job.chosen.of->timed && !one_is_timed && std::ssize(running_) < options_.at_once);
+  }
+
+  fs::path log(const std::string& name) const { return options_.records / "logs" / (name + ".txt"); }
+
+  void begin(const Job& job) {
+    const std::string name = job.chosen.name();
+    forget(options_.records, name);
+    const Words call = build_.call(job.chosen.of->name, {"--method", job.chosen.method->name, "--suite", options_.suite,
+                                                         "--records", options_.records.string()});
+    running_.emplace(start(call, log(name)), Running{&job, Clock::now()});
+  }
+
+  void end(const Child& child) {
+    const Job& job = *running_.at(child.id).job;
+    running_.erase(child.id);
+    const std::string name = job.chosen.name();
+    const MethodOutcome outcome = outcome_of(name, child.ending, record_file(options_.records, name), log(name));
+    if (is_conclusive(outcome, child.ending)) set_done(options_.records, name, job.inputs);
+    line_.clear();
+    add(sum_, name, outcome, false);
+    ++ended_;
+  }
+
+  void show_progress() {
+    if (Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
+    shown_ = Clock::now();
+    std::string text = fmt::format("{} of {}:", ended_, count_);
+    for (const auto& [id, one] : running_)
+      text += fmt::format(" {} {:.0f} s", one.job->chosen.name(),
+                          std::chrono::duration<double>(shown_ - one.since).count());
+    line_.show(text);
+  }
+
+  const Build& build_;
+  const Options& options_;
+  Sum& sum_;
+  ProgressLine line_;
+  std::map<pid_t, Running> running_;
+  std::size_t ended_ = 0, count_ = 0;
+  Clock::time_point shown_{};
+};
+
+/// The jobs that are still to do; what was done before is added to the sum.
+std::vector<Job> skip_done(const Build& build, const Options& options, const std::vector<Chosen>& methods, Sum& sum) {
+  std::map<const Description*, std::string> hashes;
+  std::vector<Job> todo;
+  for (const Chosen& one : methods) {
+    std::string& hash = hashes[one.of];
+    if (hash.empty()) hash = hash_of_inputs(build.program(one.of->name), *one.of);
+    const Inputs inputs{hash, options.suite};
+    if (!options.again && is_done(options.records, one.name(), inputs))
+      add(sum, one.name(), outcome_in(read_record(record_file(options.records, one.name()))), true);
+    else
+      todo.push_back({one, inputs});
+  }
+  return todo;
+}
+
+int conclude(const Sum& sum) {
+  for (const std::string& sentence : sum.failures) fmt::print("{}\n", coloured(Colour::red, sentence));
+  fmt::print("{} of {} methods hold, {} of {} claims", sum.methods - sum.failed, sum.methods, sum.held, sum.judged);
+  if (sum.skipped > 0)
+    fmt::print("; {} skipped, whose programs and data are as they were (--again runs them)", sum.skipped);
+  fmt::print("\n");
+  return sum.failures.empty() ? all_holds : something_fails;
+}
+
+int run(const Build& build, Options options) {
+  const Catalogue catalogue = read_catalogue(build, options.patterns);
+  const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
+  if (options.records.empty()) options.records = build.records(options.suite);
+  fs::create_directories(options.records / "logs");
+  Sum sum;
+  const std::vector<Job> todo = skip_done(build, options, methods, sum);
+  Runner(build, options, sum).run(todo);
+  return conclude(sum);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Session& session) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("run", "Runs methods and judges them by their claims.");
+  command->footer(
+      "A method is skipped if the folder of records has one of the same program, data and suite.\n"
+      "Examples:\n  vnv run couette.mpm\n"
+      "  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine");
+  add_patterns(*command, options->patterns);
+  add_suite(*command, options->suite)->capture_default_str();
+  command->add_option("-j", options->at_once, "so many programs at once; what judges time runs alone")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--records", options->records, "folder of records; else BUILD/records/SUITE");
+  command->add_flag("--again", options->again, "skip nothing");
+  command->callback(
+      [&session, options] { session.todo = [&session, options] { return run(session.build, *options); }; });
+}
+
+}  // namespace touchstone::vnv::command

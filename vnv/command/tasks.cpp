@@ -1,0 +1,53 @@
+#include "vnv/command/tasks.hpp"
+
+#include "vnv/command/inputs.hpp"
+#include "vnv/record.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace touchstone::vnv::command {
+namespace {
+
+std::map<std::string, double> costs_of_rungs(const std::filesystem::path& file) {
+  std::map<std::string, double> costs;
+  if (!std::filesystem::exists(file)) return costs;
+  for (const RunSummary& run : read_record(file).runs)
+    costs[run.rung] += run.cost.cpu * static_cast<double>(run.cost.repeats);
+  return costs;
+}
+
+}  // namespace
+
+std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string& suite,
+                           const std::filesystem::path& records) {
+  std::vector<Task> tasks;
+  for (const Chosen& one : methods) {
+    const std::map<std::string, double> costs = costs_of_rungs(record_file(records, one.name()));
+    for (const RungDescription& rung : one.method->rungs) {
+      const auto until = rung.until.find(suite);
+      if (until == rung.until.end()) continue;
+      const auto cost = costs.find(rung.name);
+      tasks.push_back({one.name(), rung.name, rung.spacing, until->second,
+                       cost == costs.end() ? std::nullopt : std::optional(cost->second), one.of->timed});
+    }
+  }
+  return tasks;
+}
+
+Estimate estimate(const std::vector<Task>& tasks, int at_once) {
+  Estimate all;
+  std::map<std::string, double> together;  // s  by method, of those that may run side by side
+  double alone = 0;                        // s
+  for (const Task& task : tasks) {
+    const double cpu = task.cpu.value_or(0);
+    all.cpu += cpu;
+    all.unknown += !task.cpu;
+    (task.timed ? alone : together[task.name]) += cpu;
+  }
+  for (const auto& [name, cpu] : together) all.longest = std::max(all.longest, cpu);
+  all.shortest_wall = alone + std::max(all.longest, (all.cpu - alone) / at_once);
+  return all;
+}
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,36 @@
+#pragma once
+/// What a suite has to do, rung by rung, and what it cost last time.
+
+#include "vnv/command/catalogue.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv::command {
+
+/// One method on one rung.
+struct Task {
+  std::string name;           // "poiseuille.mpm"
+  std::string rung;           // "M2"
+  double spacing = 0;         // m
+  double until = 0;           // s  of flow
+  std::optional<double> cpu;  // s  of all its repeats, if a record tells
+  bool timed = false;         // nothing else runs beside it
+};
+
+/// The rungs of methods that a suite runs, with their cost by the records of the folder, where there are any. Throws
+/// std::runtime_error for a record that cannot be read.
+std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string& suite,
+                           const std::filesystem::path& records);
+
+struct Estimate {
+  double cpu = 0;            // s  of the tasks whose cost is known
+  long unknown = 0;          // tasks
+  double longest = 0;        // s  of one method, whose rungs run one after the other
+  double shortest_wall = 0;  // s  with so many methods at once, each on a processor of its own
+};
+Estimate estimate(const std::vector<Task>& tasks, int at_once);
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,78 @@
+#include "vnv/command/terminal.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+namespace touchstone::vnv::command {
+namespace {
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+bool is_dumb() { return is_set("TERM") && std::string_view(std::getenv("TERM")) == "dumb"; }
+
+bool has_colours() {
+  static const bool has = isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR") && !is_dumb();
+  return has;
+}
+
+int columns_of(int file) {
+  winsize size{};
+  return ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? std::max<int>(size.ws_col, 40) : 100;
+}
+
+int columns_taken(std::string_view word) {
+  return static_cast<int>(std::ranges::count_if(word, [](char byte) { return (byte & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string coloured(Colour colour, std::string_view text) {
+  if (!has_colours()) return std::string(text);
+  return fmt::format("\x1b[{}m{}\x1b[0m", static_cast<int>(colour), text);
+}
+
+int width() { return isatty(STDOUT_FILENO) != 0 ? columns_of(STDOUT_FILENO) : 100; }
+
+std::string wrapped(std::string_view text, int columns, int indent) {
+  const std::string margin(static_cast<std::size_t>(indent), ' ');
+  std::string lines;
+  std::istringstream paragraphs{std::string(text)};
+  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+    int taken = 0;
+    std::istringstream words(paragraph);
+    for (std::string word; words >> word;) {
+      const bool fits = taken > 0 && taken + 1 + columns_taken(word) <= columns;
+      lines += fits ? " " : taken > 0 ? "\n" + margin : margin;
+      taken = (fits ? taken + 1 : indent) + columns_taken(word);
+      lines += word;
+    }
+    lines += '\n';
+  }
+  return lines;
+}
+
+ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0 && !is_dumb()) {}
+
+void ProgressLine::show(const std::string& text) {
+  if (!on_terminal_) return;
+  const auto room = static_cast<std::size_t>(columns_of(STDERR_FILENO) - 1);
+  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, room));
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (!on_terminal_) return;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace touchstone::vnv::command
