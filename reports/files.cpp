@@ -17,8 +17,8 @@ void want(const std::error_code& cause, const fs::path& place) {
   if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", place.string(), cause.message()));
 }
 
-fs::path neighbour(const fs::path& site, const char* kind) {
-  return site.parent_path() / fmt::format(".{}.{}.{}", site.filename().string(), getpid(), kind);
+fs::path neighbour(const fs::path& place, const char* kind) {
+  return place.parent_path() / fmt::format(".{}.{}.{}", place.filename().string(), getpid(), kind);
 }
 
 // "site/" and "./site" name the same folder as "site".
@@ -35,6 +35,19 @@ void save(const fs::path& file, const std::string& text) {
   stream << text;
   stream.close();
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+}
+
+void save_whole(const fs::path& file, const std::string& text) {
+  const fs::path part = neighbour(file, "part");
+  std::error_code cause, ignored;
+  try {
+    save(part, text);
+    fs::rename(part, file, cause);
+    want(cause, file);
+  } catch (...) {
+    fs::remove(part, ignored);
+    throw;
+  }
 }
 
 Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(site_, "part")) {

@@ -9,6 +9,9 @@ namespace touchstone::reports {
 /// Throws std::runtime_error naming the file and the cause.
 void save(const std::filesystem::path& file, const std::string& text);
 
+/// The same, whole or not at all: to a neighbouring temporary name, then renamed.
+void save_whole(const std::filesystem::path& file, const std::string& text);
+
 /// A folder beside another, in which that other is made anew; what is not published is removed.
 class Staging {
  public:

@@ -82,7 +82,7 @@ std::string html_page(std::string_view title, std::string_view root, std::string
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<link rel=\"stylesheet\" href=\"{}style.css\">\n</head>\n<body>\n{}</body>\n</html>\n",
+      "<title>{0}</title>\n<link rel=\"stylesheet\" href=\"{1}style.css\">\n<script src=\"{1}site.js\" defer></script>\n</head>\n<body>\n{2}</body>\n</html>\n",
       escape(title), root, body);
 }
 

@@ -38,7 +38,19 @@ std::string method_entry(const vnv::Record& record) {
                      sum.total());
 }
 
-std::string table_of_cases(const std::vector<CaseRecords>& cases) {
+/// Whether all that fails in a case is known to.
+bool is_excused(const Tally& sum, const std::string& name, const Standing& standing) {
+  const auto is_its = [&](const vnv::Verdict& v) { return v.case_name == name; };
+  return sum.fails > 0 && std::ranges::none_of(standing.unknown, is_its);
+}
+
+HtmlCell counts_cell(const Tally& sum, const std::string& name, const Standing& standing) {
+  if (sum.total() == 0) return {"no claim", word(sum.worst())};
+  if (is_excused(sum, name, standing)) return {counts(sum) + ", known", "known"};
+  return {counts(sum), word(sum.worst())};
+}
+
+std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing& standing) {
   HtmlTable table{
       "Cases.",
       "The smallest margin is the share of a limit that is left by the claim that is closest to its own; beside "
@@ -52,7 +64,7 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases) {
     const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
     table.rows.push_back(
         {{fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"},
-         {sum.total() == 0 ? "no claim" : counts(sum), word(sum.worst())},
+         counts_cell(sum, records.name, standing),
          {has_margin ? margin_bar(sum.worst_margin) : ""},
          {"<div class=\"methods\">" + methods + "</div>", "words"}});
   }
@@ -88,27 +100,51 @@ std::string environment(const std::vector<CaseRecords>& cases) {
   return to_html(table);
 }
 
+/// The colour of the whole night.
+std::string kind_of_night(const Tally& sum, const Standing& standing) {
+  if (standing.reds() > 0) return "fails";
+  return standing.known.empty() ? word(sum.worst()) : "known";
+}
+
+/// What the list of known failures has to say of the count.
+std::string known_words(const Standing& standing) {
+  std::string words;
+  if (!standing.known.empty()) words += fmt::format(" {} known to fail.", standing.known.size());
+  if (!standing.unexpected_passes.empty())
+    words += fmt::format(" {} known to fail, but passed.", standing.unexpected_passes.size());
+  return words;
+}
+
+std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
+  std::erase_if(verdicts, [](const vnv::Verdict& v) { return v.outcome != vnv::Outcome::inconclusive; });
+  return verdicts;
+}
+
 std::string orders_link(const std::vector<CaseRecords>& cases) {
   if (std::ranges::none_of(cases, is_in_matrix)) return "";
   return "<p>How fast the errors of each method shrink in each flow: <a href=\"orders.html\">orders of "
          "convergence</a>.</p>\n";
 }
 
+constexpr const char* trend_link =
+    "<p>How the numbers went from night to night, and what changed last: <a href=\"trend.html\">trend</a>.</p>\n";
+
 }  // namespace
 
-std::string index_page(const std::vector<CaseRecords>& cases) {
+std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend) {
   const auto verdicts = all_verdicts(cases);
   const Tally sum = tally(verdicts);
   const std::string body = fmt::format(
-      "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}</p>\n{}</header>\n"
+      "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n"
       "<p>Each claim says how far a solver may stand from an exact solution, an experiment, a published result or its "
       "own "
       "earlier answer, and who set that limit. A number that is not one never holds, and what cannot be told is called "
       "inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
-      word(sum.worst()), sentence(sum), complaints(verdicts), table_of_cases(cases), orders_link(cases),
-      environment(cases));
+      kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
+      complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
+      orders_link(cases) + (has_trend ? trend_link : ""), environment(cases));
   return html_page("Touchstone", "", body);
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 /// The first page: how much holds, which case and method to look at, and where it was run.
 
-#include "reports/cases.hpp"
+#include "reports/known_failures.hpp"
 
 #include <string>
 #include <vector>
 
 namespace touchstone::reports {
 
-std::string index_page(const std::vector<CaseRecords>& cases);
+/// With a history it leads to the trend, too.
+std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend);
 
 }  // namespace touchstone::reports

@@ -173,6 +173,35 @@ TEST_F(Site, DoesNotReplaceTheFolderOfItsRecords) {
   EXPECT_TRUE(fs::exists(site / "records" / "mpm.json"));
 }
 
+TEST_F(Site, WithAHistoryHasATrendOverItsNights) {
+  vnv::Record record = sample_record();
+  record.suite = "nightly";
+  for (const char* day : {"21", "22"}) {
+    record.finished_at = fmt::format("2026-11-{}T04:00:00Z", day);
+    record.revision = fmt::format("revision{}", day);
+    record.verdicts[0].value *= 1.05;
+    put(record);
+    make_site(records, site, {.history = folder / "nights"});
+  }
+  std::ofstream(folder / "nights" / "torn.jsonl") << "{\"night\":1,";
+  make_site(records, site, {.history = folder / "nights"});
+  EXPECT_TRUE(contains(page("index.html"), "href=\"trend.html\""));
+  for (const char* words : {"2 nights, 2026-11-21 to 2026-11-22: the last one changed one value.", "revision22",
+                            "torn.jsonl:1: no whole line of JSON", "data-values=\"1.575,1.654\""})
+    EXPECT_TRUE(contains(page("trend.html"), words)) << words;
+  EXPECT_TRUE(contains(page("trend_steps.csv"), "2026-11-22T04:00:00Z,revision22,poiseuille,mpm,M2"));
+}
+
+TEST_F(Site, WithoutAHistoryHasNoTrend) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "trend.html"));
+  EXPECT_FALSE(contains(page("index.html"), "trend.html"));
+}
+
+TEST_F(Site, DoesNotReplaceTheFolderOfItsNights) {
+  EXPECT_THROW(make_site(records, site, {.history = site / "nights"}), std::runtime_error);
+}
+
 TEST_F(Site, WhereNothingCanBeWrittenIsRefused) {
   std::ofstream(folder / "file") << "";
   EXPECT_THROW(make_site(records, folder / "file" / "site"), std::runtime_error);

@@ -24,9 +24,11 @@ a { color: var(--link); text-decoration-thickness: 1px; text-underline-offset: 2
 .sum { font-size: 1.1rem; border-left: 4px solid; padding: .35rem .9rem; }
 .sum.holds { border-color: var(--holds); background: var(--holds-pale); }
 .sum.fails { border-color: var(--fails); background: var(--fails-pale); }
+.sum.known { border-color: var(--stalled); background: var(--stalled-pale); }
 .sum.inconclusive { border-color: var(--open); background: var(--open-pale); }
-ul.fails, ul.inconclusive { padding-left: 1.2rem; font-size: .95rem; }
+ul.fails, ul.known, ul.inconclusive { padding-left: 1.2rem; font-size: .95rem; }
 ul.fails li { color: var(--fails); }
+ul.known li, td.known { color: var(--stalled); }
 ul.inconclusive li { color: var(--open); }
 figure { margin: 0 0 2.5rem; max-width: 48rem; break-inside: avoid; }
 figure img { display: block; max-width: 100%; height: auto; }
@@ -76,6 +78,29 @@ td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
   grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); margin: 1.5rem 0 2rem; }
 .legend li { padding: .4rem .7rem; }
 .legend b { display: block; }
+th[tabindex] { cursor: pointer; }
+th[aria-sort="ascending"]::after { content: "\00a0▲"; font-size: .7em; }
+th[aria-sort="descending"]::after { content: "\00a0▼"; font-size: .7em; }
+.trends h2 { margin: 2.6rem 0 0; }
+.trends h3 { font-size: .95rem; font-weight: 600; margin: 1.1rem 0 .35rem; }
+.multiples { display: grid; gap: 0 1.5rem; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)); }
+.trend { display: grid; grid-row: span 3; grid-template-rows: subgrid; row-gap: 0; min-width: 0; margin-bottom: 1rem;
+  font-size: .8rem; line-height: 1.35; touch-action: pan-y; break-inside: avoid; }
+.trend p { margin: 0; align-self: end; }
+.trend p:last-child { align-self: start; }
+.trend p:last-child { font-variant-numeric: tabular-nums lining-nums; min-height: 1.35em; }
+.trend p:last-child span { color: var(--quiet); margin-right: .4em; white-space: nowrap; }
+.trend p:last-child .step { color: var(--stalled); }
+.trend b.fails { color: var(--fails); }
+.trend svg { display: block; width: 100%; height: 3.4rem; margin: .15rem 0; background: linear-gradient(var(--ink), var(--ink))
+  calc(var(--told, -1) * 100%) 0 / 1px 100% no-repeat; border-bottom: 1px solid var(--hair); overflow: visible; }
+.trend:not(.told) svg { background: none; }
+.trend path { fill: none; vector-effect: non-scaling-stroke; }
+.trend .line { stroke: #0072B2; stroke-width: 1.2; }
+.trend .dots { stroke: #0072B2; stroke-width: 4; stroke-linecap: round; }
+.trend .dots.fails, .trend .nan { stroke: var(--fails); }
+.trend path.step { stroke: var(--stalled); stroke-width: 1; }
+.trend .limit { stroke: var(--quiet); stroke-width: 1; stroke-dasharray: 4 3; }
 .nan { color: var(--fails); font-weight: 600; }
 .bar { display: inline-block; width: 3.5rem; height: .55rem; margin-right: .5rem; background: #ececec; }
 .bar i { display: block; height: 100%; background: var(--holds); }
@@ -94,6 +119,8 @@ dd p { margin: .3rem 0; }
 }
 @media print {
   .matrix { width: auto; margin-left: 0; }
+  .multiples { grid-template-columns: repeat(4, 1fr); gap: 0 .9rem; }
+  .trend { font-size: 7pt; }
   body { font-size: 10pt; }
   main { max-width: none; padding: 0; }
   .scroll { overflow: visible; }
