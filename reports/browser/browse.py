@@ -1,0 +1,208 @@
+"""browse.py CHROMIUM SITE [PICTURES]: opens every page of a site in a headless Chromium, without network, and says what is wrong.
+
+Of each page: links lead to a file and a place in it, images show, nothing is asked of a network, nothing is wider than a
+phone (390 px) or a desktop (1280 px), it prints, a heading of its first table sorts, no script complains; the index and
+all beside it open within a second. With PICTURES a folder of screenshots is left.
+"""
+import base64
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+
+WIDTHS = {"desktop": 1280, "phone": 390}  # px
+MOST_PICTURED = 8000  # px, of a page's height
+SOON = 1.0  # s
+
+
+class Browser:
+    """A headless Chromium that is spoken to over two pipes (DevTools protocol)."""
+
+    def __init__(self, program, profile):
+        to_browser, self.out = os.pipe()
+        self.incoming, from_browser = os.pipe()
+        # The browser reads from 3 and writes to 4.
+        words = f'exec "$@" 3<&{to_browser} 4>&{from_browser}'
+        self.process = subprocess.Popen(
+            ["bash", "-c", words, "bash", program, "--headless", "--no-sandbox", "--disable-gpu",
+             "--remote-debugging-pipe", f"--user-data-dir={profile}", "--no-first-run", "--disable-dev-shm-usage",
+             "--disable-background-networking"],
+            pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        os.close(to_browser)
+        os.close(from_browser)
+        self.rest, self.events, self.number, self.session = b"", [], 0, None
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Network", "Runtime"):
+            self.ask(domain + ".enable")
+
+    def message(self):
+        while b"\0" not in self.rest:
+            piece = os.read(self.incoming, 1 << 20)
+            if not piece:
+                sys.exit("browse.py: the browser ended before it answered")
+            self.rest += piece
+        line, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(line)
+
+    def ask(self, method, **parameters):
+        self.number += 1
+        question = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            question["sessionId"] = self.session
+        text = json.dumps(question).encode() + b"\0"
+        while text:
+            text = text[os.write(self.out, text):]
+        while True:
+            message = self.message()
+            if message.get("id") == self.number:
+                if "error" in message:
+                    sys.exit(f"browse.py: {method}: {message['error']['message']}")
+                return message["result"]
+            self.events.append(message)
+
+    def run(self, script):
+        """The value of a script, or its complaint."""
+        answer = self.ask("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        return answer["result"].get("value", answer.get("exceptionDetails", {}).get("text"))
+
+    def open(self, page, width):
+        """Shows a page; the seconds that it took to load and be drawn."""
+        self.events.clear()
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
+        start = time.monotonic()
+        self.ask("Page.navigate", url=page.as_uri())
+        while not any(event["method"] == "Page.loadEventFired" for event in self.events):
+            self.events.append(self.message())
+        self.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        return time.monotonic() - start
+
+    def close(self):
+        self.session = None
+        self.ask("Browser.close")
+        self.process.wait(20)
+
+
+LINKS = "[...document.querySelectorAll('[href],[src]')].map(e => e.getAttribute('href') ?? e.getAttribute('src'))"
+IDS = "[...document.querySelectorAll('[id]')].map(e => e.id)"
+UNSHOWN = "[...document.images].filter(i => !i.complete || i.naturalWidth === 0).map(i => i.getAttribute('src'))"
+WIDTH = "document.documentElement.scrollWidth"
+HEIGHT = "document.documentElement.scrollHeight"
+# Clicks each heading of the first table that may be sorted, twice, and compares the order with that of the cells' keys.
+SORTS = r"""(() => {
+  const table = document.querySelector('table:not(.matrix *)');
+  if (!table) return 'none';
+  for (const heading of table.tHead.rows[0].cells)
+    for (const wanted of ['ascending', 'descending']) {
+      heading.click();
+      if (heading.getAttribute('aria-sort') !== wanted) return `'${heading.textContent}' is not ${wanted}`;
+      const texts = [...table.tBodies[0].rows].map(r => r.cells[heading.cellIndex].textContent.trim());
+      const numbers = texts.map(Number);
+      if (numbers.some(Number.isNaN) || texts.includes('')) continue;
+      const way = wanted === 'ascending' ? 1 : -1;
+      if (numbers.some((n, i) => i > 0 && way * (n - numbers[i - 1]) < 0)) return `'${heading.textContent}' is not sorted`;
+    }
+  return 'sorted';
+})()"""
+# A finger on the middle of the first curve.
+TELLS = r"""(() => {
+  const trend = document.querySelector('.trend');
+  if (!trend) return 'none';
+  const svg = trend.querySelector('svg'), box = svg.getBoundingClientRect();
+  svg.dispatchEvent(new PointerEvent('pointermove', {bubbles: true, clientX: box.left + box.width / 2, clientY: box.top}));
+  return trend.lastElementChild.textContent;
+})()"""
+
+
+def broken_links(page, links, places):
+    """What leads nowhere."""
+    for link in links:
+        parts = urllib.parse.urlsplit(link)
+        if parts.scheme or parts.netloc:
+            continue  # another site: what is loaded from one is found among the requests
+        target = (page.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else page
+        if not target.is_file():
+            yield f"link to '{link}', which is not there"
+        elif parts.fragment and target.suffix == ".html" and parts.fragment not in places[target]:
+            yield f"link to '{link}', a place that is not there"
+
+
+def complaints_in(events):
+    for event in events:
+        method, told = event["method"], event.get("params", {})
+        if method == "Runtime.exceptionThrown":
+            yield f"a script fails: {told['exceptionDetails'].get('exception', {}).get('description', '?')}"
+        if method == "Network.requestWillBeSent" and not told["request"]["url"].startswith(("file:", "data:", "about:")):
+            yield f"asks for {told['request']['url']}, wanted no network"
+        if method == "Network.loadingFailed" and not told.get("canceled"):
+            yield f"could not load something: {told['errorText']}"
+
+
+def check(browser, site, page, places, pictures):
+    seconds = browser.open(page, WIDTHS["desktop"])
+    yield from complaints_in(browser.events)
+    yield from broken_links(page, browser.run(LINKS), places)
+    for _ in range(2):  # a busy machine may be slow once
+        if seconds > SOON:
+            seconds = min(seconds, browser.open(page, WIDTHS["desktop"]))
+    if page.parent == site and seconds > SOON:
+        yield f"opened in {seconds:.2f} s, wanted {SOON} s"
+    yield from (f"image '{image}' does not show" for image in browser.run(UNSHOWN))
+    for name, width in WIDTHS.items():
+        browser.open(page, width)
+        found = browser.run(WIDTH)
+        if found > width:
+            yield f"is {found} px wide on a {name} of {width} px"
+        if pictures:
+            height = min(MOST_PICTURED, browser.run(HEIGHT))
+            shot = browser.ask("Page.captureScreenshot", captureBeyondViewport=True,
+                               clip={"x": 0, "y": 0, "width": width, "height": height, "scale": 1})
+            name = f"{page.parent.name}_{page.stem}_{name}.png"
+            (pictures / name).write_bytes(base64.b64decode(shot["data"]))
+    printed = base64.b64decode(browser.ask("Page.printToPDF", printBackground=True)["data"])
+    if not printed.startswith(b"%PDF") or printed.count(b"/Type /Page\n") + printed.count(b"/Type /Page ") == 0:
+        yield "does not print"
+    if pictures:
+        (pictures / f"{page.parent.name}_{page.stem}.pdf").write_bytes(printed)
+    sorted_by = browser.run(SORTS)
+    if sorted_by not in ("sorted", "none"):
+        yield f"a table does not sort: {sorted_by}"
+    told = browser.run(TELLS)
+    if told != "none" and ": " not in told:
+        yield f"a curve tells '{told}', wanted night, revision and value"
+    print(f"{page.parent.name}/{page.name}: opened in {seconds:.2f} s, {page.stat().st_size / 1e6:.2f} MB, "
+          f"{len(printed) / 1e6:.2f} MB in print")
+
+
+def main():
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    program, site = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    pictures = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) == 4 else None
+    if pictures:
+        pictures.mkdir(parents=True, exist_ok=True)
+    pages = sorted(site.rglob("*.html"))
+    if not pages:
+        sys.exit(f"browse.py: {site}: no pages, wanted a site")
+    wrong = 0
+    with tempfile.TemporaryDirectory() as profile:
+        browser = Browser(program, profile)
+        places = {}  # that links may lead to, by page
+        for page in pages:
+            browser.open(page, WIDTHS["desktop"])
+            places[page] = browser.run(IDS)
+        for page in pages:
+            for what in check(browser, site, page, places, pictures):
+                wrong += 1
+                print(f"{page.relative_to(site)}: {what}", file=sys.stderr)
+        browser.close()
+    print(f"{len(pages)} pages opened, {wrong} faults")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,145 @@
+/// made_up_nights RECORDS HISTORY NIGHTS CASES: records of a last night with so many made-up cases, 200 baselines each,
+/// and the nights before it; to look at pages, and to measure how large they are and how soon they open.
+
+#include "reports/night.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <random>
+
+namespace {
+
+using namespace touchstone;
+using namespace touchstone::reports;
+
+constexpr long rungs = 8, methods = 5;
+const std::vector<std::string> norms{"L2 v_x, row means [%]", "Linf v_x, row means [%]", "L2 v_x, per particle [%]",
+                                     "Linf v_x, per particle [%]", "kinetic energy off [%]"};
+
+/// Errors of second order; a method of the third case gets worse in the night before last, one of the second fails
+/// last.
+double error_of(long c, long m, long rung, std::size_t norm, long nights_left) {
+  const double worse = c == 2 && m == 1 && nights_left < 2 ? 1.08 : c == 1 && m == 0 && nights_left < 1 ? 3 : 1;
+  return worse * static_cast<double>(1 + c + m) * static_cast<double>(1 + norm) / std::pow(4, rung);
+}
+
+vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lower, double upper,
+                     const std::string& author) {
+  vnv::Verdict v;
+  v.case_name = record.case_name;
+  v.method = record.method;
+  v.rung = e.rung;
+  v.spacing = e.spacing;
+  v.time = e.time;
+  v.quantity = e.quantity.substr(0, e.quantity.rfind(" ["));
+  v.unit = std::string("%");  // GCC 12 misreads the assignment of a literal
+  v.value = e.value;
+  v.lower = lower;
+  v.upper = upper;
+  v.author = author;
+  v.margin = (upper - e.value) / upper;
+  v.outcome = e.value <= upper ? vnv::Outcome::holds : vnv::Outcome::fails;
+  v.sentence = fmt::format("{}.{} {}: {} = {:.4g} %, limit {:.4g} %: {}", v.case_name, v.method, v.rung, v.quantity,
+                           v.value, upper, v.outcome == vnv::Outcome::holds ? "HOLDS" : "FAILS");
+  return v;
+}
+
+void add_rung(vnv::Record& record, long c, long m, long rung, long nights_left, std::mt19937& noise) {
+  const std::string name = fmt::format("M{}", rung + 1);
+  const double spacing = 1e-4 / std::pow(2, rung);
+  for (std::size_t norm = 0; norm < norms.size(); ++norm) {
+    const double usual = error_of(c, m, rung, norm, 99);
+    const vnv::Error e{name, spacing, 1, norms[norm], error_of(c, m, rung, norm, nights_left)};
+    record.errors.push_back(e);
+    record.verdicts.push_back(verdict(record, e, 0.97 * usual, 1.03 * usual, "baseline: made up"));
+    if (norm == 0) record.verdicts.push_back(verdict(record, e, 0, 1.5 * usual, "literature: made up"));
+  }
+  vnv::RunSummary run{
+      .rung = name, .spacing = spacing, .time_step = 1e-6, .end_time = 1, .finished = true, .outcome = "finished"};
+  run.cost.particles = 100L << (2 * rung);
+  run.cost.steps = 10000;
+  run.cost.cpu = 0.01 * std::pow(4, rung) * std::normal_distribution(nights_left < 5 ? 0.8 : 1.0, 0.017)(noise);
+  run.cost.cpu_lowest = run.cost.cpu_highest = run.cost.wall = run.cost.cpu;
+  run.cost.peak_memory = 1e7 * std::pow(2, rung);
+  record.runs.push_back(run);
+}
+
+vnv::ObservedOrder order(const vnv::Record& record, const std::string& quantity) {
+  vnv::ObservedOrder o;
+  o.ladder = "grid";
+  o.quantity = quantity;
+  o.time = 1;
+  o.order = 2;
+  o.half_width = 0.05;
+  o.trend = vnv::Trend::converging;
+  for (const auto& e : record.errors)
+    if (e.quantity == quantity) {
+      o.rungs.push_back(e.rung);
+      o.spacings.push_back(e.spacing);
+      o.errors.push_back(e.value);
+    }
+  return o;
+}
+
+vnv::Record record_of(long c, long m, long nights_left, std::mt19937& noise) {
+  vnv::Record record;
+  record.case_name = fmt::format("case_{}", c + 1);
+  record.title = fmt::format("Made-up flow number {}", c + 1);
+  record.description = "A flow that nobody has run.";
+  record.method = fmt::format("method_{}", m + 1);
+  record.suite = "nightly";
+  record.revision = fmt::format("{:07x}", 0xbbb2d82 - 4099 * nights_left);
+  record.compiler = "GNU 12.2";
+  record.flags = "-O3";
+  record.machine = "a machine, 2 processors";
+  record.finished_at = fmt::format("2026-{:02}-{:02}T04:00:00Z", nights_left < 22 ? 11 : 10,
+                                   nights_left < 22 ? 22 - nights_left : 53 - nights_left);
+  for (long rung = 0; rung < rungs; ++rung) add_rung(record, c, m, rung, nights_left, noise);
+  for (const auto& quantity : {norms[0], norms[1]}) record.orders.push_back(order(record, quantity));
+  vnv::Figure figure;
+  figure.id = "errors";
+  figure.title = "Errors";
+  figure.caption = "Made up.";
+  figure.x = {.label = "spacing [mm]", .scale = 1e3};
+  figure.y.label = "L2 [%]";
+  record.figures = {figure};
+  vnv::Curve curve;
+  curve.figure = figure.id;
+  curve.label = record.method;
+  curve.x = record.orders[0].spacings;
+  curve.y = record.orders[0].errors;
+  record.curves = {curve};
+  return record;
+}
+
+std::vector<CaseRecords> night(long cases, long nights_left, std::mt19937& noise) {
+  std::vector<CaseRecords> all;
+  for (long c = 0; c < cases; ++c) {
+    all.push_back({fmt::format("case_{}", c + 1), {}});
+    for (long m = 0; m < methods; ++m) all.back().records.push_back(record_of(c, m, nights_left, noise));
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  if (count != 5) throw std::runtime_error("usage: made_up_nights RECORDS HISTORY NIGHTS CASES");
+  const std::filesystem::path records = arguments[1], history = arguments[2];
+  const long nights = std::stol(arguments[3]), cases = std::stol(arguments[4]);
+  if (nights < 1 || nights > 50) throw std::runtime_error("NIGHTS: wanted 1 to 50");
+  std::filesystem::create_directories(records);
+  std::mt19937 noise;
+  for (long left = nights; left-- > 1;) write_night(night_of(night(cases, left, noise)), history);
+  for (const CaseRecords& all : night(cases, 0, noise))
+    for (const vnv::Record& record : all.records)
+      write(record, records / fmt::format("{}.{}.json", record.case_name, record.method));
+  return EXIT_SUCCESS;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "made_up_nights: {}\n", error.what());
+  return EXIT_FAILURE;
+}
