@@ -3,6 +3,7 @@
 #include "solvers/lattice.hpp"
 #include "vnv/assess.hpp"
 #include "vnv/describe.hpp"
+#include "vnv/measurements.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -37,6 +38,7 @@ void print(const Record& record) {
                record.method, run.rung, run.outcome, run.cost.particles, run.cost.steps, run.cost.cpu,
                1e9 * run.cost.per_particle_step());
   for (const Verdict& verdict : record.verdicts) fmt::print("{}\n", verdict.sentence);
+  if (is_run_for_dashboard()) fmt::print("{}", measurement_lines(record));
 }
 
 /// A test is a method: it passes when something was claimed and every claim holds.
