@@ -12,7 +12,7 @@ Record record_with(const std::string& quantity, double value) {
   Record record;
   Verdict verdict;
   verdict.quantity = quantity;
-  verdict.unit = "%";
+  verdict.unit = "mm";
   verdict.rung = "M2";
   verdict.time = 0.1;
   verdict.value = value;
@@ -24,12 +24,12 @@ Record record_with(const std::string& quantity, double value) {
 
 TEST(Measurements, HaveANameWithUnitRungAndTime) {
   EXPECT_EQ(measurement_lines(record_with("L2 v_x", 1.25)),
-            "<CTestMeasurement type=\"numeric/double\" name=\"L2 v_x [%], M2, 0.1 s\">1.25</CTestMeasurement>\n");
+            "<CTestMeasurement type=\"numeric/double\" name=\"L2 v_x [mm], M2, 0.1 s\">1.25</CTestMeasurement>\n");
 }
 
 TEST(Measurements, AreEscapedForXml) {
   const std::string lines = measurement_lines(record_with("\"a\" < b & c > d", 1));
-  EXPECT_NE(lines.find("name=\"&quot;a&quot; &lt; b &amp; c &gt; d [%], M2, 0.1 s\""), std::string::npos) << lines;
+  EXPECT_NE(lines.find("name=\"&quot;a&quot; &lt; b &amp; c &gt; d [mm], M2, 0.1 s\""), std::string::npos) << lines;
 }
 
 TEST(Measurements, LeaveOutWhatIsNotFinite) {

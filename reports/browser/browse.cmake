@@ -1,4 +1,5 @@
-# Opens SITE in a browser and checks its pages; with MADE_UP_NIGHTS and REPORT makes a small site there first.
+# Opens SITE in a browser and checks its pages; with MADE_UP_NIGHTS and REPORT makes a small site there first; WITHIN
+# is how soon [s] those beside the index have to open.
 foreach(tool CHROMIUM PYTHON)
   if(NOT ${tool})
     message("SKIP: ${tool}: not found, so no page was opened")
@@ -18,4 +19,7 @@ if(MADE_UP_NIGHTS)
   run(${MADE_UP_NIGHTS} ${folder}/records ${folder}/history 30 3)
   run(${REPORT} ${folder}/records ${SITE} --history ${folder}/history)
 endif()
-run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/browse.py ${CHROMIUM} ${SITE})
+if(WITHIN)
+  set(limit --within ${WITHIN})
+endif()
+run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/browse.py ${CHROMIUM} ${SITE} ${limit})

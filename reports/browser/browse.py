@@ -1,11 +1,14 @@
-"""browse.py CHROMIUM SITE [PICTURES]: opens every page of a site in a headless Chromium, without network, and says what is wrong.
+"""browse.py CHROMIUM SITE [--within SECONDS] [--pictures FOLDER]: opens every page of a site and says what is wrong.
 
-Of each page: links lead to a file and a place in it, images show, nothing is asked of a network, nothing is wider than a
-phone (390 px) or a desktop (1280 px), it prints, a heading of its first table sorts, no script complains; the index and
-all beside it open within a second. With PICTURES a folder of screenshots is left.
+The browser is a headless Chromium without a network. Of each page: links lead to a file and a place in it, images show,
+nothing is asked of a network, nothing is wider than a phone (390 px) or a desktop (1280 px), it prints, the headings of
+its first table sort, no script complains; with --within the index and all beside it open so soon. With --pictures
+screenshots and prints are left in a folder.
 """
+import argparse
 import base64
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -16,7 +19,6 @@ import urllib.parse
 
 WIDTHS = {"desktop": 1280, "phone": 390}  # px
 MOST_PICTURED = 8000  # px, of a page's height
-SOON = 1.0  # s
 
 
 class Browser:
@@ -104,7 +106,8 @@ SORTS = r"""(() => {
       const numbers = texts.map(Number);
       if (numbers.some(Number.isNaN) || texts.includes('')) continue;
       const way = wanted === 'ascending' ? 1 : -1;
-      if (numbers.some((n, i) => i > 0 && way * (n - numbers[i - 1]) < 0)) return `'${heading.textContent}' is not sorted`;
+      if (numbers.some((n, i) => i > 0 && way * (n - numbers[i - 1]) < 0))
+        return `'${heading.textContent}' is not sorted`;
     }
   return 'sorted';
 })()"""
@@ -113,7 +116,8 @@ TELLS = r"""(() => {
   const trend = document.querySelector('.trend');
   if (!trend) return 'none';
   const svg = trend.querySelector('svg'), box = svg.getBoundingClientRect();
-  svg.dispatchEvent(new PointerEvent('pointermove', {bubbles: true, clientX: box.left + box.width / 2, clientY: box.top}));
+  const middle = {bubbles: true, clientX: box.left + box.width / 2, clientY: box.top};
+  svg.dispatchEvent(new PointerEvent('pointermove', middle));
   return trend.lastElementChild.textContent;
 })()"""
 
@@ -136,21 +140,22 @@ def complaints_in(events):
         method, told = event["method"], event.get("params", {})
         if method == "Runtime.exceptionThrown":
             yield f"a script fails: {told['exceptionDetails'].get('exception', {}).get('description', '?')}"
-        if method == "Network.requestWillBeSent" and not told["request"]["url"].startswith(("file:", "data:", "about:")):
-            yield f"asks for {told['request']['url']}, wanted no network"
+        url = told.get("request", {}).get("url", "file:")
+        if method == "Network.requestWillBeSent" and not url.startswith(("file:", "data:", "about:")):
+            yield f"asks for {url}, wanted no network"
         if method == "Network.loadingFailed" and not told.get("canceled"):
             yield f"could not load something: {told['errorText']}"
 
 
-def check(browser, site, page, places, pictures):
+def check(browser, site, page, places, within, pictures):
     seconds = browser.open(page, WIDTHS["desktop"])
     yield from complaints_in(browser.events)
     yield from broken_links(page, browser.run(LINKS), places)
     for _ in range(2):  # a busy machine may be slow once
-        if seconds > SOON:
+        if seconds > within:
             seconds = min(seconds, browser.open(page, WIDTHS["desktop"]))
-    if page.parent == site and seconds > SOON:
-        yield f"opened in {seconds:.2f} s, wanted {SOON} s"
+    if page.parent == site and seconds > within:
+        yield f"opened in {seconds:.2f} s, wanted {within} s"
     yield from (f"image '{image}' does not show" for image in browser.run(UNSHOWN))
     for name, width in WIDTHS.items():
         browser.open(page, width)
@@ -179,10 +184,13 @@ def check(browser, site, page, places, pictures):
 
 
 def main():
-    if len(sys.argv) not in (3, 4):
-        sys.exit(__doc__)
-    program, site = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-    pictures = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) == 4 else None
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("program", metavar="CHROMIUM")
+    arguments.add_argument("site", metavar="SITE", type=pathlib.Path)
+    arguments.add_argument("--within", metavar="SECONDS", type=float, default=math.inf)
+    arguments.add_argument("--pictures", metavar="FOLDER", type=pathlib.Path)
+    named = arguments.parse_args()
+    site, pictures = named.site.resolve(), named.pictures
     if pictures:
         pictures.mkdir(parents=True, exist_ok=True)
     pages = sorted(site.rglob("*.html"))
@@ -190,13 +198,13 @@ def main():
         sys.exit(f"browse.py: {site}: no pages, wanted a site")
     wrong = 0
     with tempfile.TemporaryDirectory() as profile:
-        browser = Browser(program, profile)
+        browser = Browser(named.program, profile)
         places = {}  # that links may lead to, by page
         for page in pages:
             browser.open(page, WIDTHS["desktop"])
             places[page] = browser.run(IDS)
         for page in pages:
-            for what in check(browser, site, page, places, pictures):
+            for what in check(browser, site, page, places, named.within, pictures):
                 wrong += 1
                 print(f"{page.relative_to(site)}: {what}", file=sys.stderr)
         browser.close()
