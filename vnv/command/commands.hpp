@@ -24,12 +24,13 @@ void add_list(CLI::App& app, Session& session);
 void add_run(CLI::App& app, Session& session);
 void add_report(CLI::App& app, Session& session);
 void add_accept(CLI::App& app, Session& session);
+void add_gate(CLI::App& app, Session& session);
 void add_explain(CLI::App& app, Session& session);
 void add_plan(CLI::App& app, Session& session);
 void add_completion(CLI::App& app, Session& session);
 
-inline constexpr void (*subcommands[])(CLI::App&, Session&) = {add_list,    add_run,  add_report,    add_accept,
-                                                               add_explain, add_plan, add_completion};
+inline constexpr void (*subcommands[])(CLI::App&, Session&) = {add_list, add_run,     add_report, add_accept,
+                                                               add_gate, add_explain, add_plan,   add_completion};
 
 inline const std::vector<std::string> suites{"acceptance", "report", "nightly"};
 

@@ -24,8 +24,6 @@ std::string found_in(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
 }
 
-// ---- builds
-
 bool is_build(const fs::path& folder) {
   return fs::exists(folder / "CMakeCache.txt") && fs::is_directory(folder / "vnv");
 }
@@ -57,8 +55,6 @@ Build build_in(const fs::path& folder, const Choice& choice) {
   return build;
 }
 
-// ---- records
-
 vnv::Record read(const fs::path& file) try { return vnv::read_record(file); } catch (const std::runtime_error& error) {
   throw BadInput(error.what());
 }
@@ -89,8 +85,6 @@ Records records_in(const fs::path& path, const Choice& choice) {
   require_one_suite(records, path.string());
   return records;
 }
-
-// ---- revisions
 
 /// The commit that a name means in the repository around a folder; empty if there is none.
 std::string commit_of(const std::string& name) {
