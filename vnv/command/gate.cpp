@@ -42,8 +42,8 @@ void add_gate(CLI::App& app, Session& session) {
   gate::GateRequest& request = options->request;
   CLI::App* command = app.add_subcommand("gate", "Compares before and after: what got better, worse or dearer.");
   command->footer(
-      "BEFORE and AFTER are records, folders of records, build folders, or git revisions, which are built in a folder of\n"
-      "their own. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
+      "BEFORE and AFTER are records, folders of records, build folders, or git revisions, which are built in folders\n"
+      "of their own. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
       "95 % interval.\n"
       "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
