@@ -59,8 +59,7 @@ TEST_F(KnownFailures, AreNamedOnceAndWhole) {
 }
 
 TEST_F(KnownFailures, OfTheProjectAreReadable) {
-  const auto data = std::filesystem::path(__FILE__).parent_path().parent_path() / "data";
-  EXPECT_NO_THROW(read_known_failures(data / "known_failures.csv"));
+  EXPECT_NO_THROW(read_known_failures(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "known_failures.csv"));
 }
 
 KnownFailure known(const std::string& expires = "2026-12-01") {

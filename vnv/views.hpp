@@ -171,7 +171,11 @@ struct SeveralViews {
     for (std::size_t k = 0; k < all.size(); ++k) {
       Method& method = all[k];
       method.run = [=, *this](const Rung& rung, const Schedule& when) {
-        return methods_on(scene_of(of(rung)))[k].run(rung, when);
+        const Method in_view = methods_on(scene_of(of(rung)))[k];
+        // In the same steps: one that followed the flow would be shorter where all is carried along.
+        Rung in_equal_steps = rung;
+        in_equal_steps.time_step = rung.step_or(in_view.time_step(rung));
+        return in_view.run(in_equal_steps, when);
       };
       method.rungs = rungs();
       if (std::ranges::find(galilean, method.name) == galilean.end()) continue;

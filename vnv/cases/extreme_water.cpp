@@ -206,8 +206,6 @@ Ending declared_of(const Setting& setting, const std::string& method) {
   // Where a particle has too few neighbours for it, the correction of gradients has no limit.
   if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
     return Ending::diverged;
-  // A node that hardly has mass is pushed as hard as any other, and throws its particle out of the domain.
-  if (method == "mpm" && setting.name == "a jet of single particles") return Ending::diverged;
   // Alone on its nodes a particle carries its slope on: it expands at a steady rate, past any density.
   if (method == "mpm_apic" && setting.name == "a jet of single particles") return Ending::diverged;
   // Walls of SPH are made of particles, and do not take fluid that stands on them.

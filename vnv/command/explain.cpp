@@ -121,7 +121,6 @@ void add_explain(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand(
       "explain", "Tells what a case solves, what is claimed on whose word, and where its data come from.");
   command->footer(
-
       "One method alone is told with its claims and rungs.\n"
       "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
   command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();

@@ -112,9 +112,13 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string escaped(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
-  return text;
+std::string escaped(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '|') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
 }
 
 std::string markdown_row(const Row& row) {
@@ -147,11 +151,12 @@ std::string markdown_of(const Findings& findings) {
   std::string text = fmt::format("**{}**: {}\n", name_of(conclusion_of(findings)), summary_of(findings));
   const std::vector<Row> table = table_of(findings);
   if (table.size() > 1) {
-    text += "\n" + markdown_row(table.front()) + markdown_row(Row(table.front().size(), "---"));
+    text.append("\n").append(markdown_row(table.front())).append(markdown_row(Row(table.front().size(), "---")));
     for (std::size_t k = 1; k < table.size(); ++k) text += markdown_row(table[k]);
   }
   const std::string changes = lines_of_changes(findings, "- ");
-  return changes.empty() ? text : text + "\n" + changes;
+  if (!changes.empty()) text.append("\n").append(changes);
+  return text;
 }
 
 std::string json_of(const Findings& findings) {
