@@ -1,0 +1,139 @@
+"""Files of faults are read or refused in one line; what is tried is undone; survivors stand first."""
+
+import pathlib
+import tempfile
+import types
+import unittest
+
+import matrix
+import seeded
+
+runner = types.ModuleType("runner")
+runner.__file__ = str(pathlib.Path(__file__).with_name("try.py"))
+exec(compile(pathlib.Path(runner.__file__).read_text(encoding="utf-8"), runner.__file__, "exec"), runner.__dict__)
+
+TEXT = "Too viscous\n\nnoticed by flow.mpm\nin law.hpp\n- nu;\n+ 2 * nu;\n"
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        self.held = tempfile.TemporaryDirectory()
+        self.addCleanup(self.held.cleanup)
+        self.folder = pathlib.Path(self.held.name)
+        (self.folder / "harmless").mkdir()
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.write_text(text, encoding="utf-8")
+        return file
+
+    def fault(self, text=TEXT, name="thick.fault"):
+        return seeded.read(self.write(name, text))
+
+    def assert_refused(self, words, work):
+        with self.assertRaises(seeded.BadInput) as refused:
+            work()
+        self.assertIn(words, str(refused.exception))
+        self.assertNotIn("\n", str(refused.exception))
+
+
+class AFaultFile(InAFolder):
+    def test_is_a_title_a_test_and_a_change(self):
+        fault = self.fault()
+        self.assertEqual((fault.name, fault.title, fault.tests), ("thick", "Too viscous", ("flow.mpm",)))
+        self.assertEqual(fault.changes, (seeded.Change("law.hpp", "nu;", "2 * nu;", 5),))
+
+    def test_may_change_several_lines_in_several_files(self):
+        fault = self.fault("A\n\nnoticed by x\nin a\n- one\n-   two\n+ 1\nin b\n- three\n")
+        self.assertEqual([(c.file, c.old, c.new) for c in fault.changes], [("a", "one\n  two", "1"), ("b", "three", "")])
+
+    def test_that_is_harmless_may_be_of_how_it_is_built_or_run(self):
+        fault = self.fault("A\n\nunnoticed by x\nconfigure -DA=B\nenvironment C=D\n", "harmless/a.fault")
+        self.assertTrue(fault.harmless)
+        self.assertEqual((fault.configure, fault.environment), (("-DA=B",), ("C=D",)))
+
+    def test_is_refused_by_its_line(self):
+        for text, words in (("", ":1: no title"), ("A\nnoticed by x\n- b\n", ":3: text to find and no file"),
+                            ("A\nnoticed by x\nin b\n- c\n+ c\n", ":4: nothing is changed"), ("A\nfoo\n", ":2: 'foo', wanted"),
+                            ("A\nin b\n- c\n", "no test is named"), ("A\nnoticed by x\n", "nothing is changed"),
+                            ("A\nnoticed by (\nin b\n- c\n", "wanted a regular expression"),
+                            ("A\nnoticed by x\nconfigure -DA=B\n", ":3: 'configure")):
+            self.assert_refused(words, lambda text=text: self.fault(text))
+
+
+class AChange(InAFolder):
+    def test_is_of_a_text_that_stands_once(self):
+        self.write("law.hpp", "x = nu;\n")
+        self.assertEqual(seeded.changed(self.fault(), self.folder), {"law.hpp": ("x = nu;\n", "x = 2 * nu;\n")})
+
+    def test_of_a_text_that_is_gone_or_stands_twice_is_refused(self):
+        fault = self.fault()
+        self.assert_refused("no file law.hpp", lambda: seeded.changed(fault, self.folder))
+        for text, words in (("x\n", "found 0 times"), ("nu; nu;\n", "found 2 times")):
+            self.write("law.hpp", text)
+            self.assert_refused(words, lambda: seeded.changed(fault, self.folder))
+
+    def test_is_undone_also_when_the_build_breaks_off(self):
+        self.write("law.hpp", "x = nu;\n")
+        seen = []
+
+        def make(*_):
+            seen.append((self.folder / "law.hpp").read_text(encoding="utf-8"))
+            raise KeyboardInterrupt
+
+        scratch = types.SimpleNamespace(source=self.folder, builds=self.folder, options=types.SimpleNamespace(suite=None),
+                                        configure=lambda *_: None, targets=lambda *_: ["flow"], make=make)
+        with self.assertRaises(KeyboardInterrupt):
+            runner.tried(scratch, self.fault())
+        self.assertEqual(seen, ["x = 2 * nu;\n"])
+        self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = nu;\n")
+
+
+class ATrial(InAFolder):
+    def conclusion(self, tests, text=TEXT, name="thick.fault"):
+        return runner.conclusion_of(self.fault(text, name), {name: {"failed": failed} for name, failed in tests.items()})
+
+    def test_is_noticed_by_any_test_of_the_day(self):
+        self.assertEqual(self.conclusion({"a": False, "b": True}), matrix.NOTICED)
+        self.assertEqual(self.conclusion({"a": False, "nightly.b": True}), matrix.AT_NIGHT)
+        self.assertEqual(self.conclusion({"a": False}), matrix.SURVIVED)
+
+    def test_that_does_not_compile_is_none_unless_the_build_has_to_notice(self):
+        self.assertEqual(self.conclusion({seeded.THE_BUILD: True}), matrix.NO_FAULT)
+        self.assertEqual(self.conclusion({seeded.THE_BUILD: True}, TEXT.replace("flow.mpm", "the build")), matrix.NOTICED)
+
+    def test_of_a_harmless_change_that_is_noticed_is_a_false_alarm(self):
+        text = TEXT.replace("noticed", "unnoticed")
+        self.assertEqual(self.conclusion({"a": True}, text, "harmless/a.fault"), matrix.FALSE_ALARM)
+        self.assertEqual(self.conclusion({"a": False}, text, "harmless/a.fault"), matrix.GREEN)
+
+
+class Results(InAFolder):
+    def test_forget_a_line_that_was_cut_off(self):
+        file = self.write("results.jsonl", '{"key": "a"}\n{"key":')
+        self.assertEqual(runner.read_results(file), [{"key": "a"}])
+        self.assertEqual(file.read_text(encoding="utf-8"), '{"key": "a"}\n')
+
+    def test_that_are_none_are_refused(self):
+        self.assert_refused("wanted a line of JSON a trial", lambda: runner.read_results(self.write("r.jsonl", "a\n")))
+
+    def line(self, name, conclusion, margin, failed=True):
+        test = {"failed": failed, "margin": margin, "sentence": "flow.mpm: L2 = 5 <b>: FAILS"}
+        return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a"], "conclusion": conclusion,
+                "tests": {"flow.mpm": test}}
+
+    def test_show_survivors_first_and_then_what_was_hardly_noticed(self):
+        lines = [self.line("far", matrix.NOTICED, -9.0), self.line("near", matrix.NOTICED, -0.1),
+                 self.line("lives", matrix.SURVIVED, 0.5, False)]
+        self.assertEqual([line["fault"] for line in matrix.sort(lines)], ["lives", "near", "far"])
+        self.assertEqual(matrix.summary(lines), "3 faults: 2 noticed by day (66.7 %), 2 in all; look at lives")
+        matrix.write(lines, self.folder / "results")
+        page = (self.folder / "results.html").read_text(encoding="utf-8")
+        self.assertIn("-900 %", page)
+        self.assertIn("&lt;b&gt;", page)
+        rows = (self.folder / "results.csv").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(rows[1].split(",")[:5], ["lives", "LIVES", "survived", "flow.mpm", "0"])
+
+
+if __name__ == "__main__":
+    unittest.main()
