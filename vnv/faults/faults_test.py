@@ -1,7 +1,9 @@
 """Files of faults are read or refused in one line; what is tried is undone; survivors stand first."""
 
 import pathlib
+import signal
 import tempfile
+import time
 import types
 import unittest
 
@@ -45,7 +47,8 @@ class AFaultFile(InAFolder):
 
     def test_may_change_several_lines_in_several_files(self):
         fault = self.fault("A\n\nnoticed by x\nin a\n- one\n-   two\n+ 1\nin b\n- three\n")
-        self.assertEqual([(c.file, c.old, c.new) for c in fault.changes], [("a", "one\n  two", "1"), ("b", "three", "")])
+        changes = [(change.file, change.old, change.new) for change in fault.changes]
+        self.assertEqual(changes, [("a", "one\n  two", "1"), ("b", "three", "")])
 
     def test_that_is_harmless_may_be_of_how_it_is_built_or_run(self):
         fault = self.fault("A\n\nunnoticed by x\nconfigure -DA=B\nenvironment C=D\n", "harmless/a.fault")
@@ -53,8 +56,9 @@ class AFaultFile(InAFolder):
         self.assertEqual((fault.configure, fault.environment), (("-DA=B",), ("C=D",)))
 
     def test_is_refused_by_its_line(self):
-        for text, words in (("", ":1: no title"), ("A\nnoticed by x\n- b\n", ":3: text to find and no file"),
-                            ("A\nnoticed by x\nin b\n- c\n+ c\n", ":4: nothing is changed"), ("A\nfoo\n", ":2: 'foo', wanted"),
+        for text, words in (("", ":1: no title"), ("A\nfoo\n", ":2: 'foo', wanted"),
+                            ("A\nnoticed by x\n- b\n", ":3: text to find and no file"),
+                            ("A\nnoticed by x\nin b\n- c\n+ c\n", ":4: nothing is changed"),
                             ("A\nin b\n- c\n", "no test is named"), ("A\nnoticed by x\n", "nothing is changed"),
                             ("A\nnoticed by (\nin b\n- c\n", "wanted a regular expression"),
                             ("A\nnoticed by x\nconfigure -DA=B\n", ":3: 'configure")):
@@ -81,17 +85,32 @@ class AChange(InAFolder):
             seen.append((self.folder / "law.hpp").read_text(encoding="utf-8"))
             raise KeyboardInterrupt
 
-        scratch = types.SimpleNamespace(source=self.folder, builds=self.folder, options=types.SimpleNamespace(suite=None),
-                                        configure=lambda *_: None, targets=lambda *_: ["flow"], make=make)
+        options = types.SimpleNamespace(suite=None)
+        scratch = types.SimpleNamespace(source=self.folder, builds=self.folder, options=options, make=make,
+                                        configure=lambda *_: None, targets=lambda *_: ["flow"])
         with self.assertRaises(KeyboardInterrupt):
             runner.tried(scratch, self.fault())
         self.assertEqual(seen, ["x = 2 * nu;\n"])
         self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = nu;\n")
 
 
+class AProgram(InAFolder):
+    def test_that_is_broken_off_writes_nothing_later(self):
+        def break_off(*_):
+            raise KeyboardInterrupt
+
+        self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, break_off))
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with self.assertRaises(KeyboardInterrupt):
+            runner.run(["sh", "-c", f"(sleep 0.5; echo late > {self.folder}/late) & wait"])
+        time.sleep(0.5)
+        self.assertFalse((self.folder / "late").exists())
+
+
 class ATrial(InAFolder):
-    def conclusion(self, tests, text=TEXT, name="thick.fault"):
-        return runner.conclusion_of(self.fault(text, name), {name: {"failed": failed} for name, failed in tests.items()})
+    def conclusion(self, failures, text=TEXT, name="thick.fault"):
+        tests = {test: {"failed": failed} for test, failed in failures.items()}
+        return runner.conclusion_of(self.fault(text, name), tests)
 
     def test_is_noticed_by_any_test_of_the_day(self):
         self.assertEqual(self.conclusion({"a": False, "b": True}), matrix.NOTICED)
@@ -99,8 +118,9 @@ class ATrial(InAFolder):
         self.assertEqual(self.conclusion({"a": False}), matrix.SURVIVED)
 
     def test_that_does_not_compile_is_none_unless_the_build_has_to_notice(self):
-        self.assertEqual(self.conclusion({seeded.THE_BUILD: True}), matrix.NO_FAULT)
-        self.assertEqual(self.conclusion({seeded.THE_BUILD: True}, TEXT.replace("flow.mpm", "the build")), matrix.NOTICED)
+        broken = {seeded.THE_BUILD: True}
+        self.assertEqual(self.conclusion(broken), matrix.NO_FAULT)
+        self.assertEqual(self.conclusion(broken, TEXT.replace("flow.mpm", "the build")), matrix.NOTICED)
 
     def test_of_a_harmless_change_that_is_noticed_is_a_false_alarm(self):
         text = TEXT.replace("noticed", "unnoticed")

@@ -30,8 +30,13 @@ def by_whom(line):
 
 
 def sort(lines):
-    margin = lambda line: -worst_of(line)[1]["margin"] if worst_of(line) and worst_of(line)[1]["margin"] is not None else 0
-    return sorted(lines, key=lambda line: (ORDER.index(line["conclusion"]), margin(line), line["fault"]))
+    """Survivors first, then by how much they were noticed, what was hardly noticed first."""
+
+    def by_how_much(line):
+        worst = worst_of(line)
+        return 0 if worst is None or worst[1]["margin"] is None else -worst[1]["margin"]
+
+    return sorted(lines, key=lambda line: (ORDER.index(line["conclusion"]), by_how_much(line), line["fault"]))
 
 
 def summary(lines):
@@ -41,9 +46,11 @@ def summary(lines):
     all_in_all = alone + sum(line["conclusion"] == AT_NIGHT for line in faults)
     words = []
     if faults:
-        words.append(f"{len(faults)} faults: {alone} noticed by day ({100 * alone / len(faults):.1f} %), {all_in_all} in all")
+        share = 100 * alone / len(faults)
+        words.append(f"{len(faults)} faults: {alone} noticed by day ({share:.1f} %), {all_in_all} in all")
     if harmless:
-        words.append(f"{len(harmless)} harmless changes: {sum(line['conclusion'] == FALSE_ALARM for line in harmless)} false alarms")
+        alarms = sum(line["conclusion"] == FALSE_ALARM for line in harmless)
+        words.append(f"{len(harmless)} harmless changes: {alarms} false alarms")
     survivors = [line["fault"] for line in sort(lines) if line["conclusion"] in BAD]
     return "; ".join(words) + (f"; look at {', '.join(survivors)}" if survivors else "")
 
@@ -57,7 +64,8 @@ def write(lines, stem):
         for line in lines:
             for name, test in sorted(line["tests"].items()):
                 margin = "" if test["margin"] is None else test["margin"]
-                rows.writerow([line["fault"], line["title"], line["conclusion"], name, int(test["failed"]), margin, test["sentence"]])
+                rows.writerow([line["fault"], line["title"], line["conclusion"], name, int(test["failed"]), margin,
+                               test["sentence"]])
     stem.with_suffix(".html").write_text(page(lines), encoding="utf-8")
 
 
@@ -71,9 +79,10 @@ def page(lines):
     tests = sorted({name for line in lines for name in line["tests"]})
     heads = "".join(f"<th>{html.escape(name)}</th>" for name in ["fault", "conclusion", *tests])
     rows = "".join(row(line, tests) for line in lines)
-    return (f'<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>Detection power</title><style>{STYLE}</style>\n'
-            f"<h1>Detection power</h1>\n<p>{html.escape(summary(lines))}.</p>\n<p>Margins are shares of the limit that is left, "
-            "negative beyond it; green cells noticed the fault. The pointer on a cell tells the verdict.</p>\n"
+    return ('<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>Detection power</title>\n'
+            f"<style>{STYLE}</style>\n<h1>Detection power</h1>\n<p>{html.escape(summary(lines))}.</p>\n"
+            "<p>Margins are shares of the limit that is left, negative beyond it; green cells noticed the fault. "
+            "The pointer on a cell tells the verdict.</p>\n"
             f"<table><thead><tr>{heads}</tr></thead>\n<tbody>{rows}</tbody></table></html>\n")
 
 

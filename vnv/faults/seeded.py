@@ -10,8 +10,8 @@ A file is a title, who has to notice, and what is changed where:
     + const Real mu = fill<Real>(1.05 * fluid.viscosity)
 
 The text behind `- `, of one line or of several, stands exactly once in its file. What is noticed by is a regular
-expression that fits whole names of ctest, or `the build`. Of a harmless change it says `unnoticed by`; such a change may
-also be of how the project is built or run: `configure ARGUMENT OF CMAKE`, `environment NAME=VALUE`.
+expression that fits whole names of ctest, or `the build`. A harmless change is `unnoticed by` tests; it may also be of
+how the project is built or run: `configure ARGUMENT OF CMAKE`, `environment NAME=VALUE`.
 """
 
 import dataclasses

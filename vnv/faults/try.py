@@ -3,13 +3,14 @@
 
 The work tree is never changed. The copy in --scratch is made equal to it at each start, so that nothing is left of a
 trial that was cut off; a trial is one line of --results, and is not repeated while neither the sources nor the fault
-have changed. Exit status: 0 all faults noticed and no harmless change; 1 a fault survived, or a harmless change was noticed;
-3 bad input. How the files read: seeded.py.
+have changed. Exit status: 0 all faults noticed and no harmless change; 1 a fault survived, or a harmless change was
+noticed; 3 bad input. How the files read: seeded.py.
 
 Example: vnv/faults/try.py --scratch ~/faults --only 'viscos' --jobs 2
 """
 
 import argparse
+import dataclasses
 import fcntl
 import hashlib
 import json
@@ -32,8 +33,16 @@ SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 
 def run(words, **more):
-    return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          errors="replace", check=False, **more)
+    """Runs a program to its end; whoever breaks off here ends all that it started, so that nothing is written later."""
+    words = [str(word) for word in words]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                          start_new_session=True, **more) as process:
+        try:
+            said = process.communicate()[0]
+        except BaseException:
+            os.killpg(process.pid, signal.SIGTERM)
+            raise
+        return subprocess.CompletedProcess(words, process.returncode, said)
 
 
 def source_files():
@@ -150,7 +159,7 @@ class Scratch:
 
 
 def margin_of(name, records, failed, output):
-    """The smallest margin of a case's verdicts with its sentence; without a record the first line that tells a fault."""
+    """The smallest margin of a case's verdicts, with its sentence; without a record the first line that complains."""
     suite, _, rest = name.partition(".")
     file = records / (suite if suite in ("report", "nightly") else "acceptance")
     file = file / f"{rest if suite in ('report', 'nightly') else name}.json"
@@ -241,7 +250,7 @@ def try_all(faults, options):
         results.append(line)
         return line
 
-    key_of = lambda fault: digest(scratch.digest, fault.text, options.suite or "")
+    key_of = lambda fault: digest(scratch.digest, fault.text, *fault.tests, options.suite or "")
     keys = {fault.name: key_of(fault) for fault in faults}
     known = {r["key"] for r in results}
     fresh = [fault for fault in faults if keys[fault.name] not in known]
@@ -249,7 +258,8 @@ def try_all(faults, options):
         require_green(scratch, fresh, results, keep)
     for k, fault in enumerate(fresh):
         line = keep(tried(scratch, fault) | {"key": keys[fault.name]})
-        print(f"{k + 1}/{len(fresh)} {fault.name}: {line['conclusion']}{matrix.by_whom(line)}, {line['seconds']} s", flush=True)
+        told = f"{line['conclusion']}{matrix.by_whom(line)}, {line['seconds']} s"
+        print(f"{k + 1}/{len(fresh)} {fault.name}: {told}", flush=True)
     lines = [next(r for r in reversed(results) if r["key"] == keys[fault.name]) for fault in faults]
     matrix.write(lines, options.results.with_suffix(""))
     print(matrix.summary(lines))
@@ -259,13 +269,14 @@ def try_all(faults, options):
 def options_of(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.error = lambda message: (_ for _ in ()).throw(seeded.BadInput(f"try.py: {message}"))
-    parser.add_argument("--check", action="store_true", help="only check that each fault fits today's sources and tests")
+    parser.add_argument("--check", action="store_true", help="only check that faults fit today's sources and tests")
     parser.add_argument("--list", action="store_true", help="only list names and titles")
-    parser.add_argument("--build", type=pathlib.Path, help="with --check: a whole build, whose names of tests are looked up")
+    parser.add_argument("--build", type=pathlib.Path, help="with --check: a whole build, to look up names of tests")
     parser.add_argument("--only", default="", help="regular expression found in a fault's name or title")
+    parser.add_argument("--tests", default="", help="regular expression found in a name: of the named tests only these")
     parser.add_argument("--suite", choices=SUITES, help="build and run all of a suite, not only the named tests")
     parser.add_argument("--scratch", type=pathlib.Path, default=ROOT / "build-faults", help="folder of copy and builds")
-    parser.add_argument("--results", type=pathlib.Path, help="lines of JSON, with .csv and .html beside; in the scratch folder")
+    parser.add_argument("--results", type=pathlib.Path, help="lines of JSON; .csv and .html stand beside")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at once, of compiler and of ctest")
     parser.add_argument("--timeout", type=int, default=900, help="of a test [s]")
     options = parser.parse_args(arguments)
@@ -273,13 +284,20 @@ def options_of(arguments):
     return options
 
 
-def chosen(faults, only):
-    try:
-        found = [fault for fault in faults if re.search(only, fault.name) or re.search(only, fault.title)]
-    except re.error as error:
-        raise seeded.BadInput(f"--only '{only}': {error}, wanted a regular expression") from error
+def chosen(faults, only, tests):
+    """The faults that fit, each with those of its tests that fit; one without any is left out."""
+    for option, value in (("--only", only), ("--tests", tests)):
+        try:
+            re.compile(value)
+        except re.error as error:
+            raise seeded.BadInput(f"{option} '{value}': {error}, wanted a regular expression") from error
+    found = []
+    for fault in faults:
+        named = tuple(test for test in fault.tests if re.search(tests, test))
+        if named and (re.search(only, fault.name) or re.search(only, fault.title)):
+            found.append(dataclasses.replace(fault, tests=named))
     if not found:
-        raise seeded.BadInput(f"--only '{only}': fits no fault, wanted one of vnv/faults")
+        raise seeded.BadInput(f"--only '{only}' --tests '{tests}': fits no fault, wanted one of vnv/faults")
     return found
 
 
@@ -289,7 +307,7 @@ def main(arguments):
         found = seeded.complaints(FOLDER, ROOT, options.build and options.build.resolve())
         print("\n".join(found) if found else "each fault fits today's sources and tests")
         return 3 if found else 0
-    faults = chosen(seeded.read_all(FOLDER), options.only)
+    faults = chosen(seeded.read_all(FOLDER), options.only, options.tests)
     if options.list:
         print("\n".join(f"{'harmless/' if fault.harmless else ''}{fault.name}: {fault.title}" for fault in faults))
         return 0
