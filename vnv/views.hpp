@@ -174,7 +174,7 @@ struct SeveralViews {
         const Method in_view = methods_on(scene_of(of(rung)))[k];
         // In the same steps: one that followed the flow would be shorter where all is carried along.
         Rung in_equal_steps = rung;
-        in_equal_steps.time_step = rung.step_or(in_view.time_step(rung));
+        if (in_view.time_step) in_equal_steps.time_step = rung.step_or(in_view.time_step(rung));
         return in_view.run(in_equal_steps, when);
       };
       method.rungs = rungs();
