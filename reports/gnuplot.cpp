@@ -33,9 +33,13 @@ class NoBrokenPipes {
 // Where gnuplot leaves what it has drawn, what it says, and that it came to the end.
 struct Traces {
   fs::path image, log, marker;
+  bool is_raster;
 
   explicit Traces(const fs::path& final_image)
-      : image(beside(final_image, "part")), log(beside(final_image, "log")), marker(beside(final_image, "end")) {}
+      : image(beside(final_image, "part")),
+        log(beside(final_image, "log")),
+        marker(beside(final_image, "end")),
+        is_raster(final_image.extension() == ".png") {}
   ~Traces() {
     std::error_code ignored;
     for (const auto& file : {image, log, marker}) fs::remove(file, ignored);
@@ -55,6 +59,9 @@ std::string text_of(const fs::path& file) {
 }
 
 std::string quoted(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "'\\''")); }
+
+// In gnuplot's own single quotes, a quote is written twice.
+std::string as_text(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "''")); }
 
 // gnuplot's message is the last line that says something; those before repeat the command and point at it.
 std::string message_in(const fs::path& log) {
@@ -77,10 +84,10 @@ void send(const fs::path& gnuplot, const fs::path& script, const Traces& traces)
   const NoBrokenPipes guard;
   // `|| :` since gnuplot-iostream complains on standard error of an exit status; the marker tells as much.
   Gnuplot pipe(fmt::format("cd {} && {} -d /dev/stdin > {} 2>&1 || :", quoted(script.parent_path()), quoted(gnuplot),
-                           quoted(traces.log.filename())));
-  pipe << fmt::format("image = '{}'\nload '{}'\nset output\n", traces.image.filename().string(),
-                      script.filename().string());
-  pipe << fmt::format("set print '{}'\nprint 'end'\n", traces.marker.filename().string());
+                           quoted(traces.log)));
+  pipe << fmt::format("{}image = {}\nload {}\nset output\n", traces.is_raster ? "raster = 1\n" : "",
+                      as_text(traces.image), as_text(script));
+  pipe << fmt::format("set print {}\nprint 'end'\n", as_text(traces.marker));
 }
 
 }  // namespace
@@ -95,8 +102,8 @@ fs::path find_gnuplot() {
       "gnuplot: not found on PATH, wanted for the figures; install it (Debian: apt install gnuplot-nox)");
 }
 
-void run_gnuplot(const fs::path& image) {
-  const fs::path gnuplot = find_gnuplot(), script = fs::path(image).replace_extension(".gp");
+void run_gnuplot(const fs::path& script, const fs::path& image) {
+  const fs::path gnuplot = find_gnuplot();
   const Traces traces(fs::absolute(image));
   send(fs::absolute(gnuplot), fs::absolute(script), traces);
   if (text_of(traces.marker) != "end\n")
@@ -107,5 +114,7 @@ void run_gnuplot(const fs::path& image) {
         fmt::format("gnuplot: {} not drawn: the image is not whole; is the disk full?", image.filename().string()));
   fs::rename(traces.image, image);
 }
+
+void run_gnuplot(const fs::path& image) { run_gnuplot(fs::path(image).replace_extension(".gp"), image); }
 
 }  // namespace touchstone::reports

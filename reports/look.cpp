@@ -50,6 +50,7 @@ std::string Frame::commands(const vnv::Figure& figure, const Extent& x, const Ex
 if (!exists("image")) image = '{0}.svg'
 set encoding utf8
 set terminal svg size {1},{2} dynamic enhanced font 'sans-serif,13' background '#ffffff'
+if (exists("raster")) set terminal pngcairo size {1},{2} enhanced font 'sans,10' background '#ffffff'
 set output image
 set datafile separator comma
 set minussign
