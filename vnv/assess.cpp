@@ -1,7 +1,9 @@
 #include "vnv/assess.hpp"
 
+#include "vnv/ensemble.hpp"
 #include "vnv/environment.hpp"
 #include "vnv/order.hpp"
+#include "vnv/quantity.hpp"
 #include "vnv/run_rungs.hpp"
 
 #include <fmt/format.h>
@@ -120,6 +122,8 @@ std::vector<Error> all_values(const Case& declared, const Results& results, cons
   return values;
 }
 
+constexpr std::string_view nothing_accepted = "no baseline was accepted for this yet";
+
 /// Each value keeps within the limits that were accepted with the last one.
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
   for (const Error& e : record.errors) {
@@ -129,8 +133,22 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
       record.verdicts.push_back(
           judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
     else if (suite == Suite::acceptance)
-      record.verdicts.push_back(inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place, e.value,
-                                             "no baseline was accepted for this yet"));
+      record.verdicts.push_back(
+          inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place, e.value, nothing_accepted));
+  }
+}
+
+/// What the members of an ensemble are together is of the distribution that was accepted; each alone is chance.
+void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
+  for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
+    const Claim alike = at_least(
+        name_and_unit(one.quantity).first + ", chance of an ensemble so unlike the accepted one [-]", least_chance,
+        baseline(fmt::format("{} accepted starts; Anderson & Darling's test, by random deals", one.accepted.size())));
+    const Place place{record.case_name, record.method, "", not_a_number, one.time};
+    if (!one.accepted.empty())
+      record.verdicts.push_back(judge(alike, place, one.chance));
+    else if (suite == Suite::acceptance)
+      record.verdicts.push_back(inconclusive(alike, place, one.chance, nothing_accepted));
   }
 }
 
@@ -207,7 +225,7 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
   for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
   for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
   if (baselines) {
-    judge_baselines(*baselines, suite, record);
+    (declared.ensemble ? judge_ensemble : judge_baselines)(*baselines, suite, record);
     miss_lost_values(*baselines, record);
   }
   for (const Plot& plot : declared.plots) plot(results, record);

@@ -110,8 +110,9 @@ struct Case {
   std::vector<Claim> claims{};  // of any method
   std::vector<Method> methods;
   std::vector<Plot> plots{};
-  bool timed = false;   // what it judges is time: no other test runs beside it
-  std::string label{};  // besides that of the suite, for ctest -L; of what acceptance runs
+  bool ensemble = false;  // rungs differ by chance: baselines are of what all of them are together
+  bool timed = false;     // what it judges is time: no other test runs beside it
+  std::string label{};    // besides that of the suite, for ctest -L; of what acceptance runs
 };
 
 /// The case with more plots.

@@ -1,0 +1,69 @@
+#pragma once
+#include "vnv/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Where the members of an ensemble are, over time: the median of what the watch saw in its `column`, and the two
+/// curves between which eight of ten lie.
+inline Plot bands(Figure frame, std::size_t column) {
+  return [=](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    if (results.runs.empty()) return;
+    const std::string& name = results.method.name;
+    const std::array shares{0.5, 0.1, 0.9};
+    std::array curves{Curve{frame.id, name, Role::ours, {}, {}, false},
+                      Curve{frame.id, name + ", 10 %", Role::guide, {}, {}, false},
+                      Curve{frame.id, name + ", 90 %", Role::guide, {}, {}, false}};
+    const std::vector<double>& times = results.runs.front().history.time;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      std::vector<double> seen;
+      for (const Run& run : results.runs)
+        if (k < run.history.seen.size() && std::isfinite(run.history.seen[k][column]))
+          seen.push_back(run.history.seen[k][column]);
+      if (seen.empty()) continue;
+      for (std::size_t c = 0; c < curves.size(); ++c) {
+        curves[c].x.push_back(times[k]);
+        curves[c].y.push_back(quantile(seen, shares[c]));
+      }
+    }
+    for (Curve& curve : curves) record.curves.push_back(std::move(curve));
+  };
+}
+
+/// A row for each number of each method: today's ensemble beside the accepted one.
+inline Plot ensemble_table() {
+  return [](const Results& results, Record& record) {
+    Table table{
+        "ensembles",
+        "Today's ensemble beside the accepted one",
+        "The median of the starts and between which values eight of ten lie; how far the two ensembles are from each "
+        "other (Wasserstein, in the unit of the number), and how often chance alone makes two of one "
+        "distribution so unlike (Anderson & Darling).",
+        {"method", "number", "t [s]", "median", "eight of ten", "accepted median", "accepted eight of ten", "distance",
+         "chance"},
+        {}};
+    const auto median = [](const std::vector<double>& members) {
+      return members.empty() ? Cell("–") : Cell(quantile(members, 0.5));
+    };
+    const auto band = [](const std::vector<double>& members) {
+      if (members.empty()) return Cell("–");
+      return Cell(fmt::format("{:.4g} to {:.4g}", quantile(members, 0.1), quantile(members, 0.9)));
+    };
+    const Baselines accepted =
+        read_baselines(data_folder() / "baselines" / (record.case_name + ".csv")).value_or(Baselines{});
+    for (const EnsembleComparison& one : compare_with_accepted(record, accepted))
+      table.rows.push_back({results.method.name, one.quantity, one.time, median(one.members), band(one.members),
+                            median(one.accepted), band(one.accepted), one.distance, one.chance});
+    record.tables.push_back(std::move(table));
+  };
+}
+
+}  // namespace touchstone::vnv
