@@ -21,7 +21,7 @@ Baselines accepted_of(const Description& one) { return read_baselines(one.baseli
 /// Whether the program accepted; it refuses where a claim of theory or literature fails, and within a test.
 bool accept_one(const Build& build, const Options& options, const Chosen& one) {
   const Baselines before = accepted_of(*one.of);
-  const Heard heard = run_and_hear(
+  const programs::Heard heard = programs::run_and_hear(
       build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}));
   if (!heard.ending.well()) {
     fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), heard.complaint());

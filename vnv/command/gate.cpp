@@ -3,6 +3,7 @@
 #include "vnv/gate/gate.hpp"
 
 #include "vnv/command/commands.hpp"
+#include "vnv/programs/scratch_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -23,12 +24,12 @@ struct Options {
 /// Pages of the fronts that a gate found.
 void draw(const Build& build, const fs::path& records, const fs::path& site) {
   const Words call{(build.folder / "reports" / "touchstone_report").string(), records.string(), site.string()};
-  if (const Ending ending = run_here(call); !ending.well())
+  if (const programs::Ending ending = programs::run_here(call); !ending.well())
     throw std::runtime_error(fmt::format("touchstone_report: {}", ending.sentence()));
 }
 
 int run(const Build& build, Options options) {
-  std::optional<gate::ScratchFolder> drawn;
+  std::optional<programs::ScratchFolder> drawn;
   if (!options.site.empty()) options.request.figure = drawn.emplace().path() / "gate.gate.json";
   const gate::Status status = gate::gate(options.request, std::cout, std::cerr);
   if (drawn) draw(build, drawn->path(), options.site);

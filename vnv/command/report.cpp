@@ -16,7 +16,8 @@ struct Options {
 int report(const Build& build, const Options& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
   const std::string site = options.site.empty() ? (build.folder / "site" / options.suite).string() : options.site;
-  const Ending ending = run_here({(build.folder / "reports" / "touchstone_report").string(), records, site});
+  const programs::Ending ending =
+      programs::run_here({(build.folder / "reports" / "touchstone_report").string(), records, site});
   if (!ending.well())
     throw std::runtime_error(fmt::format("touchstone_report {} {} {}", records, site, ending.sentence()));
   fmt::print("{}\n", (std::filesystem::path(site) / "index.html").string());
