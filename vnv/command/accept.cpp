@@ -60,8 +60,7 @@ void add_accept(CLI::App& app, Session& session) {
   add_patterns(*command, options->patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
   command->add_option("--reason", options->reason, "why the new values are right; it stands in the file")->required();
   add_suite(*command, options->suite)->capture_default_str();
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return accept(session.build, *options); }; });
+  set_todo(*command, session, accept, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -16,10 +16,7 @@ struct Options {
 int report(const Build& build, const Options& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
   const std::string site = options.site.empty() ? (build.folder / "site" / options.suite).string() : options.site;
-  const programs::Ending ending =
-      programs::run_here({(build.folder / "reports" / "touchstone_report").string(), records, site});
-  if (!ending.well())
-    throw std::runtime_error(fmt::format("touchstone_report {} {} {}", records, site, ending.sentence()));
+  make_pages(build, {records, site});
   fmt::print("{}\n", (std::filesystem::path(site) / "index.html").string());
   return all_holds;
 }
@@ -33,8 +30,7 @@ void add_report(CLI::App& app, Session& session) {
   command->add_option("RECORDS", options->records, "folder of records; else BUILD/records/SUITE");
   command->add_option("SITE", options->site, "folder for the pages, replaced; else BUILD/site/SUITE");
   add_suite(*command, options->suite)->capture_default_str();
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return report(session.build, *options); }; });
+  set_todo(*command, session, report, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -179,12 +179,10 @@ void add_run(CLI::App& app, Session& session) {
       "  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine");
   add_patterns(*command, options->patterns);
   add_suite(*command, options->suite)->capture_default_str();
-  command->add_option("-j", options->at_once, "so many programs at once; what judges time runs alone")
-      ->check(CLI::Range(1, 4096));
+  add_at_once(*command, options->at_once);
   command->add_option("--records", options->records, "folder of records; else BUILD/records/SUITE");
   command->add_flag("--again", options->again, "skip nothing");
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return run(session.build, *options); }; });
+  set_todo(*command, session, run, options);
 }
 
 }  // namespace touchstone::vnv::command
