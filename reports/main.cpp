@@ -2,6 +2,7 @@
 /// over all nights.
 
 #include "reports/site.hpp"
+#include "vnv/programs/interruption.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -26,6 +27,9 @@ int main(int argc, char** argv) {
         touchstone::reports::make_site(records, site, {.history = history, .known_failures = known_failures});
     fmt::print("{}: {}\n", site, standing.sentence());
     return 0;
+  } catch (const touchstone::programs::Interrupted& told) {
+    fmt::print(stderr, "touchstone_report: {}\n", told.sentence());
+    touchstone::programs::end_by(told.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "touchstone_report: {}\n", error.what());
     return 1;
