@@ -1,6 +1,8 @@
 #pragma once
 /// Files and folders that are whole or not there.
 
+#include "vnv/programs/interruption.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -12,7 +14,8 @@ void save(const std::filesystem::path& file, const std::string& text);
 /// The same, whole or not at all: to a neighbouring temporary name, then renamed.
 void save_whole(const std::filesystem::path& file, const std::string& text);
 
-/// A folder beside another, in which that other is made anew; what is not published is removed.
+/// A folder beside another, in which that other is made anew; what is not published is removed. What tells this program
+/// to end waits so long, or until it is asked for.
 class Staging {
  public:
   /// Throws std::runtime_error if the place is not writable, or holds what is no site, which would be lost.
@@ -23,12 +26,15 @@ class Staging {
 
   const std::filesystem::path& folder() const { return folder_; }
 
+  /// Throws programs::Interrupted if this program was told to end.
+  void stop_if_told() const { held_.stop_if_told(site_.string()); }
   /// The staged folder takes the place of the site, which is removed.
   void publish();
   /// One staged file takes its place in the site; all else stays.
   void publish_file(const std::string& name);
 
  private:
+  programs::HeldSignals held_;
   std::filesystem::path site_, folder_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "reports/attachments.hpp"
 #include "reports/site.hpp"
+#include "vnv/programs/interruption.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -32,6 +33,9 @@ int main(int argc, char** argv) {
     if (!attachments.empty() && std::getenv("DASHBOARD_TEST_FROM_CTEST"))
       fmt::print("{}", touchstone::reports::attach_figures(site, attachments));
     return 0;
+  } catch (const touchstone::programs::Interrupted& told) {
+    fmt::print(stderr, "touchstone_report: {}\n", told.sentence());
+    touchstone::programs::end_by(told.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "touchstone_report: {}\n", error.what());
     return 1;

@@ -83,7 +83,10 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
     for (const char* table : {"verdicts.csv", "orders.csv", "cost.csv"}) staging.publish_file(table);
     throw GnuplotMissing(fmt::format("{}; wrote only verdicts.csv, orders.csv and cost.csv", missing.what()));
   }
-  for (const auto& one : cases) write_case(one, staging.folder() / one.name);
+  for (const auto& one : cases) {
+    staging.stop_if_told();
+    write_case(one, staging.folder() / one.name);
+  }
   save(staging.folder() / "style.css", std::string(style));
   save(staging.folder() / "site.js", std::string(script));
   save(staging.folder() / "index.html", index_page(cases, tonight, history.has_value()));

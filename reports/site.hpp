@@ -17,7 +17,7 @@ struct Memory {
 /// The night joins its history before any page is drawn. Says how its failures stand beside the known ones.
 /// Without gnuplot the tables are still written, and GnuplotMissing is thrown.
 /// Throws std::runtime_error if records or known failures cannot be read, figures cannot be drawn or the site cannot be
-/// written.
+/// written, and programs::Interrupted if this program is told to end.
 Standing make_site(const std::filesystem::path& records, const std::filesystem::path& site, const Memory& memory = {});
 
 }  // namespace touchstone::reports

@@ -2,6 +2,7 @@
 
 #include "reports/gnuplot.hpp"
 #include "reports/testing.hpp"
+#include "vnv/programs/interruption.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,17 @@ TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
                            "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
     EXPECT_FALSE(page(name).empty()) << name;
   EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
+  EXPECT_EQ(entries(), 2) << "something is left beside the site";
+}
+
+TEST_F(Site, StaysAsItWasWhereItsMakerIsToldToEnd) {
+  make_site(records, site);
+  const std::string before = page("index.html");
+  put(sample_record("sph"));
+  const programs::HeldSignals held;
+  raise(SIGTERM);
+  EXPECT_THROW(make_site(records, site), programs::Interrupted);
+  EXPECT_EQ(page("index.html"), before);
   EXPECT_EQ(entries(), 2) << "something is left beside the site";
 }
 

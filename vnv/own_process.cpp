@@ -1,6 +1,9 @@
 #include "vnv/own_process.hpp"
 
 #include <fmt/format.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +12,7 @@
 #endif
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -26,6 +30,14 @@ void keep_memory_that_is_freed() {
   mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the most that is allowed
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
+}
+
+/// Whoever waits for the calculation may be killed; then nobody asks for it any more.
+void end_with(pid_t parent) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  if (getppid() != parent) _exit(unwritten);  // it was killed before
 }
 
 int write_all(std::FILE* file, const std::string& text, Status status) {
@@ -84,9 +96,12 @@ Ended in_own_process(const std::function<std::string()>& calculate) {
   ended.file_.reset(std::tmpfile());
   if (!ended.file_) throw std::runtime_error(fmt::format("own process: no file: {}", std::strerror(errno)));
   std::fflush(nullptr);  // else both processes print what is waiting
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error(fmt::format("own process: cannot be split off: {}", std::strerror(errno)));
-  if (child == 0) _exit(calculated(calculate, ended.file_.get()));
+  if (child == 0) {
+    end_with(parent);
+    _exit(calculated(calculate, ended.file_.get()));
+  }
   const Farewell farewell = wait_for(child);
   ended.peak_memory = peak_memory_of(farewell.used);
   ended.user_time =

@@ -1,7 +1,10 @@
 #include "vnv/own_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
@@ -35,6 +38,28 @@ TEST(OwnProcess, ThatIsKilledIsReportedInOneLine) {
 TEST(OwnProcess, ThatLeavesEarlyIsReported) {
   const Ended ended = in_own_process([]() -> std::string { std::_Exit(3); });
   EXPECT_NE(ended.crash.find("status 3"), std::string::npos) << ended.crash;
+}
+
+TEST(OwnProcess, IsNotLeftBehindWhereWhoeverWaitsForItIsKilled) {
+  int ends[2];  // of a pipe, which ends when the last who may write has ended
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t waiting = fork();
+  if (waiting == 0) {
+    in_own_process([&]() -> std::string {
+      if (write(ends[1], "b", 1) == 1) sleep(60);
+      return "";
+    });
+    _exit(0);
+  }
+  close(ends[1]);
+  char letter = 0;
+  EXPECT_EQ(read(ends[0], &letter, 1), 1);
+  kill(waiting, SIGKILL);
+  waitpid(waiting, nullptr, 0);
+  const auto before = std::chrono::steady_clock::now();
+  EXPECT_EQ(read(ends[0], &letter, 1), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
+  close(ends[0]);
 }
 
 TEST(OwnProcess, PassesOnWhatIsThrown) {

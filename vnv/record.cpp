@@ -14,21 +14,6 @@
 #include <stdexcept>
 
 namespace touchstone::vnv {
-
-std::string_view name_of(Trend trend) {
-  switch (trend) {
-    case Trend::converging:
-      return "converging";
-    case Trend::stalled:
-      return "stalled";
-    case Trend::diverging:
-      return "diverging";
-    case Trend::inconclusive:
-      break;
-  }
-  return "inconclusive";
-}
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -377,6 +362,8 @@ std::string text_of(const Record& record, const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string_view name_of(Trend trend) { return words(trend).at(static_cast<std::size_t>(trend)); }
 
 void write(const Record& record, const std::filesystem::path& file) {
   const std::string text = text_of(record, file);

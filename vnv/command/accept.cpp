@@ -21,7 +21,7 @@ Baselines accepted_of(const Description& one) { return read_baselines(one.baseli
 /// Whether the program accepted; it refuses where a claim of theory or literature fails, and within a test.
 bool accept_one(const Build& build, const Options& options, const Chosen& one) {
   const Baselines before = accepted_of(*one.of);
-  const Heard heard = run_and_hear(
+  const programs::Heard heard = programs::run_and_hear(
       build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}));
   if (!heard.ending.well()) {
     fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), heard.complaint());
@@ -60,8 +60,7 @@ void add_accept(CLI::App& app, Session& session) {
   add_patterns(*command, options->patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
   command->add_option("--reason", options->reason, "why the new values are right; it stands in the file")->required();
   add_suite(*command, options->suite)->capture_default_str();
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return accept(session.build, *options); }; });
+  set_todo(*command, session, accept, options);
 }
 
 }  // namespace touchstone::vnv::command

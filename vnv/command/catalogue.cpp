@@ -27,7 +27,7 @@ std::vector<std::string> case_names(const Build& build) {
 }
 
 Description described_by(const Words& call) {
-  const Heard heard = run_and_hear(call);
+  const programs::Heard heard = programs::run_and_hear(call);
   const std::string source = joined(call, " ");
   if (!heard.ending.well()) throw std::runtime_error(fmt::format("{}: {}", source, heard.complaint()));
   return description_in(heard.output, source);

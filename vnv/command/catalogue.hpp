@@ -1,14 +1,16 @@
 #pragma once
 /// All cases of a build folder, as their programs describe themselves.
 
-#include "vnv/command/process.hpp"
 #include "vnv/description.hpp"
+#include "vnv/programs/programs.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace touchstone::vnv::command {
+
+using programs::Words;
 
 /// Where programs are, and what they read.
 struct Build {

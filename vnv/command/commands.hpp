@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,16 @@ inline const std::vector<std::string> suites{"acceptance", "report", "nightly"};
 CLI::Option* add_suite(CLI::App& command, std::string& suite);
 /// Which methods, as several ask.
 CLI::Option* add_patterns(CLI::App& command, std::vector<std::string>& patterns);
+/// The option -j.
+CLI::Option* add_at_once(CLI::App& command, int& at_once);
+
+/// What is to do once the command line has asked for a subcommand: `work`, with the options as they were read by then.
+template <class Options>
+void set_todo(CLI::App& command, Session& session, auto work, const std::shared_ptr<Options>& options) {
+  command.callback([=, &session] { session.todo = [=, &session] { return work(session.build, *options); }; });
+}
+
+/// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot.
+void make_pages(const Build& build, const Words& arguments);
 
 }  // namespace touchstone::vnv::command

@@ -124,8 +124,7 @@ void add_explain(CLI::App& app, Session& session) {
       "One method alone is told with its claims and rungs.\n"
       "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
   command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
-  command->callback(
-      [&session, pattern] { session.todo = [&session, pattern] { return explain(session.build, *pattern); }; });
+  set_todo(*command, session, explain, pattern);
 }
 
 }  // namespace touchstone::vnv::command

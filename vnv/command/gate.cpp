@@ -3,8 +3,7 @@
 #include "vnv/gate/gate.hpp"
 
 #include "vnv/command/commands.hpp"
-
-#include <fmt/format.h>
+#include "vnv/programs/scratch_folder.hpp"
 
 #include <iostream>
 #include <memory>
@@ -13,25 +12,16 @@
 namespace touchstone::vnv::command {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Options {
   gate::GateRequest request{};
-  fs::path site{};
+  std::filesystem::path site{};
 };
 
-/// Pages of the fronts that a gate found.
-void draw(const Build& build, const fs::path& records, const fs::path& site) {
-  const Words call{(build.folder / "reports" / "touchstone_report").string(), records.string(), site.string()};
-  if (const Ending ending = run_here(call); !ending.well())
-    throw std::runtime_error(fmt::format("touchstone_report: {}", ending.sentence()));
-}
-
 int run(const Build& build, Options options) {
-  std::optional<gate::ScratchFolder> drawn;
+  std::optional<programs::ScratchFolder> drawn;
   if (!options.site.empty()) options.request.figure = drawn.emplace().path() / "gate.gate.json";
   const gate::Status status = gate::gate(options.request, std::cout, std::cerr);
-  if (drawn) draw(build, drawn->path(), options.site);
+  if (drawn) make_pages(build, {drawn->path(), options.site});
   return status;
 }
 
@@ -61,8 +51,7 @@ void add_gate(CLI::App& app, Session& session) {
   command->add_option("--markdown", request.markdown, "file to write the findings to, for a review");
   command->add_option("--json", request.json, "file to write all findings to, for programs");
   command->add_option("--site", options->site, "folder for pages with error against run time, before and after");
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return run(session.build, *options); }; });
+  set_todo(*command, session, run, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -1,5 +1,7 @@
 #include "vnv/command/inputs.hpp"
 
+#include "vnv/programs/scratch_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -21,15 +23,14 @@ class FinishedWork : public testing::Test {
     described_.data_folder = root_ / "data";
     described_.baseline_file = root_ / "data/baselines/small.csv";
   }
-  ~FinishedWork() override { fs::remove_all(root_); }
 
   void put(const std::string& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
   std::string hash() const { return hash_of_inputs(root_ / "program", described_); }
   fs::path records() const { return root_ / "records"; }
   Inputs inputs() const { return {hash(), "acceptance"}; }
 
-  const fs::path root_ = fs::path(testing::TempDir()) /
-                         ("inputs." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const programs::ScratchFolder scratch_;
+  const fs::path root_ = scratch_.path();
   Description described_;
 };
 

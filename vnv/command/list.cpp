@@ -79,8 +79,7 @@ void add_list(CLI::App& app, Session& session) {
   add_suite(*command, options->suite);
   CLI::Option* json = command->add_flag("--json", options->as_json, "for other programs");
   command->add_flag("--names", options->names_alone, "CASE.METHOD alone, a line each")->excludes(json);
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return list(session.build, *options); }; });
+  set_todo(*command, session, list, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -56,6 +56,9 @@ int run(int count, char** arguments) {
 int main(int count, char** arguments) {
   try {
     return touchstone::vnv::command::run(count, arguments);
+  } catch (const touchstone::programs::Interrupted& told) {
+    fmt::print(stderr, "vnv: {}\n", told.sentence());
+    touchstone::programs::end_by(told.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "vnv: {}\n", error.what());
     return touchstone::vnv::command::bad_input;

@@ -1,13 +1,15 @@
 #pragma once
 /// What came of a method: by its record, and by how its program ended.
 
-#include "vnv/command/process.hpp"
+#include "vnv/programs/programs.hpp"
 #include "vnv/record.hpp"
 
 #include <string>
 #include <vector>
 
 namespace touchstone::vnv::command {
+
+using programs::Ending;
 
 struct MethodOutcome {
   long held = 0, judged = 0;            // claims

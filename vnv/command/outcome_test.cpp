@@ -1,5 +1,7 @@
 #include "vnv/command/outcome.hpp"
 
+#include "vnv/programs/scratch_folder.hpp"
+
 #include <gtest/gtest.h>
 
 namespace touchstone::vnv::command {
@@ -9,9 +11,6 @@ namespace fs = std::filesystem;
 
 class AnOutcome : public testing::Test {
  protected:
-  AnOutcome() { fs::create_directories(folder_); }
-  ~AnOutcome() override { fs::remove_all(folder_); }
-
   fs::path record_with(const std::vector<Outcome>& outcomes) const {
     Record record;
     for (const Outcome outcome : outcomes) {
@@ -23,8 +22,8 @@ class AnOutcome : public testing::Test {
     return folder_ / "small.mpm.json";
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           ("outcome." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const programs::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   const Ending well_{}, failed_{.status = 1}, killed_{.signal = 9};
 };
 

@@ -66,10 +66,9 @@ void add_plan(CLI::App& app, Session& session) {
   command->footer("Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json");
   add_patterns(*command, options->patterns);
   add_suite(*command, options->suite)->capture_default_str();
-  command->add_option("-j", options->at_once, "so many programs at once")->check(CLI::Range(1, 4096));
+  add_at_once(*command, options->at_once);
   command->add_flag("--json", options->as_json, "a line of JSON for each task; \"cpu\" is null where it is unknown");
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return plan(session.build, *options); }; });
+  set_todo(*command, session, plan, options);
 }
 
 }  // namespace touchstone::vnv::command

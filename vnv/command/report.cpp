@@ -4,22 +4,50 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <memory>
 
 namespace touchstone::vnv::command {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
-  std::string records{}, site{}, suite = "acceptance";
+  std::string records{}, site{}, suite = "acceptance", history{}, known_failures{};
 };
 
+/// What a build folder was configured with; empty if it does not say.
+std::string configured(const Build& build, const std::string& name) {
+  std::ifstream cache(build.folder / "CMakeCache.txt");
+  for (std::string line; std::getline(cache, line);)
+    if (line.starts_with(name + ":")) return line.substr(line.find('=') + 1);
+  return "";
+}
+
+/// Only a build's own nights join its history by themselves.
+std::string history_of(const Build& build, const Options& options) {
+  const bool is_own_night = options.records.empty() && options.suite == "nightly";
+  return options.history.empty() && is_own_night ? configured(build, "TOUCHSTONE_HISTORY") : options.history;
+}
+
+std::string known_failures_of(const Build& build, const Options& options) {
+  if (!options.known_failures.empty()) return options.known_failures;
+  const fs::path data = build.data.empty() ? configured(build, "CMAKE_HOME_DIRECTORY") + "/data" : build.data;
+  return fs::exists(data / "known_failures.csv") ? data / "known_failures.csv" : "";
+}
+
+/// As the test SUITE.pages does, where nothing else is asked for.
 int report(const Build& build, const Options& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
   const std::string site = options.site.empty() ? (build.folder / "site" / options.suite).string() : options.site;
-  const Ending ending = run_here({(build.folder / "reports" / "touchstone_report").string(), records, site});
-  if (!ending.well())
-    throw std::runtime_error(fmt::format("touchstone_report {} {} {}", records, site, ending.sentence()));
-  fmt::print("{}\n", (std::filesystem::path(site) / "index.html").string());
+  Words arguments{records, site};
+  const auto pass_on = [&](const std::string& option, const std::string& value) {
+    if (!value.empty()) arguments.insert(arguments.end(), {option, value});
+  };
+  pass_on("--history", history_of(build, options));
+  pass_on("--known-failures", known_failures_of(build, options));
+  make_pages(build, arguments);
+  fmt::print("{}\n", (fs::path(site) / "index.html").string());
   return all_holds;
 }
 
@@ -28,12 +56,15 @@ int report(const Build& build, const Options& options) {
 void add_report(CLI::App& app, Session& session) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Turns records into pages, and tells where they begin.");
-  command->footer("Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site");
+  command->footer("Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights");
   command->add_option("RECORDS", options->records, "folder of records; else BUILD/records/SUITE");
   command->add_option("SITE", options->site, "folder for the pages, replaced; else BUILD/site/SUITE");
   add_suite(*command, options->suite)->capture_default_str();
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return report(session.build, *options); }; });
+  command->add_option("--history", options->history,
+                      "folder of all nights, which these records join; else that of the build, for its own nights");
+  command->add_option("--known-failures", options->known_failures,
+                      "claims that are known to fail; else known_failures.csv of the data");
+  set_todo(*command, session, report, options);
 }
 
 }  // namespace touchstone::vnv::command

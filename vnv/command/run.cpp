@@ -11,7 +11,6 @@
 #include <chrono>
 #include <map>
 #include <memory>
-#include <thread>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -73,16 +72,15 @@ class Runner {
     auto next = jobs.cbegin();
     while (next != jobs.cend() || !running_.empty()) {
       while (next != jobs.cend() && may_start(*next)) begin(*next++);
-      if (const std::optional<Child> child = any_ended())
-        end(*child);
-      else
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (const std::optional<programs::Child> child = programs_.wait(between_shows)) end(*child);
       show_progress();
     }
   }
 
  private:
-  struct Running {
+  static constexpr std::chrono::milliseconds between_shows{200};
+
+  struct Started {
     const Job* job;
     Clock::time_point since;
   };
@@ -100,10 +98,10 @@ class Runner {
     forget(options_.records, name);
     const Words call = build_.call(job.chosen.of->name, {"--method", job.chosen.method->name, "--suite", options_.suite,
                                                          "--records", options_.records.string()});
-    running_.emplace(start(call, log(name)), Running{&job, Clock::now()});
+    running_.emplace(programs_.start(name, call, log(name)), Started{&job, Clock::now()});
   }
 
-  void end(const Child& child) {
+  void end(const programs::Child& child) {
     const Job& job = *running_.at(child.id).job;
     running_.erase(child.id);
     const std::string name = job.chosen.name();
@@ -115,7 +113,7 @@ class Runner {
   }
 
   void show_progress() {
-    if (Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
+    if (Clock::now() - shown_ < between_shows) return;
     shown_ = Clock::now();
     std::string text = fmt::format("{} of {}:", ended_, count_);
     for (const auto& [id, one] : running_)
@@ -128,7 +126,8 @@ class Runner {
   const Options& options_;
   Sum& sum_;
   ProgressLine line_;
-  std::map<pid_t, Running> running_;
+  programs::Running programs_;
+  std::map<pid_t, Started> running_;
   std::size_t ended_ = 0, count_ = 0;
   Clock::time_point shown_{};
 };
@@ -180,12 +179,10 @@ void add_run(CLI::App& app, Session& session) {
       "  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine");
   add_patterns(*command, options->patterns);
   add_suite(*command, options->suite)->capture_default_str();
-  command->add_option("-j", options->at_once, "so many programs at once; what judges time runs alone")
-      ->check(CLI::Range(1, 4096));
+  add_at_once(*command, options->at_once);
   command->add_option("--records", options->records, "folder of records; else BUILD/records/SUITE");
   command->add_flag("--again", options->again, "skip nothing");
-  command->callback(
-      [&session, options] { session.todo = [&session, options] { return run(session.build, *options); }; });
+  set_todo(*command, session, run, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -1,5 +1,6 @@
 #include "vnv/command/tasks.hpp"
 
+#include "vnv/programs/scratch_folder.hpp"
 #include "vnv/record.hpp"
 
 #include <gtest/gtest.h>
@@ -7,12 +8,9 @@
 namespace touchstone::vnv::command {
 namespace {
 
-namespace fs = std::filesystem;
-
 class APlan : public testing::Test {
  protected:
   APlan() {
-    fs::create_directories(records_);
     described_.name = "small";
     described_.methods.resize(1);
     MethodDescription& method = described_.methods.front();
@@ -22,14 +20,12 @@ class APlan : public testing::Test {
     method.rungs[1] = {.name = "M2", .spacing = 0.5, .until = {{"nightly", 1}}};
     method.rungs[2] = {.name = "M3", .spacing = 0.25, .until = {{"report", 1}}};
   }
-  ~APlan() override { fs::remove_all(records_); }
 
   std::vector<Task> tasks(const std::string& suite) const {
-    return tasks_of({{&described_, &described_.methods.front()}}, suite, records_);
+    return tasks_of({{&described_, &described_.methods.front()}}, suite, scratch_.path());
   }
 
-  const fs::path records_ = fs::path(testing::TempDir()) /
-                            ("plan." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const programs::ScratchFolder scratch_;
   Description described_;
 };
 
@@ -45,7 +41,7 @@ TEST_F(APlan, HasTheRungsOfItsSuite) {
 TEST_F(APlan, TakesCostsWithAllRepeatsFromTheLastRecords) {
   Record record;
   record.runs = {{.rung = "M1", .cost = {.repeats = 3, .cpu = 2}}};
-  write(record, records_ / "small.mpm.json");
+  write(record, scratch_.path() / "small.mpm.json");
   const std::vector<Task> nightly = tasks("nightly");
   EXPECT_EQ(nightly.at(0).cpu, 6);
   EXPECT_EQ(nightly.at(1).cpu, std::nullopt);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::gate {
@@ -24,10 +25,19 @@ bool is_left_for_the_better(const Verdict& before, const Verdict& after) {
   return direction == Direction::towards_zero && std::abs(after.value) < std::abs(before.value);
 }
 
-/// Whether a limit of theory or literature allows more than it did. Those of baselines follow their values, which are
-/// compared themselves.
+/// Whether a baseline, which follows its value to either side, has got wider than the value has got larger.
+bool has_more_room(const Verdict& before, const Verdict& after) {
+  const double width = *before.upper - *before.lower, centre = (*before.upper + *before.lower) / 2;
+  const double new_width = *after.upper - *after.lower, new_centre = (*after.upper + *after.lower) / 2;
+  const bool is_share = std::abs(centre) > width / 2;  // else it has room around zero, which grows with no value
+  const double grown = is_share ? std::max(1.0, std::abs(new_centre / centre)) : 1.0;
+  return new_width > width * grown * (1 + 1e-6);  // rounding of the limits
+}
+
+/// Whether limits allow more than they did.
 bool is_loosened(const Verdict& before, const Verdict& after) {
-  if (before.author.starts_with("baseline")) return false;
+  const bool is_baseline = before.author.starts_with("baseline");
+  if (is_baseline && before.lower && before.upper && after.lower && after.upper) return has_more_room(before, after);
   const bool upper = before.upper && (!after.upper || *after.upper > *before.upper);
   const bool lower = before.lower && (!after.lower || *after.lower < *before.lower);
   return upper || lower;
@@ -42,7 +52,7 @@ Reason compare_verdicts(const Verdict& before, const Verdict& after) {
     return {Change::better, "better than its baseline allows; to be accepted"};
   const std::string words = fmt::format("{} before, {} now", word_of(before.outcome), word_of(after.outcome));
   if (rise < 0) return {Change::worse, words};
-  if (is_loosened(before, after)) return {Change::inconclusive, words + ", by a limit that allows more"};
+  if (is_loosened(before, after)) return {Change::inconclusive, words + ", by limits that allow more"};
   return {rise > 0 ? Change::better : Change::same, words};
 }
 

@@ -13,8 +13,8 @@ using Records = std::vector<vnv::Record>;
 ///
 /// A method, run, value, order or claim that is gone is worse, since something is no longer looked at; a new one is
 /// unjudged. A run that ended and diverges now is worse. A claim is worse when it held and now fails or is
-/// inconclusive, and inconclusive when theory or literature now allow more; a baseline that fails because its value got
-/// better is better. What belongs to the machine is unjudged.
+/// inconclusive, and inconclusive when its limits now allow more; a baseline that fails because its value got better is
+/// better. What belongs to the machine is unjudged.
 ///
 /// Each side has at most one record of a method; throws std::invalid_argument for a second one.
 std::vector<Difference> compare(const Records& before, const Records& after);

@@ -202,6 +202,25 @@ TEST(Comparison, LeavesALoosenedLimitToAPerson) {
   EXPECT_TRUE(changes_by([](Record& r) { r.verdicts[0].upper = 0.15; }).front().kind != Kind::claim);
 }
 
+TEST(Comparison, LeavesABaselineWithMoreRoomToAPersonButNotOneThatFollowsItsValue) {
+  const auto with_limits = [](double lower, double upper) {
+    return changed([=](Record& r) { r.verdicts[1].lower = lower, r.verdicts[1].upper = upper; });
+  };
+  const auto claims_changed = [](const Record& before, const Record& after) {
+    return std::ranges::count(changes(before, after), Kind::claim, &Difference::kind);
+  };
+  const auto found = changes(plain(), with_limits(0.098, 0.102));
+  EXPECT_EQ(found.front().change, Change::inconclusive);
+  EXPECT_EQ(sentence_of(found.front()),
+            "poiseuille.mpm M2: claim on L2 v_x (baseline: rounding) at 1 s: inconclusive: holds before, holds now, by "
+            "limits that allow more");
+  EXPECT_EQ(claims_changed(plain(), with_limits(0.09995, 0.10005)), 0);
+  EXPECT_EQ(claims_changed(plain(), with_limits(0.0999 * 1.5, 0.1001 * 1.5)), 0);  // 0.1 % of 0.15
+  EXPECT_EQ(claims_changed(plain(), with_limits(0.0999 / 1.5, 0.1001 / 1.5)), 0);
+  EXPECT_EQ(claims_changed(plain(), with_limits(0.0498, 0.0502)), 1);
+  EXPECT_EQ(claims_changed(with_limits(-0.1, 0.1), with_limits(-1, 1)), 1);
+}
+
 TEST(Comparison, NeverJudgesWhatIsTheMachines) {
   const auto found = changes_by([](Record& r) {
     r.errors[5].value = 200;

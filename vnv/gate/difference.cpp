@@ -2,44 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace touchstone::gate {
 
 std::string_view name_of(Kind kind) {
-  switch (kind) {
-    case Kind::run:
-      return "run";
-    case Kind::claim:
-      return "claim";
-    case Kind::error:
-      return "error";
-    case Kind::order:
-      return "order";
-    case Kind::stability:
-      return "stability";
-    case Kind::cost:
-      return "cost";
-    case Kind::other:
-      break;
-  }
-  return "other";
+  constexpr std::array names{"run", "claim", "error", "order", "stability", "other", "cost"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::string_view name_of(Change change) {
-  switch (change) {
-    case Change::same:
-      return "same";
-    case Change::better:
-      return "better";
-    case Change::inconclusive:
-      return "inconclusive";
-    case Change::worse:
-      return "worse";
-    case Change::unjudged:
-      break;
-  }
-  return "unjudged";
+  constexpr std::array names{"unjudged", "same", "better", "inconclusive", "worse"};
+  return names[static_cast<std::size_t>(change)];
 }
 
 std::string sentence_of(const Difference& d) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Gate: whether what comes after is worse than what was before.
 
-#include "vnv/gate/command.hpp"
+#include "vnv/gate/bad_input.hpp"
 
 #include <filesystem>
 #include <ostream>

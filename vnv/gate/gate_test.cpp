@@ -99,7 +99,7 @@ class Gate : public testing::Test {
   std::ostringstream progress_;
 
  private:
-  ScratchFolder scratch_;
+  programs::ScratchFolder scratch_;
   std::ostringstream told_;
 };
 
@@ -245,7 +245,7 @@ TEST_F(Gate, FindsAProgramWorseThatWritesNoRecordAnyMore) {
   write_text(after + "/vnv/flow.count", "1000");
   EXPECT_EQ(gate(before, after), worse);
   EXPECT_NE(told().find("flow.mpm: method: worse: no longer there"), std::string::npos) << told();
-  EXPECT_NE(progress_.str().find("no record, status 9"), std::string::npos);
+  EXPECT_NE(progress_.str().find("ended with status 9 and no record"), std::string::npos);
 }
 
 TEST_F(Gate, FindsACaseWorseThatIsGone) {

@@ -89,11 +89,11 @@ Records records_in(const fs::path& path, const Choice& choice) {
 /// The commit that a name means in the repository around a folder; empty if there is none.
 std::string commit_of(const std::string& name) {
   if (name.empty() || name.front() == '-') return "";
-  const ScratchFolder scratch;
+  const programs::ScratchFolder scratch;
   const fs::path output = scratch.path() / "commit";
   const std::string wanted = name + "^{commit}";
-  if (run_command({"git", "rev-parse", "--verify", "--quiet", wanted}, output) != 0) return "";
-  return last_lines(output, 1);
+  if (!programs::run_into(output, {"git", "rev-parse", "--verify", "--quiet", wanted}).well()) return "";
+  return programs::last_lines(output, 1);
 }
 
 }  // namespace
@@ -131,16 +131,17 @@ BuiltRevision::BuiltRevision(const fs::path& repository, const std::string& comm
 
 BuiltRevision::~BuiltRevision() { forget_source(); }
 
-void BuiltRevision::run(const std::vector<std::string>& words, const std::string& what) const {
+void BuiltRevision::run(const programs::Words& words, const std::string& what) const {
   const fs::path output = scratch_.path() / "output";
-  if (run_command(words, output) != 0)
-    throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, last_lines(output, 20)));
+  if (!programs::run_into(output, words).well())
+    throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, programs::last_lines(output, 20)));
 }
 
 void BuiltRevision::forget_source() const {
   try {
-    run_command({"git", "-C", repository_, "worktree", "remove", "--force", source()}, scratch_.path() / "output");
-  } catch (const std::exception&) {  // whatever is left is removed with the folder, and forgotten by git in time
+    programs::run_into(scratch_.path() / "output",
+                       {"git", "-C", repository_, "worktree", "remove", "--force", source()});
+  } catch (...) {  // even told to end once more: what is left is removed with the folder, and forgotten by git in time
   }
 }
 

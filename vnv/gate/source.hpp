@@ -1,8 +1,10 @@
 #pragma once
 /// What BEFORE and AFTER are: records that were written before, or builds whose programs can be run.
 
-#include "vnv/gate/command.hpp"
+#include "vnv/gate/bad_input.hpp"
 #include "vnv/gate/comparison.hpp"
+#include "vnv/programs/programs.hpp"
+#include "vnv/programs/scratch_folder.hpp"
 
 #include <functional>
 #include <memory>
@@ -51,10 +53,10 @@ class BuiltRevision {
 
  private:
   std::filesystem::path source() const { return scratch_.path() / "source"; }
-  void run(const std::vector<std::string>& words, const std::string& what) const;
+  void run(const programs::Words& words, const std::string& what) const;
   void forget_source() const;
 
-  ScratchFolder scratch_;
+  programs::ScratchFolder scratch_;
   std::filesystem::path repository_;
 };
 

@@ -14,28 +14,17 @@ namespace {
 /// So many changes are named; a reviewer who wants the rest reads the JSON.
 constexpr std::size_t most_named = 40;
 
-constexpr auto kinds =
-    std::to_array({Kind::run, Kind::claim, Kind::error, Kind::order, Kind::stability, Kind::other, Kind::cost});
-
-std::string heading_of(Kind kind) {
-  switch (kind) {
-    case Kind::run:
-      return "runs";
-    case Kind::claim:
-      return "claims";
-    case Kind::error:
-      return "error";
-    case Kind::order:
-      return "order";
-    case Kind::stability:
-      return "stability limit";
-    case Kind::other:
-      return "other values";
-    case Kind::cost:
-      break;
-  }
-  return "cost, after over before";
-}
+struct Column {
+  Kind kind;
+  std::string_view heading;
+};
+constexpr auto columns = std::to_array<Column>({{Kind::run, "runs"},
+                                                {Kind::claim, "claims"},
+                                                {Kind::error, "error"},
+                                                {Kind::order, "order"},
+                                                {Kind::stability, "stability limit"},
+                                                {Kind::other, "other values"},
+                                                {Kind::cost, "cost, after over before"}});
 
 using Row = std::vector<std::string>;
 
@@ -54,10 +43,10 @@ std::vector<Row> table_of(const Findings& findings) {
   std::map<std::pair<std::string, std::string>, std::map<Kind, std::vector<const Difference*>>> methods;
   for (const Difference& d : findings.differences) methods[{d.case_name, d.method}][d.kind].push_back(&d);
   std::vector<Row> rows = {{"case", "method"}};
-  for (const Kind kind : kinds) rows.front().push_back(heading_of(kind));
+  for (const Column& column : columns) rows.front().emplace_back(column.heading);
   for (auto& [place, by_kind] : methods) {
     Row& row = rows.emplace_back(Row{place.first, place.second});
-    for (const Kind kind : kinds) row.push_back(cell_of(by_kind[kind]));
+    for (const Column& column : columns) row.push_back(cell_of(by_kind[column.kind]));
   }
   return rows;
 }

@@ -12,16 +12,17 @@ namespace fs = std::filesystem;
 /// Adds the record that a program writes of a method; nothing if it writes none. That claims fail is no matter here.
 void run_once(const Program& program, const std::string& method, const std::string& suite, Records& records,
               std::ostream& told) {
-  const ScratchFolder scratch;
-  const int status = run_command({program.file, "--suite", suite, "--method", method, "--records", scratch.path()},
-                                 scratch.path() / "output");
+  const programs::ScratchFolder scratch;
+  const fs::path output = scratch.path() / "output";
+  const programs::Ending ending =
+      programs::run_into(output, {program.file, "--suite", suite, "--method", method, "--records", scratch.path()});
   const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
   if (fs::exists(file)) {
     records.push_back(vnv::read_record(file));
     return;
   }
-  told << fmt::format("gate: {} --method {}: no record, status {}: {}\n", program.file.string(), method, status,
-                      last_lines(scratch.path() / "output", 3))
+  told << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
+                      programs::last_lines(output, 3))
        << std::flush;
 }
 

@@ -1,0 +1,64 @@
+#include "vnv/command/commands.hpp"
+#include "vnv/programs/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace touchstone::vnv::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A build folder whose page maker writes down what it is asked for.
+class AReport : public testing::Test {
+ protected:
+  AReport() {
+    session_.build.folder = scratch_.path();
+    put("CMakeCache.txt", "TOUCHSTONE_HISTORY:PATH=/nights\nCMAKE_HOME_DIRECTORY:INTERNAL=" + root() + "\n");
+    put("data/known_failures.csv", "");
+    put("reports/touchstone_report", "#!/bin/sh\necho \"$@\" > \"$0.asked\"\n");
+    fs::permissions(scratch_.path() / "reports/touchstone_report", fs::perms::owner_all);
+  }
+
+  std::string root() const { return scratch_.path(); }
+
+  void put(const std::string& name, const std::string& text) const {
+    fs::create_directories((scratch_.path() / name).parent_path());
+    std::ofstream(scratch_.path() / name) << text;
+  }
+
+  /// What the page maker is asked for.
+  std::string asked_by(const std::string& arguments) {
+    CLI::App app;
+    add_report(app, session_);
+    app.parse("report " + arguments);
+    session_.todo();
+    std::ifstream asked(scratch_.path() / "reports/touchstone_report.asked");
+    std::string line;
+    std::getline(asked, line);
+    return line;
+  }
+
+  const programs::ScratchFolder scratch_;
+  Session session_;
+};
+
+TEST_F(AReport, KnowsWhichClaimsAreKnownToFail) {
+  const std::string pages = root() + "/records/acceptance " + root() + "/site/acceptance";
+  EXPECT_EQ(asked_by(""), pages + " --known-failures " + root() + "/data/known_failures.csv");
+  EXPECT_EQ(asked_by("--known-failures mine.csv"), pages + " --known-failures mine.csv");
+  fs::remove(root() + "/data/known_failures.csv");
+  EXPECT_EQ(asked_by(""), pages);
+}
+
+TEST_F(AReport, LetsOnlyTheNightsOfABuildJoinItsHistory) {
+  fs::remove(root() + "/data/known_failures.csv");
+  EXPECT_EQ(asked_by("--suite nightly"), root() + "/records/nightly " + root() + "/site/nightly --history /nights");
+  EXPECT_EQ(asked_by("my_records my_site --suite nightly"), "my_records my_site");
+  EXPECT_EQ(asked_by("my_records my_site --history my_nights"), "my_records my_site --history my_nights");
+}
+
+}  // namespace
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,236 @@
+#include "vnv/programs/interruption.hpp"
+
+#include "vnv/programs/programs.hpp"
+#include "vnv/programs/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <functional>
+
+namespace touchstone::programs {
+namespace {
+
+using namespace std::chrono_literals;
+
+void say(const Streams& streams, const std::string& line) {
+  if (write(streams.output, (line + "\n").data(), line.size() + 1) < 0) _exit(9);
+}
+
+/// A process that works with programs as `vnv` does. It and they write into a pipe, which ends with the last of them.
+class Starter {
+ public:
+  explicit Starter(const std::function<void(const Streams&)>& work) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+    std::fflush(nullptr);  // else what waits to be printed is printed twice
+    id_ = fork();
+    if (id_ == 0) {
+      close(ends[0]);
+      _exit(done(work, {.output = ends[1], .errors = ends[1]}));
+    }
+    close(ends[1]);
+    said_ = ends[0];
+  }
+  ~Starter() {
+    if (id_ > 0) kill(id_, SIGKILL);
+    ending();
+    close(said_);
+  }
+  Starter(const Starter&) = delete;
+  Starter& operator=(const Starter&) = delete;
+
+  /// The next line that any of them writes; empty when all have ended, "..." if they neither end nor write for 20 s.
+  std::string line() const {
+    std::string text;
+    pollfd heard{.fd = said_, .events = POLLIN, .revents = 0};
+    while (poll(&heard, 1, 20000) > 0) {
+      char letter = 0;
+      if (read(said_, &letter, 1) != 1 || letter == '\n') return text;
+      text += letter;
+    }
+    return "...";
+  }
+
+  void tell(int signal) const { kill(id_, signal); }
+
+  Ending ending() {
+    if (id_ > 0) waitpid(id_, &status_, 0);
+    id_ = 0;
+    return {.status = WIFEXITED(status_) ? WEXITSTATUS(status_) : 0,
+            .signal = WIFSIGNALED(status_) ? WTERMSIG(status_) : 0};
+  }
+
+ private:
+  static int done(const std::function<void(const Streams&)>& work, const Streams& streams) {
+    try {
+      work(streams);
+    } catch (const Interrupted& told) {
+      say(streams, told.sentence());
+      end_by(told.signal);
+    }
+    return 0;
+  }
+
+  pid_t id_ = 0;
+  int said_ = -1, status_ = 0;
+};
+
+/// Runs a script of the shell to its end.
+auto runs(const std::string& script, std::chrono::milliseconds grace = 20s) {
+  return [=](const Streams& streams) {
+    Running running(grace);
+    running.start("script", {"sh", "-c", script}, streams);
+    while (!running.wait(1s)) continue;
+  };
+}
+
+TEST(ToldToEnd, EndsItsProgramThenItselfByTheSameSignal) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    Starter starter(runs("echo begun; exec sleep 60"));
+    EXPECT_EQ(starter.line(), "begun");
+    starter.tell(signal);
+    EXPECT_EQ(starter.line(), (Interrupted{signal, "script"}.sentence()));
+    EXPECT_EQ(starter.line(), "");
+    EXPECT_EQ(starter.ending().signal, signal);
+  }
+}
+
+TEST(ToldToEnd, SaysByWhatAndWhatItBrokeOff) {
+  EXPECT_EQ((Interrupted{SIGTERM, "a.mpm, b.sph"}.sentence()), "interrupted by signal 15 (Terminated): a.mpm, b.sph");
+}
+
+TEST(ToldToEnd, EndsWhatItsProgramStartedToo) {
+  Starter starter(runs("sleep 60 & sleep 60 & echo begun; wait"));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGTERM);
+  EXPECT_NE(starter.line(), "");
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(ToldToEnd, EndsAllThatRunBesideEachOther) {
+  Starter starter([](const Streams& streams) {
+    Running running(20s);
+    for (const char* name : {"one", "two"}) running.start(name, {"sh", "-c", "echo begun; exec sleep 60"}, streams);
+    while (!running.wait(1s)) continue;
+  });
+  EXPECT_EQ(starter.line() + starter.line(), "begunbegun");
+  starter.tell(SIGTERM);
+  const std::string told = starter.line();
+  EXPECT_TRUE(told.ends_with(": one, two") || told.ends_with(": two, one")) << told;
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(ToldToEnd, LetsAProgramTidyUp) {
+  Starter starter(runs("trap 'echo tidied; exit 1' TERM; echo begun; sleep 60 & wait"));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGTERM);
+  EXPECT_EQ(starter.line(), "tidied");
+}
+
+TEST(ToldToEnd, KillsAProgramThatDoesNotListen) {
+  Starter starter(runs("trap '' TERM; echo begun; while :; do sleep 1; done", 100ms));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGTERM);
+  EXPECT_EQ(starter.line(), (Interrupted{SIGTERM, "script"}.sentence()));
+  EXPECT_EQ(starter.line(), "");
+  EXPECT_EQ(starter.ending().signal, SIGTERM);
+}
+
+TEST(ToldToEnd, TwiceDoesNotWait) {
+  Starter starter(runs("trap '' TERM INT; echo begun; while :; do sleep 1; done", 1h));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGTERM);
+  starter.tell(SIGINT);
+  EXPECT_NE(starter.line(), "...");
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(ToldToEnd, LeavesNoScratchFolder) {
+  Starter starter([](const Streams& streams) {
+    const ScratchFolder folder;
+    say(streams, folder.path());
+    runs("echo begun; exec sleep 60")(streams);
+  });
+  const std::filesystem::path folder = starter.line();
+  EXPECT_EQ(starter.line(), "begun");
+  EXPECT_TRUE(std::filesystem::is_directory(folder));
+  starter.tell(SIGTERM);
+  EXPECT_EQ(starter.ending().signal, SIGTERM);
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(ToldToEnd, WhileItRunsNoProgramEndsWhenItsScratchFolderIsGone) {
+  Starter starter([](const Streams& streams) {
+    const ScratchFolder folder;
+    say(streams, folder.path());
+    sigset_t waiting;
+    do {
+      sigpending(&waiting);
+    } while (!sigismember(&waiting, SIGTERM));
+  });
+  const std::filesystem::path folder = starter.line();
+  EXPECT_TRUE(std::filesystem::is_directory(folder));
+  starter.tell(SIGTERM);
+  EXPECT_EQ(starter.ending().signal, SIGTERM);
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(ToldToEnd, BySignalsThatItWasStartedToIgnoreGoesOn) {
+  Starter starter([](const Streams& streams) {
+    std::signal(SIGHUP, SIG_IGN);
+    runs("echo begun; sleep 0.2; echo ended")(streams);
+  });
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGHUP);
+  EXPECT_EQ(starter.line(), "ended");
+  EXPECT_TRUE(starter.ending().well());
+}
+
+TEST(AProcessThatIsKilled, TakesItsProgramAlong) {
+  Starter starter(runs("echo begun; exec sleep 60"));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGKILL);
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(AProcessThatThrows, EndsItsProgram) {
+  Starter starter([](const Streams& streams) {
+    try {
+      Running running(20s);
+      running.start("script", {"sh", "-c", "echo begun; exec sleep 60"}, streams);
+      throw std::runtime_error("something else");
+    } catch (const std::runtime_error& error) {
+      say(streams, error.what());
+    }
+  });
+  std::string all = starter.line();  // what the script writes first may come to be written or not
+  if (all == "begun") all = starter.line();
+  EXPECT_EQ(all, "something else");
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(AnOrdinaryRun, LeavesSignalsAsTheyWere) {
+  const auto holds_any = [] {
+    sigset_t now;
+    sigprocmask(SIG_BLOCK, nullptr, &now);
+    return sigismember(&now, SIGTERM) || sigismember(&now, SIGINT) || sigismember(&now, SIGCHLD);
+  };
+  {
+    const ScratchFolder folder;
+    EXPECT_TRUE(run_into(folder.path() / "output", {"true"}).well());
+    EXPECT_TRUE(holds_any());
+  }
+  EXPECT_FALSE(holds_any());
+}
+
+TEST(AnOrdinaryRun, GivesTheProgramSignalsThatNobodyHolds) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_and_hear({"sh", "-c", "kill -TERM $$; sleep 60"}).ending.signal, SIGTERM);
+  EXPECT_THROW(run_into(folder.path() / "output", {"sh", "-c", "kill -INT $$; sleep 60"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::programs

@@ -1,0 +1,214 @@
+#include "vnv/programs/programs.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+namespace touchstone::programs {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+Ending ending_of(int status) {
+  if (WIFSIGNALED(status)) return {.status = 0, .signal = WTERMSIG(status)};
+  return {.status = WEXITSTATUS(status), .signal = 0};
+}
+
+/// Turns this process, split off the parent, into a program; returns only if that cannot be, with the cause in errno.
+void become(char* const* words, const Streams& streams, pid_t parent, const HeldSignals& held) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) _exit(0);  // it died before it could be known
+  held.let_go();
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) return;
+  if (dup2(streams.output, STDOUT_FILENO) < 0 || dup2(streams.errors, STDERR_FILENO) < 0) return;
+  execvp(words[0], words);
+}
+
+/// Returns when the program runs. What it died of before, its process writes into a pipe, which a program that runs
+/// does not have.
+pid_t split_off(const Words& command, const Streams& streams, const HeldSignals& held) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  const auto refuse = [&](int cause) {
+    throw std::runtime_error(fmt::format("{}: cannot be started: {}", command.front(), std::strerror(cause)));
+  };
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) refuse(errno);
+  const pid_t parent = getpid(), child = fork();
+  if (child == 0) {
+    become(words.data(), streams, parent, held);
+    const int cause = errno;
+    _exit(write(ends[1], &cause, sizeof cause) < 0 ? 126 : 127);
+  }
+  int cause = child < 0 ? errno : 0;
+  close(ends[1]);
+  if (child > 0 && read(ends[0], &cause, sizeof cause) > 0) waitpid(child, nullptr, 0);
+  close(ends[0]);
+  if (cause != 0) refuse(cause);
+  return child;
+}
+
+/// A file without a name, gone when it is closed.
+class Scratch {
+ public:
+  Scratch() : file_(std::tmpfile()) {
+    if (!file_) throw std::runtime_error(fmt::format("no temporary file: {}", std::strerror(errno)));
+    fcntl(number(), F_SETFD, FD_CLOEXEC);
+  }
+  int number() const { return fileno(file_.get()); }
+  std::string text() const {
+    std::string all;
+    std::rewind(file_.get());
+    char part[4096];
+    while (const std::size_t read = std::fread(part, 1, sizeof part, file_.get())) all.append(part, read);
+    return all;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+Ending run_alone(const Words& words, const auto& output) {
+  Running running;
+  running.start(words.front(), words, output);
+  while (true)
+    if (const std::optional<Child> child = running.wait(std::chrono::minutes(1))) return child->ending;
+}
+
+}  // namespace
+
+std::string Ending::sentence() const {
+  if (signal != 0) return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
+  return fmt::format("ended with status {}", status);
+}
+
+Running::Running(std::chrono::milliseconds grace) : grace_(grace) {
+  std::signal(SIGCHLD, SIG_DFL);     // who ignores it is not told how programs ended
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a program leaves behind is waited for here
+}
+
+Running::~Running() { end_all(SIGTERM); }
+
+pid_t Running::start(const std::string& name, const Words& words, const Streams& streams) {
+  const pid_t id = split_off(words, streams, held_);
+  names_.emplace(id, name);
+  return id;
+}
+
+pid_t Running::start(const std::string& name, const Words& words, const fs::path& output) {
+  const int file = open(output.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0)
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", output.string(), std::strerror(errno)));
+  const std::unique_ptr<const int, void (*)(const int*)> closes(&file, [](const int* number) { close(*number); });
+  return start(name, words, Streams{.output = file, .errors = file});
+}
+
+std::optional<Child> Running::wait(std::chrono::milliseconds at_most) {
+  const Clock::time_point until = Clock::now() + at_most;
+  while (true) {
+    if (const std::optional<Child> child = ended()) return child;
+    if (Clock::now() >= until) return std::nullopt;
+    const int signal = held_.next(until - Clock::now());
+    if (signal == SIGTSTP) pause();
+    if (tells_to_end(signal)) interrupt(signal);
+  }
+}
+
+std::optional<Child> Running::ended() {
+  for (const auto& [id, name] : names_) {
+    int status = 0;
+    const pid_t found = waitpid(id, &status, WNOHANG);
+    if (found == 0) continue;
+    if (found < 0) throw std::runtime_error(fmt::format("{}: lost: {}", name, std::strerror(errno)));
+    names_.erase(found);
+    return Child{found, ending_of(status)};
+  }
+  return std::nullopt;
+}
+
+/// Whether any of the programs, or of what they started, still runs.
+bool Running::any_left() {
+  std::erase_if(names_, [](const auto& program) {
+    pid_t found = 0;
+    while ((found = waitpid(-program.first, nullptr, WNOHANG)) > 0) continue;
+    return found < 0;
+  });
+  return !names_.empty();
+}
+
+void Running::tell(int signal) const {
+  for (const auto& [id, name] : names_) kill(-id, signal);
+}
+
+void Running::pause() const {
+  tell(SIGTSTP);
+  held_.pause();
+  tell(SIGCONT);
+}
+
+void Running::end_all(int signal) {
+  tell(signal);
+  tell(SIGCONT);  // what is paused hears nothing
+  const Clock::time_point until = Clock::now() + grace_;
+  while (any_left() && Clock::now() < until && !tells_to_end(held_.next(until - Clock::now()))) continue;
+  tell(SIGKILL);
+  for (const auto& [id, name] : names_)
+    while (waitpid(-id, nullptr, 0) > 0) continue;
+  names_.clear();
+}
+
+void Running::interrupt(int signal) {
+  std::string work;
+  for (const auto& [id, name] : names_) work += (work.empty() ? "" : ", ") + name;
+  end_all(signal);
+  throw Interrupted{signal, work};
+}
+
+Ending run_here(const Words& words) {
+  std::fflush(nullptr);
+  return run_alone(words, Streams{});
+}
+
+Ending run_into(const fs::path& output, const Words& words) {
+  const Ending ending = run_alone(words, output);
+  if (ending.signal == SIGINT) throw std::runtime_error(fmt::format("{}: interrupted", words.front()));
+  return ending;
+}
+
+std::string Heard::complaint() const {
+  return ending.signal != 0 || errors.empty() ? ending.sentence() : errors.substr(0, errors.find('\n'));
+}
+
+Heard run_and_hear(const Words& words) {
+  const Scratch output, errors;
+  const Ending ending = run_alone(words, Streams{.output = output.number(), .errors = errors.number()});
+  return {ending, output.text(), errors.text()};
+}
+
+std::string last_lines(const fs::path& file, long lines) {
+  std::vector<std::string> all;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  std::string text;
+  for (std::size_t k = all.size() - std::min(all.size(), static_cast<std::size_t>(lines)); k < all.size(); ++k)
+    text += (text.empty() ? "" : "\n") + all[k];
+  return text;
+}
+
+}  // namespace touchstone::programs
