@@ -32,8 +32,9 @@ std::string history_of(const Build& build, const Options& options) {
 
 std::string known_failures_of(const Build& build, const Options& options) {
   if (!options.known_failures.empty()) return options.known_failures;
-  const fs::path data = build.data.empty() ? configured(build, "CMAKE_HOME_DIRECTORY") + "/data" : build.data;
-  return fs::exists(data / "known_failures.csv") ? data / "known_failures.csv" : "";
+  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
+  const fs::path file = (build.data.empty() ? sources / "data" : build.data) / "known_failures.csv";
+  return fs::exists(file) ? file.string() : "";
 }
 
 /// As the test SUITE.pages does, where nothing else is asked for.
