@@ -129,9 +129,16 @@ std::string orders_link(const std::vector<CaseRecords>& cases) {
 constexpr const char* trend_link =
     "<p>How the numbers went from night to night, and what changed last: <a href=\"trend.html\">trend</a>.</p>\n";
 
+std::string faults_link(const std::optional<FaultTrials>& faults) {
+  if (!faults) return "";
+  return fmt::format("<p>What the tests would miss: <a href=\"faults.html\">detection power</a>. {}</p>\n",
+                     faults->sentence());
+}
+
 }  // namespace
 
-std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend) {
+std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend,
+                       const std::optional<FaultTrials>& faults) {
   const auto verdicts = all_verdicts(cases);
   const Tally sum = tally(verdicts);
   const std::string body = fmt::format(
@@ -144,7 +151,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
       complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
-      orders_link(cases) + (has_trend ? trend_link : ""), environment(cases));
+      orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
   return html_page("Touchstone", "", body);
 }
 

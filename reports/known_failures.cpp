@@ -2,54 +2,19 @@
 
 #include "reports/html.hpp"
 #include "reports/numbers.hpp"
+#include "reports/rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstring>
-#include <fstream>
 #include <optional>
-#include <stdexcept>
 
 namespace touchstone::reports {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::vector<std::string> columns{"id", "case", "method", "rung", "quantity", "since", "expires", "reason"};
-constexpr const char* heading = "id,case,method,rung,quantity,since,expires,reason";
-
-/// Where something in a file is not what it should be.
-struct Line {
-  const fs::path& file;
-  long number;
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), number, what));
-  }
-};
-
-/// The fields of a line, quoted as in RFC 4180.
-std::vector<std::string> fields_of(const std::string& text, const Line& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '"' && quoted && text.substr(i + 1, 1) == "\"")
-      fields.back() += text[++i];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  if (quoted) line.refuse("a quote that does not close, wanted a second '\"'");
-  return fields;
-}
 
 /// "2026-11-22"; nothing for a day that no calendar has.
 std::optional<std::chrono::sys_days> day_of(const std::string& date) {
@@ -75,8 +40,8 @@ void require_dates(const KnownFailure& known, const Line& line) {
                             days, known.since, longest_known));
 }
 
-KnownFailure failure_on(const std::vector<std::string>& fields, const Line& line) {
-  if (fields.size() != columns.size()) line.refuse(fmt::format("{} cells, wanted {}", fields.size(), columns.size()));
+KnownFailure failure_on(const Row& row) {
+  const auto& [line, fields] = row;
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (fields[i].find_first_not_of(' ') == std::string::npos && columns[i] != "rung")
       line.refuse(fmt::format("no {}, wanted one", columns[i]));
@@ -107,25 +72,9 @@ bool KnownFailure::covers(const vnv::Verdict& v) const {
   return case_name == v.case_name && method == v.method && rung == v.rung && quantity == with_unit(v.quantity, v.unit);
 }
 
-std::vector<KnownFailure> read_known_failures(const fs::path& file) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file) {
   std::vector<KnownFailure> all;
-  bool has_heading = false;
-  Line line{file, 0};
-  for (std::string text; std::getline(stream, text);) {
-    ++line.number;
-    if (text.ends_with('\r')) text.pop_back();
-    if (text.empty() || text.starts_with('#')) continue;
-    const auto fields = fields_of(text, line);
-    if (has_heading)
-      add(all, failure_on(fields, line), line);
-    else if (fields != columns)
-      line.refuse(fmt::format("other columns, wanted {}", heading));
-    has_heading = true;
-  }
-  if (!has_heading) line.refuse(fmt::format("no columns, wanted {}", heading));
+  for (const Row& row : read_rows(file, columns).rows) add(all, failure_on(row), row.line);
   return all;
 }
 

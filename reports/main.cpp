@@ -18,17 +18,19 @@ int main(int argc, char** argv) {
       "Turns the records of cases into a site: an index, a page per case with its figures, a matrix of the orders of "
       "convergence, and the tables verdicts.csv, orders.csv and cost.csv."};
   app.footer("Example: touchstone_report build/records/nightly build/site/nightly --history nights");
-  std::string records, site, history, known_failures, attachments;
+  std::string records, site, history, known_failures, faults, attachments;
   app.add_option("RECORDS_DIR", records, "folder with the records, *.json")->required();
   app.add_option("SITE_DIR", site, "folder for the pages; a former site in it is replaced")->required();
   app.add_option("--history", history, "folder of all nights: this one joins it, and a page shows the trend over them");
   app.add_option("--known-failures", known_failures, "claims that are known to fail, data/known_failures.csv");
+  app.add_option("--faults", faults,
+                 "what vnv/faults/try.py has found, trials.csv: a page shows which tests noticed it");
   app.add_option("--attachments", attachments,
                  "folder for the figures as PNG, for a dashboard: drawn and named where ctest runs this for one");
   CLI11_PARSE(app, argc, argv);
   try {
-    const auto standing =
-        touchstone::reports::make_site(records, site, {.history = history, .known_failures = known_failures});
+    const auto standing = touchstone::reports::make_site(
+        records, site, {.history = history, .known_failures = known_failures, .faults = faults});
     fmt::print("{}: {}\n", site, standing.sentence());
     if (!attachments.empty() && std::getenv("DASHBOARD_TEST_FROM_CTEST"))
       fmt::print("{}", touchstone::reports::attach_figures(site, attachments));

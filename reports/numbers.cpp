@@ -55,6 +55,10 @@ std::string valued(double value, const std::string& unit) {
   return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
 }
 
+std::string in_percent(double share) {
+  return std::isfinite(share) ? printed(std::round(share * 100)) + "\u202f%" : printed(share);
+}
+
 HtmlCell number_cell(double value) { return {printed(value), "number"}; }
 HtmlCell number_cell(long count) { return {printed(count), "number"}; }
 

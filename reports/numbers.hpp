@@ -17,6 +17,9 @@ std::string printed(double value);
 /// "1.59 %": as in print, with its unit.
 std::string valued(double value, const std::string& unit);
 
+/// "23 %" of a share of 0.23.
+std::string in_percent(double share);
+
 /// With groups of three digits.
 std::string printed(long count);
 

@@ -1,6 +1,7 @@
 #include "reports/site.hpp"
 
 #include "reports/csv.hpp"
+#include "reports/fault_page.hpp"
 #include "reports/figures.hpp"
 #include "reports/files.hpp"
 #include "reports/gnuplot.hpp"
@@ -60,6 +61,11 @@ void write_trend(const fs::path& folder, const History& history, const std::vect
   save(folder / "trend_steps.csv", steps_csv(history, all));
 }
 
+void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::path& table) {
+  save(folder / "faults.html", fault_page(faults));
+  fs::copy_file(table, folder / "faults.csv");
+}
+
 }  // namespace
 
 Standing make_site(const fs::path& records, const fs::path& site, const Memory& memory) {
@@ -68,6 +74,8 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
   const auto known =
       memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
   const Standing tonight = standing(cases, known, date_of(cases));
+  std::optional<FaultTrials> faults;
+  if (!memory.faults.empty()) faults = read_fault_trials(memory.faults);
   std::optional<History> history;
   if (!memory.history.empty()) {
     want_apart(memory.history, "nights", site);
@@ -89,9 +97,10 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
   }
   save(staging.folder() / "style.css", std::string(style));
   save(staging.folder() / "site.js", std::string(script));
-  save(staging.folder() / "index.html", index_page(cases, tonight, history.has_value()));
+  save(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
   if (std::ranges::any_of(cases, is_in_matrix)) save(staging.folder() / "orders.html", order_matrix_page(cases));
   if (history) write_trend(staging.folder(), *history, cases);
+  if (faults) write_faults(staging.folder(), *faults, memory.faults);
   staging.publish();
   return tonight;
 }

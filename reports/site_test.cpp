@@ -214,6 +214,21 @@ TEST_F(Site, DoesNotReplaceTheFolderOfItsNights) {
   EXPECT_THROW(make_site(records, site, {.history = site / "nights"}), std::runtime_error);
 }
 
+TEST_F(Site, WithTrialsOfFaultsHasAPageOfThem) {
+  std::ofstream(folder / "trials.csv") << sample_fault_keys() + fault_columns + sample_fault_rows();
+  make_site(records, site, {.faults = folder / "trials.csv"});
+  EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection power</a>. 4 of 6 seeded faults"));
+  EXPECT_TRUE(contains(page("faults.html"), "href=\"index.html\""));
+  EXPECT_TRUE(contains(page("faults.html"), "href=\"faults.csv\""));
+  EXPECT_EQ(page("faults.csv"), text_of_file(folder / "trials.csv"));
+}
+
+TEST_F(Site, WithoutTrialsOfFaultsHasNoPageOfThem) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "faults.html"));
+  EXPECT_FALSE(contains(page("index.html"), "faults.html"));
+}
+
 TEST_F(Site, WhereNothingCanBeWrittenIsRefused) {
   std::ofstream(folder / "file") << "";
   EXPECT_THROW(make_site(records, folder / "file" / "site"), std::runtime_error);

@@ -62,7 +62,7 @@ td.converging { color: var(--holds); }
 td.stalled { color: var(--stalled); }
 td.diverging { color: var(--fails); font-weight: 600; }
 td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
-.matrix { width: calc(100vw - 2.5rem); margin-left: calc(50% - 50vw + 1.25rem); }
+.matrix, .kills { width: calc(100vw - 2.5rem); margin-left: calc(50% - 50vw + 1.25rem); }
 .matrix .table { width: fit-content; max-width: 100%; margin-inline: auto; }
 .matrix td { white-space: normal; }
 .matrix th + th, .matrix td + td { min-width: 9rem; }
@@ -74,6 +74,18 @@ td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
 .matrix .none, .notes { color: var(--quiet); }
 .matrix tbody tr td.best { border-top: 1px solid var(--rule); }
 .notes { font-size: .85rem; margin: -1.8rem 0 2.5rem; }
+.tests span { display: block; overflow-wrap: anywhere; min-width: 14rem; }
+.tests .fails { color: var(--fails); }
+.tests .holds { color: var(--holds); }
+.kills .table { width: fit-content; max-width: 100%; margin-inline: auto; }
+.kills th span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap; }
+.kills th, .kills td { padding: .2rem .4rem; }
+.kills td + td { text-align: right; border-left: 1px solid var(--hair); }
+.kills th:first-child, .kills td:first-child { position: sticky; left: 0; z-index: 1; background: #fff; }
+.kills td:first-child { white-space: normal; min-width: 9rem; max-width: 24rem; }
+.kills .noticed { background: var(--holds-pale); color: var(--holds); }
+.kills .hardly { background: var(--open-pale); color: var(--open); }
+.kills .none { color: var(--quiet); }
 .legend { list-style: none; padding: 0; max-width: none; display: grid; gap: .5rem; font-size: .88rem; line-height: 1.4;
   grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); margin: 1.5rem 0 2rem; }
 .legend li { padding: .4rem .7rem; }
@@ -116,9 +128,14 @@ dd p { margin: .3rem 0; }
   main { padding: 1.25rem 1rem 3rem; }
   h1 { font-size: 1.5rem; }
   figure img { min-width: 36rem; }
+  .kills td:first-child { max-width: 9rem; }
 }
 @media print {
-  .matrix { width: auto; margin-left: 0; }
+  .matrix, .kills { width: auto; margin-left: 0; }
+  .kills table { table-layout: fixed; width: 100%; font-size: 5pt; }
+  .kills th:first-child { width: 30%; }
+  .kills th, .kills td { padding: .1rem; }
+  .kills td + td { font-size: 0; }
   .multiples { grid-template-columns: repeat(4, 1fr); gap: 0 .9rem; }
   .trend { font-size: 7pt; }
   body { font-size: 10pt; }

@@ -115,6 +115,28 @@ inline vnv::RunSummary sample_run(const std::string& rung, double cpu) {
   return run;
 }
 
+inline constexpr const char* fault_columns = "fault,title,files,conclusion,why,test,noticed,margin [-],sentence\n";
+
+inline std::string sample_fault_keys() {
+  return "# revision: abc1234\n# date: 2026-11-22T04:00:00Z\n# machine: a machine\n"
+         "# tests: the tests that each fault names\n";
+}
+
+/// One that lives, one that is seen at night, four that are noticed, and two harmless changes, one of them an alarm.
+inline std::string sample_fault_rows() {
+  return "broken,The spline is wrong,spline.hpp,noticed,,flow.mpm,yes,-inf,flow.mpm: L2 = nan: FAILS\n"
+         "far,Too viscous,stress.hpp,noticed,,flow.mpm,yes,-35.831,flow.mpm: L2 = 2: FAILS\n"
+         "far,Too viscous,stress.hpp,noticed,,flow.apic,yes,-1,\n"
+         "dark,Creeps,stress.hpp,noticed at night,,nightly.flow.mpm,yes,-0.5,\n"
+         "formula,A root is missing,fit.cpp norm.cpp,noticed,,unit.solvers.A.B,yes,,\n"
+         "formula,A root is missing,fit.cpp norm.cpp,noticed,,unit.solvers.A.C,yes,,\n"
+         "lives,A corner is wet,wall.hpp,survived,\"no flow has such a wall, yet\",flow.mpm,no,0.3,\n"
+         "lives,A corner is wet,wall.hpp,survived,\"no flow has such a wall, yet\",flow.sph,no,0.8,\n"
+         "near,Hardly slower,step.hpp,noticed,,flow.mpm,yes,-0.05,\n"
+         "alarm,Sums backwards,norm.cpp,false alarm,,flow.mpm,yes,-0.2,\n"
+         "renamed,A name,norm.cpp,stays green,,flow.mpm,no,0.2,\n";
+}
+
 inline vnv::Record sample_record(const std::string& method = "mpm") {
   vnv::Record record;
   record.case_name = "poiseuille";

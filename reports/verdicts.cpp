@@ -11,10 +11,6 @@
 namespace touchstone::reports {
 namespace {
 
-std::string share(double margin) {
-  return std::isfinite(margin) ? printed(std::round(margin * 100)) + "\u202f%" : printed(margin);
-}
-
 // The plain text of a limit, with the signs of print.
 std::string limit_html(const vnv::Verdict& verdict) {
   return replaced(replaced(replaced(limit(verdict), "<=", "≤"), ">=", "≥"), "-", "−");
@@ -60,7 +56,7 @@ HtmlCell outcome_cell(vnv::Outcome outcome) { return {word(outcome), word(outcom
 std::string margin_bar(double margin) {
   const double filled = std::isfinite(margin) ? std::min(1.0, std::abs(margin)) : 1;
   return fmt::format("<span class=\"bar{}\"><i style=\"width:{:.0f}%\"></i></span>{}", margin >= 0 ? "" : " over",
-                     100 * filled, share(margin));
+                     100 * filled, in_percent(margin));
 }
 
 std::string complaints(const std::vector<vnv::Verdict>& verdicts) {

@@ -1,5 +1,6 @@
 /// made_up_nights RECORDS HISTORY NIGHTS CASES: records of a last night with so many made-up cases, 200 baselines each,
-/// and the nights before it; to look at pages, and to measure how large they are and how soon they open.
+/// the nights before it, and RECORDS/faults.csv, what tests noticed of a hundred made-up faults; to look at pages, and
+/// to measure how large they are and how soon they open.
 
 #include "reports/night.hpp"
 
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <random>
 
 namespace {
@@ -125,6 +127,21 @@ std::vector<CaseRecords> night(long cases, long nights_left, std::mt19937& noise
   return all;
 }
 
+/// A fault that survives, and others that one test after the other notices, each by less than the one before.
+std::string made_up_faults() {
+  std::string csv =
+      "# revision: bbb2d82\n# date: 2026-11-22T04:00:00Z\n# machine: a machine, 2 processors\n# tests: all\n"
+      "fault,title,files,conclusion,why,test,noticed,margin [-],sentence\n";
+  for (int k = 0; k < 100; ++k)
+    for (int test = k / 3; test < k / 3 + 8; ++test)
+      csv += fmt::format(
+          "fault_{0},\"Something, number {0}, is wrong in a solver or its exact solution\",solver.hpp,{1},,"
+          "case_{2}.method_{3},{4},{5},made up\n",
+          k, k == 0 ? "survived" : "noticed", test / 5 + 1, test % 5 + 1, k > test / 2 ? "yes" : "no",
+          k > test / 2 ? -std::exp(6 - test) : 0.5);
+  return csv;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -138,6 +155,7 @@ int main(int count, char** arguments) try {
   for (const CaseRecords& all : night(cases, 0, noise))
     for (const vnv::Record& record : all.records)
       write(record, records / fmt::format("{}.{}.json", record.case_name, record.method));
+  std::ofstream(records / "faults.csv") << made_up_faults();
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {
   fmt::print(stderr, "made_up_nights: {}\n", error.what());

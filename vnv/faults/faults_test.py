@@ -55,6 +55,13 @@ class AFaultFile(InAFolder):
         self.assertTrue(fault.harmless)
         self.assertEqual((fault.configure, fault.environment), (("-DA=B",), ("C=D",)))
 
+    def test_may_say_why_it_survives_and_is_the_same_fault(self):
+        told = self.fault(TEXT.replace("in law", "survives because no flow\nsurvives because is seen there\nin law"))
+        self.assertEqual(told.why, "no flow is seen there")
+        self.assertEqual(told.text, self.fault().text)
+        self.assert_refused(":4: 'survives", lambda: self.fault("A\n\nunnoticed by x\nsurvives because y\n",
+                                                                "harmless/a.fault"))
+
     def test_is_refused_by_its_line(self):
         for text, words in (("", ":1: no title"), ("A\nfoo\n", ":2: 'foo', wanted"),
                             ("A\nnoticed by x\n- b\n", ":3: text to find and no file"),
@@ -138,21 +145,33 @@ class Results(InAFolder):
         self.assert_refused("wanted a line of JSON a trial", lambda: runner.read_results(self.write("r.jsonl", "a\n")))
 
     def line(self, name, conclusion, margin, failed=True):
-        test = {"failed": failed, "margin": margin, "sentence": "flow.mpm: L2 = 5 <b>: FAILS"}
-        return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a"], "conclusion": conclusion,
-                "tests": {"flow.mpm": test}}
+        test = {"failed": failed, "margin": margin, "sentence": 'flow.mpm: L2 = 5, "x":\n FAILS'}
+        return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a", "b"], "conclusion": conclusion,
+                "why": "", "tests": {"flow.mpm": test}}
 
-    def test_show_survivors_first_and_then_what_was_hardly_noticed(self):
-        lines = [self.line("far", matrix.NOTICED, -9.0), self.line("near", matrix.NOTICED, -0.1),
-                 self.line("lives", matrix.SURVIVED, 0.5, False)]
-        self.assertEqual([line["fault"] for line in matrix.sort(lines)], ["lives", "near", "far"])
-        self.assertEqual(matrix.summary(lines), "3 faults: 2 noticed by day (66.7 %), 2 in all; look at lives")
-        matrix.write(lines, self.folder / "results")
-        page = (self.folder / "results.html").read_text(encoding="utf-8")
-        self.assertIn("-900 %", page)
-        self.assertIn("&lt;b&gt;", page)
+    def test_are_a_line_for_a_person_and_a_table_for_the_report(self):
+        lines = [self.line("far", matrix.NOTICED, -9.0), self.line("lives", matrix.SURVIVED, 0.5, False),
+                 self.line("nan", matrix.NOTICED, float("-inf")), self.line("unit", matrix.NOTICED, None)]
+        self.assertEqual(matrix.summary(lines), "4 faults: 3 noticed by day (75.0 %), 3 in all; look at lives")
+        matrix.write(lines, self.folder / "results.csv", {"revision": "abc"})
         rows = (self.folder / "results.csv").read_text(encoding="utf-8").splitlines()
-        self.assertEqual(rows[1].split(",")[:5], ["lives", "LIVES", "survived", "flow.mpm", "0"])
+        self.assertEqual(rows[0], "# revision: abc")
+        self.assertEqual(rows[2], 'far,FAR,a b,noticed,,flow.mpm,yes,-9.0,"flow.mpm: L2 = 5, ""x"": FAILS"')
+        self.assertEqual([row.split(",")[6:8] for row in rows[3:]], [["no", "0.5"], ["yes", "-inf"], ["yes", ""]])
+
+    def test_of_a_part_of_the_faults_are_not_recorded(self):
+        self.assert_refused("wanted a trial of all faults", lambda: runner.options_of(["--record", "--only", "sph"]))
+
+
+class AMargin(InAFolder):
+    def test_is_the_smallest_but_for_counts_that_are_met(self):
+        (self.folder / "acceptance").mkdir()
+        told = (("holds", 0), ("holds", 0.3), ("holds", 0.2), ("fails", -2), ("fails", "nan"))
+        verdicts = [{"outcome": outcome, "margin": margin, "sentence": ""} for outcome, margin in told]
+        for failed, some, wanted in ((False, verdicts[:3], 0.2), (False, verdicts[:1], 0), (True, verdicts[:4], -2),
+                                     (True, verdicts, float("-inf"))):
+            self.write("acceptance/flow.mpm.json", runner.json.dumps({"verdicts": some}))
+            self.assertEqual(runner.margin_of("flow.mpm", self.folder, failed, "")["margin"], wanted)
 
 
 if __name__ == "__main__":

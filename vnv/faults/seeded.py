@@ -10,7 +10,8 @@ A file is a title, who has to notice, and what is changed where:
     + const Real mu = fill<Real>(1.05 * fluid.viscosity)
 
 The text behind `- `, of one line or of several, stands exactly once in its file. What is noticed by is a regular
-expression that fits whole names of ctest, or `the build`. A harmless change is `unnoticed by` tests; it may also be of
+expression that fits whole names of ctest, or `the build`. Of a fault that none notices `survives because WORDS` says
+what is known of why. A harmless change is `unnoticed by` tests; it may also be of
 how the project is built or run: `configure ARGUMENT OF CMAKE`, `environment NAME=VALUE`.
 """
 
@@ -19,6 +20,7 @@ import pathlib
 import re
 
 THE_BUILD = "the build"
+WHY = "survives because"
 LEAST_FAULTS, LEAST_HARMLESS = 60, 15
 
 
@@ -43,7 +45,8 @@ class Fault:
     changes: tuple
     configure: tuple = ()  # arguments of cmake
     environment: tuple = ()  # "NAME=VALUE"
-    text: str = ""  # the whole file
+    text: str = ""  # the whole file, but for why it survives
+    why: str = ""  # no test notices it, as far as is known
 
     def expects(self, test):
         return any(re.fullmatch(pattern, test) for pattern in self.tests)
@@ -64,10 +67,9 @@ def read(file):
     lines = text.splitlines()
     if not lines or not lines[0].strip():
         raise BadInput(f"{where}:1: no title, wanted what is wrong in one line")
-    tests, changes, configure, environment, source = [], [], [], [], None
+    tests, changes, configure, environment, why, source = [], [], [], [], [], None
     listed = {("unnoticed by" if harmless else "noticed by"): tests}
-    if harmless:
-        listed |= {"configure": configure, "environment": environment}
+    listed |= {"configure": configure, "environment": environment} if harmless else {WHY: why}
     k = 1
     while k < len(lines):
         line, at = lines[k], f"{where}:{k + 1}"
@@ -99,8 +101,9 @@ def read(file):
         raise BadInput(f"{where}: no test is named, wanted '{next(iter(listed))} NAME'")
     if not (changes or configure or environment):
         raise BadInput(f"{where}: nothing is changed, wanted 'in FILE' and what to change there")
+    tried = [line for line in text.splitlines(keepends=True) if not line.startswith(WHY)]
     return Fault(file.stem, lines[0].strip(), harmless, tuple(tests), tuple(changes), tuple(configure),
-                 tuple(environment), text)
+                 tuple(environment), "".join(tried), " ".join(why))
 
 
 def read_all(folder):

@@ -29,6 +29,7 @@ import seeded
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 ROOT = FOLDER.parent.parent
+RECORDED = FOLDER / "trials.csv"
 SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 
@@ -165,8 +166,9 @@ def margin_of(name, records, failed, output):
     file = file / f"{rest if suite in ('report', 'nightly') else name}.json"
     if file.is_file():
         verdicts = json.loads(file.read_text(encoding="utf-8"))["verdicts"]
-        judged = [v for v in verdicts if (v["outcome"] != "holds") == failed] or verdicts
         number = lambda v: float(v["margin"]) if v["margin"] not in (None, "nan") else float("-inf")
+        is_told = lambda v: v["outcome"] != "holds" if failed else number(v) != 0  # a count that is met has margin 0
+        judged = [v for v in verdicts if is_told(v)] or verdicts
         if judged:
             worst = min(judged, key=number)
             return {"margin": number(worst), "sentence": worst["sentence"]}
@@ -198,7 +200,8 @@ def tried(scratch, fault):
         raise seeded.BadInput(f"{fault.name}: no test of ctest fits {', '.join(fault.tests)}")
     return {"fault": fault.name, "title": fault.title, "harmless": fault.harmless,
             "files": sorted({change.file for change in fault.changes}), "conclusion": conclusion_of(fault, tests),
-            "seconds": round(time.monotonic() - began), "tests": tests}
+            "seconds": round(time.monotonic() - began), "tests": tests,
+            "finished_at": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
 
 
 def conclusion_of(fault, tests):
@@ -240,6 +243,15 @@ def require_green(scratch, faults, results, keep):
         raise seeded.BadInput(f"{', '.join(failed)}: fails without a fault: {line['tests'][failed[0]]['sentence']}")
 
 
+def provenance(lines, options):
+    """Which sources were tried, when and where."""
+    revision = run(["git", "-C", ROOT, "describe", "--always", "--dirty"]).stdout.strip()
+    ends = [line["finished_at"] for line in lines if "finished_at" in line]  # not of lines that an older try.py left
+    return {"title": "What came of each seeded fault, test by test", "revision": revision,
+            "date": max(ends, default="unknown"), "machine": matrix.machine(),
+            "tests": f"all of {options.suite}" if options.suite else "the tests that each fault names"}
+
+
 def try_all(faults, options):
     scratch = Scratch(options.scratch.resolve(), options)
     results = read_results(options.results)
@@ -260,8 +272,10 @@ def try_all(faults, options):
         line = keep(tried(scratch, fault) | {"key": keys[fault.name]})
         told = f"{line['conclusion']}{matrix.by_whom(line)}, {line['seconds']} s"
         print(f"{k + 1}/{len(fresh)} {fault.name}: {told}", flush=True)
-    lines = [next(r for r in reversed(results) if r["key"] == keys[fault.name]) for fault in faults]
-    matrix.write(lines, options.results.with_suffix(""))
+    result_of = lambda fault: next(r for r in reversed(results) if r["key"] == keys[fault.name])
+    lines = [result_of(fault) | {"why": fault.why} for fault in faults]
+    for file in [options.results.with_suffix(".csv"), *([RECORDED] if options.record else [])]:
+        matrix.write(lines, file, provenance(lines, options))
     print(matrix.summary(lines))
     return 1 if any(line["conclusion"] in matrix.BAD for line in lines) else 0
 
@@ -276,11 +290,14 @@ def options_of(arguments):
     parser.add_argument("--tests", default="", help="regular expression found in a name: of the named tests only these")
     parser.add_argument("--suite", choices=SUITES, help="build and run all of a suite, not only the named tests")
     parser.add_argument("--scratch", type=pathlib.Path, default=ROOT / "build-faults", help="folder of copy and builds")
-    parser.add_argument("--results", type=pathlib.Path, help="lines of JSON; .csv and .html stand beside")
+    parser.add_argument("--results", type=pathlib.Path, help="lines of JSON; a table, .csv, stands beside")
+    parser.add_argument("--record", action="store_true", help="keep what all faults came to as vnv/faults/trials.csv")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at once, of compiler and of ctest")
     parser.add_argument("--timeout", type=int, default=900, help="of a test [s]")
     options = parser.parse_args(arguments)
     options.results = options.results or options.scratch / "results.jsonl"
+    if options.record and (options.only or options.tests):
+        raise seeded.BadInput("--record: with --only or --tests, wanted a trial of all faults")
     return options
 
 
