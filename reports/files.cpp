@@ -1,12 +1,17 @@
 #include "reports/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 namespace touchstone::reports {
 namespace {
@@ -19,6 +24,32 @@ void want(const std::error_code& cause, const fs::path& place) {
 
 fs::path neighbour(const fs::path& place, const char* kind) {
   return place.parent_path() / fmt::format(".{}.{}.{}", place.filename().string(), getpid(), kind);
+}
+
+bool has_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
+// ".site.123.part" is of process 123.
+void remove_what_the_killed_left(const fs::path& place) {
+  const std::string begin = fmt::format(".{}.", place.filename().string());
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(place).parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    pid_t process = 0;
+    if (!name.starts_with(begin)) continue;
+    const std::string kind = std::from_chars(name.data() + begin.size(), name.data() + name.size(), process).ptr;
+    if ((kind == ".part" || kind == ".former") && process > 0 && has_ended(process)) left.push_back(entry.path());
+  }
+  for (const fs::path& file : left) fs::remove_all(file, ignored);
+}
+
+// In one step; false where the system cannot, or one of them is not there.
+bool are_exchanged([[maybe_unused]] const fs::path& one, [[maybe_unused]] const fs::path& other) {
+#ifdef RENAME_EXCHANGE
+  return renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  return false;
+#endif
 }
 
 // "site/" and "./site" name the same folder as "site".
@@ -44,6 +75,7 @@ void save_whole(const fs::path& file, const std::string& text) {
     save(part, text);
     fs::rename(part, file, cause);
     want(cause, file);
+    remove_what_the_killed_left(file);
   } catch (...) {
     fs::remove(part, ignored);
     throw;
@@ -67,12 +99,15 @@ Staging::~Staging() {
 
 void Staging::publish() {
   std::error_code cause, ignored;
-  const fs::path former = neighbour(site_, "former");
-  fs::rename(site_, former, ignored);
-  fs::rename(folder_, site_, cause);
-  if (cause) fs::rename(former, site_, ignored);
-  want(cause, site_);
-  fs::remove_all(former, ignored);
+  if (!are_exchanged(folder_, site_)) {
+    const fs::path former = neighbour(site_, "former");
+    fs::rename(site_, former, ignored);
+    fs::rename(folder_, site_, cause);
+    if (cause) fs::rename(former, site_, ignored);
+    want(cause, site_);
+    fs::remove_all(former, ignored);
+  }
+  remove_what_the_killed_left(site_);
 }
 
 void Staging::publish_file(const std::string& name) {

@@ -11,7 +11,8 @@ namespace touchstone::reports {
 /// Throws std::runtime_error naming the file and the cause.
 void save(const std::filesystem::path& file, const std::string& text);
 
-/// The same, whole or not at all: to a neighbouring temporary name, then renamed.
+/// The same, whole or not at all: to a neighbouring temporary name, then renamed. What others left that were killed
+/// while they did so is removed.
 void save_whole(const std::filesystem::path& file, const std::string& text);
 
 /// A folder beside another, in which that other is made anew; what is not published is removed. What tells this program
@@ -28,7 +29,8 @@ class Staging {
 
   /// Throws programs::Interrupted if this program was told to end.
   void stop_if_told() const { held_.stop_if_told(site_.string()); }
-  /// The staged folder takes the place of the site, which is removed.
+  /// The staged folder takes the place of the site, which is removed; where the system can, in one step, so that there
+  /// is a whole site whenever this is killed.
   void publish();
   /// One staged file takes its place in the site; all else stays.
   void publish_file(const std::string& name);

@@ -66,7 +66,7 @@ std::string as_text(const fs::path& path) { return fmt::format("'{}'", replaced(
 // gnuplot's message is the last line that says something; those before repeat the command and point at it.
 std::string message_in(const fs::path& log) {
   std::istringstream lines(text_of(log));
-  std::string message = "it ended early and said nothing";
+  std::string message = "it ended early and said nothing; is the disk full?";
   for (std::string line; std::getline(lines, line);)
     if (line.find_first_not_of(" \t^") != std::string::npos) message = line.substr(line.find_first_not_of(" \t"));
   return message;
@@ -107,11 +107,10 @@ void run_gnuplot(const fs::path& script, const fs::path& image) {
   const Traces traces(fs::absolute(image));
   send(fs::absolute(gnuplot), fs::absolute(script), traces);
   if (text_of(traces.marker) != "end\n")
-    throw std::runtime_error(
-        fmt::format("gnuplot: {} not drawn: {}", image.filename().string(), message_in(traces.log)));
+    throw std::runtime_error(fmt::format("gnuplot: {} not drawn: {}", image.string(), message_in(traces.log)));
   if (!is_whole(traces.image))
     throw std::runtime_error(
-        fmt::format("gnuplot: {} not drawn: the image is not whole; is the disk full?", image.filename().string()));
+        fmt::format("gnuplot: {} not drawn: the image is not whole; is the disk full?", image.string()));
   fs::rename(traces.image, image);
 }
 

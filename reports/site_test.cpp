@@ -150,6 +150,15 @@ TEST_F(Site, IsReplacedWhole) {
   EXPECT_EQ(entries(), 2);
 }
 
+TEST_F(Site, RemovesWhatOthersLeftThatWereKilled) {
+  const fs::path of_none = folder / ".site.999999999.part", of_one_that_runs = folder / ".site.1.part";
+  fs::create_directories(of_none / "poiseuille");
+  fs::create_directory(of_one_that_runs);
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(of_none));
+  EXPECT_TRUE(fs::exists(of_one_that_runs));
+}
+
 TEST_F(Site, StaysAsItWasIfAFigureCannotBeDrawn) {
   make_site(records, site);
   const std::string former = page("index.html");

@@ -82,7 +82,7 @@ td.holds a, td.fails a, td.inconclusive a, .matrix td a { color: inherit; }
 .kills th, .kills td { padding: .2rem .4rem; }
 .kills td + td { text-align: right; border-left: 1px solid var(--hair); }
 .kills th:first-child, .kills td:first-child { position: sticky; left: 0; z-index: 1; background: #fff; }
-.kills td:first-child { white-space: normal; min-width: 9rem; max-width: 24rem; }
+.kills td:first-child { white-space: normal; min-width: 18rem; }
 .kills .noticed { background: var(--holds-pale); color: var(--holds); }
 .kills .hardly { background: var(--open-pale); color: var(--open); }
 .kills .none { color: var(--quiet); }
@@ -128,7 +128,7 @@ dd p { margin: .3rem 0; }
   main { padding: 1.25rem 1rem 3rem; }
   h1 { font-size: 1.5rem; }
   figure img { min-width: 36rem; }
-  .kills td:first-child { max-width: 9rem; }
+  .kills td:first-child { min-width: 9rem; }
 }
 @media print {
   .matrix, .kills { width: auto; margin-left: 0; }

@@ -18,11 +18,11 @@ using namespace touchstone::vnv;
 
 void begin(const fs::path& records) {
   fs::create_directories(records);
-  std::vector<fs::path> old;  // of methods that may be gone
+  std::vector<fs::path> old;  // of methods that may be gone, and what a killed program was writing
   for (const fs::directory_entry& entry : fs::directory_iterator(records))
-    if (entry.path().extension() == ".json") old.push_back(entry.path());
+    if (entry.path().extension() == ".json" || entry.path().extension() == ".part") old.push_back(entry.path());
   for (const fs::path& record : old) fs::remove(record);
-  if (!(std::ofstream(records / "stamp") << "suite began\n"))
+  if (!(std::ofstream(records / "stamp") << "suite began\n" << std::flush))
     throw std::runtime_error(fmt::format("{}: cannot be written, wanted a folder for records", records.string()));
 }
 

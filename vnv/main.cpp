@@ -47,25 +47,28 @@ class MethodTest : public testing::Test {
   MethodTest(const Case& declared, const Method& method) : declared_(declared), method_(method) {}
 
   void TestBody() override try {
-    const Record record =
-        assess(case_name, declared_, method_, options.suite, read_baselines(baselines_file()).value_or(Baselines{}));
-    print(record);
+    const Record record = assessed();
     if (!options.records.empty()) write(record, options.records / fmt::format("{}.{}.json", case_name, method_.name));
+    print(record);
     EXPECT_TRUE(claims_more_than_ends(record))
         << case_name << "." << method_.name << ": nothing was judged, wanted at least one claim";
     for (const Verdict& verdict : record.verdicts)
       if (verdict.outcome != Outcome::holds) ADD_FAILURE() << verdict.sentence;
-  } catch (const std::exception& error) {
-    if (!options.records.empty())
-      write(failed(error.what()), options.records / fmt::format("{}.{}.json", case_name, method_.name));
+  } catch (const std::exception& error) {  // that a record cannot be written is no fault of the method
     FAIL() << case_name << "." << method_.name << ": " << error.what();
   }
 
  private:
+  Record assessed() const try {
+    return assess(case_name, declared_, method_, options.suite, read_baselines(baselines_file()).value_or(Baselines{}));
+  } catch (const std::exception& error) {
+    return failed(error.what());
+  }
+
   /// What a report shall say of a method that could not be assessed.
   Record failed(const std::string& why) const {
     Record record = record_of(case_name, declared_, method_, options.suite);
-    Verdict verdict = judge(at_least("assessed [-]", 1, theory("a method can be assessed")),
+    Verdict verdict = judge(at_least(fmt::format("{} [-]", could_be_assessed), 1, theory("a method can be assessed")),
                             Place{.case_name = case_name, .method = method_.name, .rung = ""}, 0);
     verdict.sentence = fmt::format("{}.{}: {}: FAILS", case_name, method_.name, why);
     record.verdicts.push_back(verdict);

@@ -109,7 +109,8 @@ Ended in_own_process(const std::function<std::string()>& calculate) {
   const int status = WIFEXITED(farewell.status) ? WEXITSTATUS(farewell.status) : -1;
   if (status == refused) throw std::invalid_argument(ended.result());
   if (status == failed) throw std::runtime_error(ended.result());
-  if (status == unwritten) throw std::runtime_error("own process: its result cannot be written; is the disk full?");
+  if (status == unwritten)
+    throw std::runtime_error("own process: its result cannot be written below " P_tmpdir "; is the disk full?");
   if (status != returned) ended.crash = described_crash(farewell.status);
   return ended;
 }

@@ -186,6 +186,9 @@ struct WorkPoint {
   bool operator==(const WorkPoint&) const = default;
 };
 
+/// The quantity of the one verdict on a method that could not be assessed: 0 instead of 1.
+inline constexpr std::string_view could_be_assessed = "assessed";
+
 struct Record {
   int schema = 3;
   std::string case_name;    // "poiseuille"

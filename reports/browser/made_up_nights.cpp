@@ -138,7 +138,7 @@ std::string made_up_faults() {
           "fault_{0},\"Something, number {0}, is wrong in a solver or its exact solution\",solver.hpp,{1},,"
           "case_{2}.method_{3},{4},{5},made up\n",
           k, k == 0 ? "survived" : "noticed", test / 5 + 1, test % 5 + 1, k > test / 2 ? "yes" : "no",
-          k > test / 2 ? -std::exp(6 - test) : 0.5);
+          k > test / 2 ? -std::exp(4 - test / 5.0) : 0.5);
   return csv;
 }
 

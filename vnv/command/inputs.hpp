@@ -35,7 +35,7 @@ struct Inputs {
 bool is_done(const std::filesystem::path& records, const std::string& name, const Inputs& inputs);
 /// Says so of the record that is there.
 void set_done(const std::filesystem::path& records, const std::string& name, const Inputs& inputs);
-/// Removes the record and what it was made from.
+/// Removes the record, what it was made from, and what a killed program left of it.
 void forget(const std::filesystem::path& records, const std::string& name);
 
 std::filesystem::path record_file(const std::filesystem::path& records, const std::string& name);

@@ -15,12 +15,13 @@ struct MethodOutcome {
   long held = 0, judged = 0;            // claims
   double cpu = 0;                       // s  of all its runs
   std::vector<std::string> failures{};  // sentences
+  bool is_of_method = true;  // not of a crash or of what kept it from being assessed, which may be the machine's
 };
 
 MethodOutcome outcome_in(const Record& record);
 
 /// Of a program that has just ended, and the record it was to write. A program that did not end by itself, that wrote
-/// no record, or that failed although no claim did, is a failure of its own; `log` is where it said why.
+/// no record, or that failed although no claim did, is a failure of its own; `log` is where it said why, and is quoted.
 MethodOutcome outcome_of(const std::string& name, const Ending& ending, const std::filesystem::path& record,
                          const std::filesystem::path& log);
 

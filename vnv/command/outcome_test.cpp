@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace touchstone::vnv::command {
 namespace {
 
@@ -47,6 +49,28 @@ TEST_F(AnOutcome, OfAProgramThatFailsThoughAllHoldsIsAFailure) {
   const MethodOutcome outcome = outcome_of("small.mpm", failed_, record_with({Outcome::holds}), "log");
   EXPECT_EQ(outcome.failures.size(), 1u);
   EXPECT_FALSE(is_conclusive(outcome, failed_));
+}
+
+TEST_F(AnOutcome, OfAProgramThatCouldNotWriteQuotesIt) {
+  const fs::path log = folder_ / "small.mpm.txt";
+  std::ofstream(log)
+      << "main.cpp:1: Failure\nsmall.mpm: small.mpm.json: cannot be written: No space left\n[FAILED] x\n";
+  const MethodOutcome outcome = outcome_of("small.mpm", failed_, folder_ / "none.json", log);
+  ASSERT_EQ(outcome.failures.size(), 1u);
+  EXPECT_EQ(
+      outcome.failures[0],
+      "small.mpm: its program ended with status 1: small.mpm.json: cannot be written: No space left; " + log.string());
+}
+
+TEST_F(AnOutcome, ThatMayBeTheMachinesIsTriedAgain) {
+  Record record;
+  record.verdicts.emplace_back().outcome = Outcome::fails;
+  EXPECT_TRUE(is_conclusive(outcome_in(record), failed_));
+  record.runs.emplace_back().outcome = "died of signal 9: Killed";
+  EXPECT_FALSE(is_conclusive(outcome_in(record), failed_));
+  record.runs.clear();
+  record.verdicts[0].quantity = could_be_assessed;
+  EXPECT_FALSE(is_conclusive(outcome_in(record), failed_));
 }
 
 TEST_F(AnOutcome, WithoutARecordIsAFailure) {
