@@ -1,7 +1,6 @@
 #include "reports/rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cstring>
@@ -31,6 +30,12 @@ std::vector<std::string> fields_of(const std::string& text, const Line& line) {
   return fields;
 }
 
+std::string with_commas(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all.append(all.empty() ? "" : ",").append(word);
+  return all;
+}
+
 void add_key(std::map<std::string, std::string>& keys, const std::string& comment) {
   const auto colon = comment.find(": ");
   if (comment.starts_with("# ") && colon != std::string::npos)
@@ -57,13 +62,13 @@ Rows read_rows(const fs::path& file, const std::vector<std::string>& columns) {
     if (text.empty() || text.starts_with('#')) continue;
     Row row{line, fields_of(text, line)};
     if (!has_heading && row.fields != columns)
-      line.refuse(fmt::format("other columns, wanted {}", fmt::join(columns, ",")));
+      line.refuse(fmt::format("other columns, wanted {}", with_commas(columns)));
     if (row.fields.size() != columns.size())
       line.refuse(fmt::format("{} cells, wanted {}", row.fields.size(), columns.size()));
     if (has_heading) all.rows.push_back(std::move(row));
     has_heading = true;
   }
-  if (!has_heading) line.refuse(fmt::format("no columns, wanted {}", fmt::join(columns, ",")));
+  if (!has_heading) line.refuse(fmt::format("no columns, wanted {}", with_commas(columns)));
   return all;
 }
 
