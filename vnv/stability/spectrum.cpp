@@ -107,7 +107,7 @@ double radius_of(const std::vector<ComplexMatrix>& sequence, int blocks) {
       now.block(i * rows, j * columns, rows, columns) = sequence[i + j];
       next.block(i * rows, j * columns, rows, columns) = sequence[i + j + 1];
     }
-  const Eigen::BDCSVD<ComplexMatrix> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<ComplexMatrix> svd(now, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
   Eigen::Index rank = 0;
   while (rank < values.size() && values[rank] > rounding * std::max(values[0], 1.0)) ++rank;
