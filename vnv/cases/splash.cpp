@@ -90,13 +90,27 @@ std::vector<Error> numbers_of(const Rung& rung, const Run& run) {
           told("kinetic energy over that of the column's fall, t = 1.4 s [-]", seen_at(run, kinetic, end))};
 }
 
+/// A run may end early: of 300 starts printed MPM lost a particle in 6, mostly through the far wall, by 10 um.
+const std::string ended = "starts that ran to their end [-]";
+
+std::vector<Error> count_ended(const Results& results, const Record&) {
+  const auto count = std::ranges::count_if(results.runs, [](const Run& run) { return run.summary.finished; });
+  return {{"", not_a_number, end, ended, static_cast<double>(count)}};
+}
+
 /// All methods from all starts, four particles in a cell.
 std::vector<Method> methods_from_all_starts() {
   const Ensemble starts;
   const auto from_all = [&](double day, const auto& method_on) {
-    return starts.method(
-        scene, {.name = "", .spacing = cell / 2, .cell = cell, .acceptance = day, .report = end, .nightly = end},
-        method_on);
+    return starts.method(scene,
+                         {.name = "",
+                          .spacing = cell / 2,
+                          .cell = cell,
+                          .acceptance = day,
+                          .report = end,
+                          .nightly = end,
+                          .may_diverge = true},
+                         method_on);
   };
   return {from_all(end, [](const auto& s) { return mpm_as_printed(s, whole, 0.2); }),
           from_all(end, [](const auto& s) { return mpm_affine(s, whole, 0.4); }),
@@ -126,7 +140,9 @@ Case vnv::the_case() {
       .times = {end},
       .watch = {.every = 0.02, .see = look},
       .measurements = {numbers_of},
-      .claims = {at_most(most_energy, 1, theory("water falls, and nothing else drives it"))},
+      .findings = {count_ended},
+      .claims = {at_most(most_energy, 1, theory("water falls, and nothing else drives it")),
+                 at_least(ended, 13, baseline("where one in fifty ends early, four of sixteen do once in 4000 times"))},
       .methods = methods_from_all_starts(),
       .plots = {bands(over_time("front", "Front over time", "The half-full slab of 0.03 m.", "x [m]"), front),
                 bands(over_time("energy", "Kinetic energy over time",
