@@ -131,6 +131,14 @@ def timed(words):
     return time.monotonic() - began
 
 
+def attempt_kills(trials, what, kills, choose, usual, trial):
+    """Of a program that takes `usual` seconds: `trial(whom, moment, k)`, whom it meets in turn, when by chance."""
+    for k in range(kills):
+        whom, moment = WHOM[k % 3], choose.uniform(0, usual)
+        trials.attempt(f"{what}, {whom} killed after {moment:.2f} of {usual:.2f} s", lambda: trial(whom, moment, k))
+
+
+
 def kill_runs(programs, folder, trials, kills, choose):
     """vnv run is killed; what was finished then is skipped."""
     usual = timed(programs.run(folder / "usual"))
@@ -151,10 +159,8 @@ def kill_runs(programs, folder, trials, kills, choose):
         want_none(left.torn(records) + left.half_written(records))
         return f"{len(done)} of {len(wanted)} methods were finished"
 
-    for k in range(kills):
-        whom, moment = WHOM[k % 3], choose.uniform(0, usual)
-        trials.attempt(f"vnv run, {whom} killed after {moment:.2f} of {usual:.2f} s",
-                       lambda: trial(whom, moment, folder / f"run{k}"))
+    attempt_kills(trials, "vnv run", kills, choose, usual,
+                  lambda whom, moment, k: trial(whom, moment, folder / f"run{k}"))
     return folder / "usual"
 
 
@@ -192,10 +198,8 @@ def kill_tests(programs, folder, trials, kills, choose, usual_records):
         want_none(left.torn(records, site) + left.half_written(records) + left.half_written(site.parent))
         return f"{judged} of {len(wanted)} methods had a record"
 
-    for k in range(kills):
-        whom, moment = WHOM[k % 3], choose.uniform(0, usual)
-        trials.attempt(f"ctest, {whom} killed after {moment:.2f} of {usual:.2f} s",
-                       lambda: trial(whom, moment, folder / f"test{k}"))
+    attempt_kills(trials, "ctest", kills, choose, usual,
+                  lambda whom, moment, k: trial(whom, moment, folder / f"test{k}"))
 
 
 def kill_reports(programs, folder, trials, kills, choose, records):
@@ -216,10 +220,7 @@ def kill_reports(programs, folder, trials, kills, choose, records):
         want_none(left.half_written(folder) + left.half_written(nights))
         return f"{len(wanted)} files as before"
 
-    for k in range(kills):
-        whom, moment = WHOM[k % 3], choose.uniform(0, usual)
-        trials.attempt(f"touchstone_report, {whom} killed after {moment:.2f} of {usual:.2f} s",
-                       lambda: trial(whom, moment))
+    attempt_kills(trials, "touchstone_report", kills, choose, usual, lambda whom, moment, _: trial(whom, moment))
 
 
 @contextlib.contextmanager
