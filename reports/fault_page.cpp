@@ -176,6 +176,17 @@ std::string matrix_html(const FaultTrials& all) {
   return columns.empty() ? "" : fmt::format("<div class=\"kills\">\n{}</div>\n", to_html(table));
 }
 
+/// "Tried between 2026-11-20T23:00:00Z and 2026-11-22T04:00:00Z, at revisions def5678 to abc1234": each trial keeps the
+/// day on which it was last made.
+std::string when_html(const FaultTrials& all) {
+  const auto [first, last] = std::ranges::minmax_element(all.trials, {}, &FaultTrial::date_and_time);
+  const auto code = [](const FaultTrial& trial) { return "<code>" + escape(trial.revision) + "</code>"; };
+  if (first->revision == last->revision)
+    return fmt::format("Tried at revision {}, the last {}", code(*first), escape(last->date_and_time));
+  return fmt::format("Tried between {} and {}, at revisions {} to {}", escape(first->date_and_time),
+                     escape(last->date_and_time), code(*first), code(*last));
+}
+
 constexpr const char* how_to_read =
     "<p>What would all the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody "
     "could make in a solver, an exact solution, a measure or the judge itself. A test that fails notices it, by day "
@@ -193,10 +204,10 @@ std::string fault_page(const FaultTrials& all) {
   const std::string body = fmt::format(
       "<main>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / faults</p>\n"
       "<h1>Detection power</h1>\n<p class=\"sum {}\">{}</p>\n</header>\n{}"
-      "<p>Tried at revision <code>{}</code> with {}; the last trial ended {}, on {}.</p>\n{}{}{}{}"
+      "<p>{}, with {}, on {}.</p>\n{}{}{}{}"
       "<p class=\"files\">Table for other programs: <a href=\"faults.csv\">each test of each fault</a></p>\n</main>\n",
-      kind_of(all), all.sentence(), how_to_read, escape(all.revision), escape(all.suite), escape(all.date),
-      escape(all.machine), open_html(all), faults_html(all), matrix_html(all), harmless_html(all));
+      kind_of(all), all.sentence(), how_to_read, when_html(all), escape(all.suite), escape(all.machine), open_html(all),
+      faults_html(all), matrix_html(all), harmless_html(all));
   return html_page("Detection power", "", body);
 }
 

@@ -13,8 +13,8 @@
 namespace touchstone::reports {
 namespace {
 
-const std::vector<std::string> columns{"fault", "title",   "files",      "conclusion", "why",
-                                       "test",  "noticed", "margin [-]", "sentence"};
+const std::vector<std::string> columns{"fault",   "title",      "files",    "conclusion", "why",      "test",
+                                       "noticed", "margin [-]", "sentence", "revision",   "tried at", "digest"};
 
 // In the order of the enumerators.
 constexpr auto conclusions = std::to_array<std::string_view>(
@@ -41,15 +41,25 @@ double margin_of(const std::string& text, const Line& line) {
   return value;
 }
 
+long count_of(const std::string& text, const Line& line) {
+  long value = -1;
+  const char* last = text.data() + text.size();
+  if (std::from_chars(text.data(), last, value).ptr != last || value < 0)
+    line.refuse(fmt::format("untried '{}', wanted how many", text));
+  return value;
+}
+
 FaultTrial trial_on(const Row& row) {
   const auto& f = row.fields;
-  for (const std::size_t i : {0, 1, 5})
+  for (const std::size_t i : {0, 1, 5, 9, 10})
     if (f[i].empty()) row.line.refuse(fmt::format("no {}, wanted one", columns[i]));
   return {.fault = f[0],
           .title = f[1],
           .files = f[2],
           .conclusion = conclusion_of(f[3], row.line),
           .why = f[4],
+          .revision = f[9],
+          .date_and_time = f[10],
           .tests = {{f[5], yes_or_no(f[6], row.line), margin_of(f[7], row.line), f[8]}}};
 }
 
@@ -60,7 +70,7 @@ void add(std::vector<FaultTrial>& all, FaultTrial trial, const Line& line) {
     all.push_back(std::move(trial));
     return;
   }
-  const auto told = [](const FaultTrial& t) { return std::tie(t.title, t.files, t.conclusion, t.why); };
+  const auto told = [](const FaultTrial& t) { return std::tie(t.title, t.files, t.conclusion, t.why, t.revision); };
   if (told(*known) != told(trial))
     line.refuse(fmt::format("fault '{}' is told otherwise than above, wanted the same of each test", trial.fault));
   known->tests.push_back(std::move(trial.tests.front()));
@@ -107,6 +117,7 @@ std::string FaultTrials::sentence() const {
   if (harmless > 0)
     words += fmt::format("{}{} false {} from {} harmless {}", words.empty() ? "" : "; ", alarms,
                          alarms == 1 ? "alarm" : "alarms", harmless, harmless == 1 ? "change" : "changes");
+  if (untried > 0) words += fmt::format("; {} not tried yet", untried);
   return words + ".";
 }
 
@@ -117,7 +128,7 @@ FaultTrials read_fault_trials(const std::filesystem::path& file) {
     if (found == rows.keys.end()) Line{file, 1}.refuse(fmt::format("no key '{}', wanted '# {}: ...'", name, name));
     return found->second;
   };
-  FaultTrials all{key("revision"), key("date"), key("machine"), key("tests"), {}};
+  FaultTrials all{key("machine"), key("tests"), count_of(key("untried"), {file, 1}), {}};
   if (rows.rows.empty()) Line{file, 1}.refuse("no trials, wanted at least one");
   for (const Row& row : rows.rows) add(all.trials, trial_on(row), row.line);
   sort(all.trials);

@@ -29,8 +29,9 @@ struct FaultTrial {
   std::string title;  // "The fluid of printed MPM is 5 % too viscous"
   std::string files;  // that were changed
   Conclusion conclusion = Conclusion::noticed;
-  std::string why{};               // no test notices it, as far as is known
-  std::vector<FaultTest> tests{};  // at least one
+  std::string why{};                        // no test notices it, as far as is known
+  std::string revision{}, date_and_time{};  // when it was tried
+  std::vector<FaultTest> tests{};           // at least one
 
   bool is_harmless() const { return conclusion == Conclusion::false_alarm || conclusion == Conclusion::stays_green; }
   /// Survived, did not compile, or a false alarm.
@@ -40,11 +41,13 @@ struct FaultTrial {
 };
 
 struct FaultTrials {
-  std::string revision, date, machine;
+  std::string machine;             // of the last trial
   std::string suite;               // what was run: "the named tests", "acceptance"
+  long untried = 0;                // faults and harmless changes that nobody has tried yet
   std::vector<FaultTrial> trials;  // what is open first; of the others what was hardly noticed first
 
-  /// "97 of 102 seeded faults noticed by day (95.1 %), 100 in all (98.0 %); 0 false alarms from 17 harmless changes."
+  /// "97 of 102 seeded faults noticed by day (95.1 %), 100 in all (98.0 %); 0 false alarms from 17 harmless changes; 3
+  /// not tried yet."
   std::string sentence() const;
 };
 

@@ -14,7 +14,7 @@ namespace {
 class SeededFaults : public testing::Test {
  protected:
   FaultTrials read(const std::string& rows, const std::string& above = sample_fault_keys()) const {
-    std::ofstream(folder / "trials.csv") << above + fault_columns + rows;
+    std::ofstream(folder / "trials.csv") << above + fault_table(rows);
     return read_fault_trials(folder / "trials.csv");
   }
   std::string refusal(const std::string& rows, const std::string& above = sample_fault_keys()) const try {
@@ -30,7 +30,7 @@ class SeededFaults : public testing::Test {
 
 TEST_F(SeededFaults, StandWithTheirTestsWhatIsOpenFirstAndWhatWasHardlyNoticedNext) {
   const FaultTrials all = read(sample_fault_rows());
-  EXPECT_EQ(all.revision, "abc1234");
+  EXPECT_EQ(all.trials[0].revision, "abc1234");
   EXPECT_EQ(all.suite, "the tests that each fault names");
   std::vector<std::string> names;
   for (const FaultTrial& trial : all.trials) names.push_back(trial.fault);
@@ -46,6 +46,8 @@ TEST_F(SeededFaults, AreCountedByDayAndInAllBesideFalseAlarms) {
   EXPECT_EQ(read("a,A,f,noticed,,t.mpm,yes,-1,\n").sentence(),
             "1 of 1 seeded fault noticed by day (100.0\u202f%), 1 in all (100.0\u202f%).");
   EXPECT_EQ(read("a,A,f,stays green,,t.mpm,no,1,\n").sentence(), "0 false alarms from 1 harmless change.");
+  EXPECT_EQ(read("a,A,f,stays green,,t.mpm,no,1,\n", "# machine: x\n# tests: y\n# untried: 7\n").sentence(),
+            "0 false alarms from 1 harmless change; 7 not tried yet.");
 }
 
 TEST_F(SeededFaults, AreNoticedByTheTestWithTheLargestMarginIfAnyHasOne) {
@@ -62,13 +64,15 @@ TEST_F(SeededFaults, AreNoticedByTheTestWithTheLargestMarginIfAnyHasOne) {
 }
 
 TEST_F(SeededFaults, ThatAreToldBadlyAreRefusedByTheirLine) {
-  EXPECT_TRUE(contains(refusal("a,A,f,seen,,t,yes,,\n"), "trials.csv:6: conclusion 'seen', wanted one such as"));
+  EXPECT_TRUE(contains(refusal("a,A,f,seen,,t,yes,,\n"), "trials.csv:5: conclusion 'seen', wanted one such as"));
   EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,1,,\n"), "noticed '1', wanted yes or no"));
   EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,lots,\n"), "margin [-] 'lots', wanted a number or nothing"));
   EXPECT_TRUE(contains(refusal("a,A,f,noticed,,,yes,,\n"), "no test, wanted one"));
-  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes\n"), "7 cells, wanted 9"));
-  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,,\na,B,f,noticed,,u,yes,,\n"), "trials.csv:7: fault 'a' is told"));
-  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,,\n", "# revision: x\n"), "no key 'date', wanted '# date: ...'"));
+  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes\n"), "10 cells, wanted 12"));
+  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,,\na,B,f,noticed,,u,yes,,\n"), "trials.csv:6: fault 'a' is told"));
+  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,,\n", "# machine: x\n"), "no key 'tests', wanted '# tests: ...'"));
+  EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,,\n", "# machine: x\n# tests: y\n# untried: some\n"),
+                       "untried 'some', wanted how many"));
   EXPECT_TRUE(contains(refusal(""), "no trials, wanted at least one"));
   EXPECT_THROW(read_fault_trials(folder / "nowhere.csv"), std::runtime_error);
 }
@@ -80,7 +84,17 @@ TEST_F(SeededFaults, OfAPageSayFirstWhatIsOpenAndWhatIsKnownOfWhy) {
   EXPECT_TRUE(contains(html, "no flow has such a wall, yet"));
   EXPECT_TRUE(contains(html, "flow.mpm <small class=\"holds\">30\u202f%</small>"))
       << "how much the closest test has left";
-  EXPECT_TRUE(contains(html, "<code>abc1234</code>"));
+}
+
+TEST_F(SeededFaults, OfAPageSayWhenTheyWereTriedAndAtWhichRevisions) {
+  const std::string row = "a,A,f,noticed,,t,yes,-1,,", columns = fault_table("");
+  const std::string first = row + "abc1234,2026-11-22T04:00:00Z,00ff\n", second = "b" + row.substr(1);
+  std::ofstream(folder / "trials.csv") << sample_fault_keys() + columns + first
+                                       << second + "def5678,2026-11-20T23:00:00Z,00ff\n";
+  const std::string html = fault_page(read_fault_trials(folder / "trials.csv"));
+  EXPECT_TRUE(contains(html, "between 2026-11-20T23:00:00Z and 2026-11-22T04:00:00Z")) << html;
+  EXPECT_TRUE(contains(html, "revisions <code>def5678</code> to <code>abc1234</code>"));
+  EXPECT_TRUE(contains(page("a,A,f,noticed,,t,yes,-1,\n"), "at revision <code>abc1234</code>"));
 }
 
 TEST_F(SeededFaults, OfAPageAreGoodIfAllAreNoticedOrItIsKnownWhyNot) {

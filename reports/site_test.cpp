@@ -224,7 +224,7 @@ TEST_F(Site, DoesNotReplaceTheFolderOfItsNights) {
 }
 
 TEST_F(Site, WithTrialsOfFaultsHasAPageOfThem) {
-  std::ofstream(folder / "trials.csv") << sample_fault_keys() + fault_columns + sample_fault_rows();
+  std::ofstream(folder / "trials.csv") << sample_fault_keys() + fault_table(sample_fault_rows());
   make_site(records, site, {.faults = folder / "trials.csv"});
   EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection power</a>. 4 of 6 seeded faults"));
   EXPECT_TRUE(contains(page("faults.html"), "href=\"index.html\""));

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -115,11 +116,16 @@ inline vnv::RunSummary sample_run(const std::string& rung, double cpu) {
   return run;
 }
 
-inline constexpr const char* fault_columns = "fault,title,files,conclusion,why,test,noticed,margin [-],sentence\n";
-
 inline std::string sample_fault_keys() {
-  return "# revision: abc1234\n# date: 2026-11-22T04:00:00Z\n# machine: a machine\n"
-         "# tests: the tests that each fault names\n";
+  return "# machine: a machine\n# tests: the tests that each fault names\n# untried: 0\n";
+}
+
+/// The table of trials, with when each of these rows was tried put to its end.
+inline std::string fault_table(const std::string& rows) {
+  std::string table = "fault,title,files,conclusion,why,test,noticed,margin [-],sentence,revision,tried at,digest\n";
+  std::istringstream lines(rows);
+  for (std::string line; std::getline(lines, line);) table += line + ",abc1234,2026-11-22T04:00:00Z,00ff\n";
+  return table;
 }
 
 /// One that lives, one that is seen at night, four that are noticed, and two harmless changes, one of them an alarm.

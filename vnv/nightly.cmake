@@ -1,12 +1,13 @@
 # The nightly suite for a dashboard, and for the trend over all nights:
 #
-#   ctest -S vnv/nightly.cmake -V [-DBUILD=FOLDER] [-DHISTORY=FOLDER] [-DDROP_SITE=HOST -DDROP_LOCATION=PATH]
+#   ctest -S vnv/nightly.cmake -V [-DBUILD=FOLDER] [-DHISTORY=FOLDER] [-DDROP_SITE=HOST -DDROP_LOCATION=PATH -DDROP_METHOD=http]
 #
 # BUILD          folder to build in; build/ beside this room if none is named
 # HISTORY        folder of the summaries of all nights; history/ in BUILD. Outside of it they outlive the build
 # LABEL          regular expression of the labels to run; units and the nightly suite
 # DROP_SITE      host of a CDash server that gets the results; none: nothing leaves this machine
 # DROP_LOCATION  where on it, /submit.php?project=Touchstone
+# DROP_METHOD    https, or http for one within reach
 #
 # It fails if the build or a test does; BUILD/site/nightly/index.html and Testing/ in BUILD tell what.
 cmake_minimum_required(VERSION 3.25)
@@ -22,6 +23,7 @@ set_unless_named(BUILD ${CTEST_SOURCE_DIRECTORY}/build)
 set_unless_named(HISTORY ${BUILD}/history)
 set_unless_named(LABEL "^(unit|nightly)$")
 set_unless_named(DROP_LOCATION "/submit.php?project=Touchstone")
+set_unless_named(DROP_METHOD https)
 get_filename_component(CTEST_BINARY_DIRECTORY ${BUILD} ABSOLUTE)
 get_filename_component(HISTORY ${HISTORY} ABSOLUTE)
 
@@ -52,7 +54,7 @@ if(NOT failed)
   note(tests ${tested})
 endif()
 if(DROP_SITE)
-  set(CTEST_DROP_METHOD https)
+  set(CTEST_DROP_METHOD ${DROP_METHOD})
   set(CTEST_DROP_SITE_CDASH TRUE)
   ctest_submit(RETURN_VALUE submitted)
   note("submission to ${DROP_SITE}" ${submitted})

@@ -6,8 +6,10 @@ import tempfile
 import time
 import types
 import unittest
+import unittest.mock
 
 import matrix
+import scratch
 import seeded
 
 runner = types.ModuleType("runner")
@@ -84,20 +86,13 @@ class AChange(InAFolder):
             self.write("law.hpp", text)
             self.assert_refused(words, lambda: seeded.changed(fault, self.folder))
 
-    def test_is_undone_also_when_the_build_breaks_off(self):
+    def test_is_undone_also_when_the_trial_breaks_off(self):
         self.write("law.hpp", "x = nu;\n")
-        seen = []
-
-        def make(*_):
-            seen.append((self.folder / "law.hpp").read_text(encoding="utf-8"))
+        copy = scratch.Scratch.__new__(scratch.Scratch)
+        copy.source = self.folder
+        with self.assertRaises(KeyboardInterrupt), copy.with_change(self.fault()):
+            self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = 2 * nu;\n")
             raise KeyboardInterrupt
-
-        options = types.SimpleNamespace(suite=None)
-        scratch = types.SimpleNamespace(source=self.folder, builds=self.folder, options=options, make=make,
-                                        configure=lambda *_: None, targets=lambda *_: ["flow"])
-        with self.assertRaises(KeyboardInterrupt):
-            runner.tried(scratch, self.fault())
-        self.assertEqual(seen, ["x = 2 * nu;\n"])
         self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = nu;\n")
 
 
@@ -109,7 +104,7 @@ class AProgram(InAFolder):
         self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, break_off))
         signal.setitimer(signal.ITIMER_REAL, 0.2)
         with self.assertRaises(KeyboardInterrupt):
-            runner.run(["sh", "-c", f"(sleep 0.5; echo late > {self.folder}/late) & wait"])
+            scratch.run(["sh", "-c", f"(sleep 0.5; echo late > {self.folder}/late) & wait"])
         time.sleep(0.5)
         self.assertFalse((self.folder / "late").exists())
 
@@ -147,7 +142,8 @@ class Results(InAFolder):
     def line(self, name, conclusion, margin, failed=True):
         test = {"failed": failed, "margin": margin, "sentence": 'flow.mpm: L2 = 5, "x":\n FAILS'}
         return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a", "b"], "conclusion": conclusion,
-                "why": "", "tests": {"flow.mpm": test}}
+                "why": "", "tests": {"flow.mpm": test}, "revision": "abc", "finished_at": "2026-11-23T02:00:00Z",
+                "digest": "00ff"}
 
     def test_are_a_line_for_a_person_and_a_table_for_the_report(self):
         lines = [self.line("far", matrix.NOTICED, -9.0), self.line("lives", matrix.SURVIVED, 0.5, False),
@@ -156,11 +152,60 @@ class Results(InAFolder):
         matrix.write(lines, self.folder / "results.csv", {"revision": "abc"})
         rows = (self.folder / "results.csv").read_text(encoding="utf-8").splitlines()
         self.assertEqual(rows[0], "# revision: abc")
-        self.assertEqual(rows[2], 'far,FAR,a b,noticed,,flow.mpm,yes,-9.0,"flow.mpm: L2 = 5, ""x"": FAILS"')
+        self.assertEqual(rows[2], 'far,FAR,a b,noticed,,flow.mpm,yes,-9.0,"flow.mpm: L2 = 5, ""x"": FAILS",abc,'
+                                  '2026-11-23T02:00:00Z,00ff')
         self.assertEqual([row.split(",")[6:8] for row in rows[3:]], [["no", "0.5"], ["yes", "-inf"], ["yes", ""]])
 
-    def test_of_a_part_of_the_faults_are_not_recorded(self):
-        self.assert_refused("wanted a trial of all faults", lambda: runner.options_of(["--record", "--only", "sph"]))
+    def test_are_read_as_they_were_written(self):
+        lines = [self.line("far", matrix.NOTICED, -9.0), self.line("nan", matrix.NOTICED, float("-inf")),
+                 self.line("unit", matrix.SURVIVED, None, False)]
+        matrix.write(lines, self.folder / "results.csv", {"machine": "m: 2", "tests": "all"})
+        told = lambda line: line["tests"]["flow.mpm"] | {"sentence": 'flow.mpm: L2 = 5, "x": FAILS'}
+        wanted = [line | {"tests": {"flow.mpm": told(line)}} for line in lines]
+        self.assertEqual(matrix.read(self.folder / "results.csv"), ({"machine": "m: 2", "tests": "all"}, wanted))
+        self.assert_refused("r.csv:2: other columns", lambda: matrix.read(self.write("r.csv", "# a: b\nfault,title\n")))
+
+    def test_of_a_part_of_the_tests_are_not_recorded(self):
+        self.assert_refused("wanted a trial of all tests", lambda: runner.options_of(["--record", "--tests", "sph"]))
+
+
+class TheRecord(InAFolder):
+    def setUp(self):
+        super().setUp()
+        in_the_folder = unittest.mock.patch.multiple(runner, FOLDER=self.folder, RECORDED=self.folder / "trials.csv")
+        in_the_folder.start()
+        self.addCleanup(in_the_folder.stop)
+        self.thick = self.fault()
+        self.thin = self.fault(TEXT.replace("2 *", "0 *").replace("viscous", "thin"), "thin.fault")
+
+    def record(self, *arguments):
+        return runner.Record(runner.options_of(["--record", *arguments]))
+
+    def line(self, fault, finished_at):
+        return {"fault": fault.name, "title": fault.title, "harmless": False, "files": ["law.hpp"],
+                "conclusion": matrix.NOTICED, "why": "", "revision": "abc", "finished_at": finished_at,
+                "digest": runner.own_digest(fault),
+                "tests": {"flow.mpm": {"failed": True, "margin": -1.0, "sentence": ""}}}
+
+    def test_keeps_of_each_fault_the_last_trial(self):
+        self.record().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
+        self.record().renew([self.line(self.thick, "3")])
+        record = self.record()
+        self.assertEqual((record.tried_at(self.thick), record.tried_at(self.thin)), ("3", "2"))
+
+    def test_forgets_a_fault_that_is_gone_or_is_another_now(self):
+        self.record().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
+        self.fault(TEXT.replace("2 *", "3 *"))
+        (self.folder / "thin.fault").unlink()
+        self.assertEqual(self.record().lines, {})
+
+    def test_is_begun_anew_where_other_tests_are_run(self):
+        self.record().renew([self.line(self.thick, "1")])
+        self.assertEqual(self.record("--suite", "nightly").lines, {})
+
+    def test_is_not_written_unless_that_is_asked_for(self):
+        runner.Record(runner.options_of([])).renew([self.line(self.thick, "1")])
+        self.assertFalse(runner.RECORDED.exists())
 
 
 class AMargin(InAFolder):

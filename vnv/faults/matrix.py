@@ -5,6 +5,8 @@ import csv
 import os
 import pathlib
 
+import seeded
+
 SURVIVED, NO_FAULT, FALSE_ALARM = "survived", "does not compile", "false alarm"
 AT_NIGHT, NOTICED, GREEN = "noticed at night", "noticed", "stays green"
 BAD = (SURVIVED, FALSE_ALARM, NO_FAULT)
@@ -49,15 +51,42 @@ def machine():
     return f"{model}, {os.cpu_count()} processors"
 
 
+COLUMNS = ("fault", "title", "files", "conclusion", "why", "test", "noticed", "margin [-]", "sentence", "revision",
+           "tried at", "digest")
+
+
 def write(lines, file, provenance):
-    """A row for each fault and test, below lines `# key: value`."""
-    with open(file, "w", newline="", encoding="utf-8") as out:
+    """A row for each fault and test, below lines `# key: value`; the former table stands until the new one is whole."""
+    new = file.with_name(file.name + ".new")
+    with open(new, "w", newline="", encoding="utf-8") as out:
         for key, value in provenance.items():
             out.write(f"# {key}: {value}\n")
         rows = csv.writer(out, lineterminator="\n")
-        rows.writerow(["fault", "title", "files", "conclusion", "why", "test", "noticed", "margin [-]", "sentence"])
+        rows.writerow(COLUMNS)
         for line in lines:
+            trial = [line["fault"], line["title"], " ".join(line["files"]), line["conclusion"], line["why"]]
+            tried = [line["revision"], line["finished_at"], line["digest"]]
             for name, test in sorted(line["tests"].items()):
                 margin = "" if test["margin"] is None else test["margin"]
-                rows.writerow([line["fault"], line["title"], " ".join(line["files"]), line["conclusion"], line["why"],
-                               name, "yes" if test["failed"] else "no", margin, " ".join(test["sentence"].split())])
+                told = [name, "yes" if test["failed"] else "no", margin, " ".join(test["sentence"].split())]
+                rows.writerow([*trial, *told, *tried])
+    os.replace(new, file)
+
+
+def read(file):
+    """What `write` has written: the provenance, and a line for each fault."""
+    text = file.read_text(encoding="utf-8").splitlines()
+    above = [row for row in text if row.startswith("# ")]
+    provenance = dict(row[2:].split(": ", 1) for row in above)
+    rows = csv.DictReader(text[len(above):])
+    if tuple(rows.fieldnames or ()) != COLUMNS:
+        raise seeded.BadInput(f"{file}:{len(above) + 1}: other columns, wanted {', '.join(COLUMNS)}")
+    lines = {}
+    for row in rows:
+        line = lines.setdefault(row["fault"], {
+            "fault": row["fault"], "title": row["title"], "files": row["files"].split(), "why": row["why"],
+            "harmless": row["conclusion"] in (GREEN, FALSE_ALARM), "conclusion": row["conclusion"],
+            "revision": row["revision"], "finished_at": row["tried at"], "digest": row["digest"], "tests": {}})
+        margin = float(row["margin [-]"]) if row["margin [-]"] else None
+        line["tests"][row["test"]] = {"failed": row["noticed"] == "yes", "margin": margin, "sentence": row["sentence"]}
+    return provenance, list(lines.values())

@@ -16,7 +16,6 @@ how the project is built or run: `configure ARGUMENT OF CMAKE`, `environment NAM
 """
 
 import dataclasses
-import pathlib
 import re
 
 THE_BUILD = "the build"
