@@ -105,13 +105,22 @@ Setting on_edges() {
           .declared = Ending::stable};
 }
 
+/// Sound is a quarter as fast as ten times sqrt(g H), and the floor compresses water by a fifth. Its start is uneven: a
+/// perfect lattice stays one until rounding has grown, and how it ends then would be a matter of the build.
 Setting heavy() {
+  const auto uneven = [](const Vectors& lattice) {
+    Vectors places = lattice;
+    for (Eigen::Index p = 0; p < places.cols(); ++p)
+      places.col(p) += spacing / 100 * Vec2(noise(p, 0, 0), noise(p, 0, 1));
+    return places;
+  };
   return {.name = "gravity x 100",
           .scene = {.domain = {.box = box(0.3, 0.6), .periodic_x = true},
                     .fluid = water,
                     .filled = box(0.3, 0.3),
                     .walls = {floor_at(0, free_slip())},
-                    .body_force = {{0, -100 * g}}},
+                    .body_force = {{0, -100 * g}},
+                    .start = {.places = uneven}},
           .end = 0.2,
           .declared = Ending::stable};
 }
@@ -155,7 +164,7 @@ Setting falling_drop() {
 
 Setting jet() {
   return {.name = "a jet of single particles",
-          .scene = {.domain = {.box = box(1, 3)},
+          .scene = {.domain = {.box = box(1, 6)},  // printed MPM throws some up by 2.6 m
                     .fluid = water,
                     .filled = {.low = {0, 0.4}, .high = {0.8, 0.42}},
                     .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
@@ -206,6 +215,8 @@ Ending declared_of(const Setting& setting, const std::string& method) {
   // Where a particle has too few neighbours for it, the correction of gradients has no limit.
   if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
     return Ending::diverged;
+  // No force between a particle and the wall holds the lowest row where its ghosts are as uneven as it is.
+  if ((method == "sph_corrected" || method == "sph_delta") && setting.name == "gravity x 100") return Ending::diverged;
   // Alone on its nodes a particle carries its slope on: it expands at a steady rate, past any density.
   if (method == "mpm_apic" && setting.name == "a jet of single particles") return Ending::diverged;
   // Walls of SPH are made of particles, and do not take fluid that stands on them.
