@@ -130,15 +130,15 @@ std::vector<CaseRecords> night(long cases, long nights_left, std::mt19937& noise
 /// A fault that survives, and others that one test after the other notices, each by less than the one before.
 std::string made_up_faults() {
   std::string csv =
-      "# revision: bbb2d82\n# date: 2026-11-22T04:00:00Z\n# machine: a machine, 2 processors\n# tests: all\n"
-      "fault,title,files,conclusion,why,test,noticed,margin [-],sentence\n";
+      "# machine: a machine, 2 processors\n# tests: all\n# untried: 2\n"
+      "fault,title,files,conclusion,why,test,noticed,margin [-],sentence,revision,tried at,digest\n";
   for (int k = 0; k < 100; ++k)
     for (int test = k / 3; test < k / 3 + 8; ++test)
       csv += fmt::format(
           "fault_{0},\"Something, number {0}, is wrong in a solver or its exact solution\",solver.hpp,{1},,"
-          "case_{2}.method_{3},{4},{5},made up\n",
+          "case_{2}.method_{3},{4},{5},made up,{6:07x},2026-11-{7:02}T04:00:00Z,00ff\n",
           k, k == 0 ? "survived" : "noticed", test / 5 + 1, test % 5 + 1, k > test / 2 ? "yes" : "no",
-          k > test / 2 ? -std::exp(4 - test / 5.0) : 0.5);
+          k > test / 2 ? -std::exp(4 - test / 5.0) : 0.5, 0xabc0000 + k / 10, k / 10 + 1);
   return csv;
 }
 
