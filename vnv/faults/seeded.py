@@ -51,6 +51,13 @@ class Fault:
         return any(re.fullmatch(pattern, test) for pattern in self.tests)
 
 
+def require_pattern(where, pattern):
+    try:
+        re.compile(pattern)
+    except re.error as error:
+        raise BadInput(f"{where} '{pattern}': {error}, wanted a regular expression") from error
+
+
 def lines_of_change(lines, k, sign):
     """Text of the lines from `k` on that begin with a sign, and the line behind them."""
     found = []
@@ -92,10 +99,7 @@ def read(file):
             listed[word].append(line[len(word):].strip())
             k += 1
     for pattern in tests:
-        try:
-            re.compile(pattern)
-        except re.error as error:
-            raise BadInput(f"{where}: '{pattern}': {error}, wanted a regular expression") from error
+        require_pattern(f"{where}:", pattern)
     if not tests:
         raise BadInput(f"{where}: no test is named, wanted '{next(iter(listed))} NAME'")
     if not (changes or configure or environment):

@@ -245,10 +245,7 @@ def options_of(arguments):
 def chosen(faults, only, tests):
     """The faults that fit, each with those of its tests that fit; one without any is left out."""
     for option, value in (("--only", only), ("--tests", tests)):
-        try:
-            re.compile(value)
-        except re.error as error:
-            raise seeded.BadInput(f"{option} '{value}': {error}, wanted a regular expression") from error
+        seeded.require_pattern(option, value)
     found = []
     for fault in faults:
         named = tuple(test for test in fault.tests if re.search(tests, test))

@@ -137,7 +137,6 @@ def attempt_kills(trials, what, kills, choose, usual, trial):
         trials.attempt(f"{what}, {whom} killed after {moment:.2f} of {usual:.2f} s", lambda: trial(whom, moment, k))
 
 
-
 def kill_runs(programs, folder, trials, kills, choose):
     """vnv run is killed; what was finished then is skipped."""
     usual = timed(programs.run(folder / "usual"))

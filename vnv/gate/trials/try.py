@@ -110,10 +110,7 @@ def options_of(arguments):
     options = parser.parse_args(arguments)
     if not options.check and not os.access(options.build / "vnv" / "vnv", os.X_OK):
         raise seeded.BadInput(f"{options.build}: no program vnv/vnv, wanted a build folder")
-    try:
-        re.compile(options.only)
-    except re.error as error:
-        raise seeded.BadInput(f"--only '{options.only}': {error}, wanted a regular expression") from error
+    seeded.require_pattern("--only", options.only)
     return options
 
 
