@@ -90,11 +90,11 @@ class Scratch:
         found = set()
         for pattern in patterns:
             if pattern == seeded.THE_BUILD:
-                found.add("vnv_methods")  # which compiles every method
+                found.add("all_methods")
             elif case := seeded.case_of(pattern):
                 found.add(case)
             elif pattern.startswith("unit."):
-                found.add(pattern.split(".")[1] + "_unit")
+                found |= self.programs_of_tests(pattern)
             elif pattern.startswith("selftest."):
                 for line in lists.splitlines():
                     name = re.match(r'add_test\((?:\[=\[)?"?([\w.]+)', line)
@@ -102,6 +102,16 @@ class Scratch:
                         of_build = re.findall(re.escape(str(build)) + r"/vnv/(\w+)", line)
                         found |= {programs.get(program, program) for program in of_build}
         return sorted(found)
+
+    def programs_of_tests(self, pattern):
+        """Of unit tests; those of the whole room where no file names them in so many words."""
+        room = pattern.split(".")[1]
+        found = set()
+        for file in (self.source / room).rglob("*_test.cpp"):
+            for suite, name in re.findall(r"^TEST(?:_F)?\((\w+), *(\w+)\)", file.read_text(encoding="utf-8"), re.M):
+                if re.fullmatch(pattern, f"unit.{room}.{suite}.{name}"):
+                    found.add("_".join(file.relative_to(self.source).with_suffix("").parts))
+        return found or {room + "_unit"}
 
     def make(self, build, targets):
         """What the compiler said where it failed, else nothing."""
