@@ -109,6 +109,17 @@ class AProgram(InAFolder):
         self.assertFalse((self.folder / "late").exists())
 
 
+class AUnitTest(InAFolder):
+    def test_is_built_with_the_program_of_its_file_and_else_with_its_room(self):
+        (self.folder / "solvers" / "sph").mkdir(parents=True)
+        self.write("solvers/sph/pair_test.cpp", "TEST(Pairs, Meet) {}\nTEST_F(Walls, Hold) {}\n")
+        self.write("solvers/fit_test.cpp", "TEST(Fit, IsExact) {}\n")
+        for pattern, wanted in (("unit.solvers.Pairs.*", {"solvers_sph_pair_test"}),
+                                ("unit.solvers.(Walls|Fit).*", {"solvers_sph_pair_test", "solvers_fit_test"}),
+                                ("unit.solvers.of_a_script", {"solvers_unit"})):
+            self.assertEqual(scratch.programs_of_tests(self.folder, pattern), wanted)
+
+
 class ATrial(InAFolder):
     def conclusion(self, failures, text=TEXT, name="thick.fault"):
         tests = {test: {"failed": failed} for test, failed in failures.items()}

@@ -45,6 +45,16 @@ def digest(*texts):
     return sums.hexdigest()[:16]
 
 
+def programs_of_tests(source, pattern):
+    """Of unit tests; those of the whole room where no file names them in so many words."""
+    room, found = pattern.split(".")[1], set()
+    for file in (source / room).rglob("*_test.cpp"):
+        for suite, name in re.findall(r"^TEST(?:_F)?\((\w+), *(\w+)\)", file.read_text(encoding="utf-8"), re.M):
+            if re.fullmatch(pattern, f"unit.{room}.{suite}.{name}"):
+                found.add("_".join(file.relative_to(source).with_suffix("").parts))
+    return found or {room + "_unit"}
+
+
 class Scratch:
     """A copy of the sources and the builds of it."""
 
@@ -94,7 +104,7 @@ class Scratch:
             elif case := seeded.case_of(pattern):
                 found.add(case)
             elif pattern.startswith("unit."):
-                found |= self.programs_of_tests(pattern)
+                found |= programs_of_tests(self.source, pattern)
             elif pattern.startswith("selftest."):
                 for line in lists.splitlines():
                     name = re.match(r'add_test\((?:\[=\[)?"?([\w.]+)', line)
@@ -102,16 +112,6 @@ class Scratch:
                         of_build = re.findall(re.escape(str(build)) + r"/vnv/(\w+)", line)
                         found |= {programs.get(program, program) for program in of_build}
         return sorted(found)
-
-    def programs_of_tests(self, pattern):
-        """Of unit tests; those of the whole room where no file names them in so many words."""
-        room = pattern.split(".")[1]
-        found = set()
-        for file in (self.source / room).rglob("*_test.cpp"):
-            for suite, name in re.findall(r"^TEST(?:_F)?\((\w+), *(\w+)\)", file.read_text(encoding="utf-8"), re.M):
-                if re.fullmatch(pattern, f"unit.{room}.{suite}.{name}"):
-                    found.add("_".join(file.relative_to(self.source).with_suffix("").parts))
-        return found or {room + "_unit"}
 
     def make(self, build, targets):
         """What the compiler said where it failed, else nothing."""

@@ -91,6 +91,8 @@ def tried(scratch, fault, options):
             targets = ["all"] if options.suite else scratch.targets(build, fault.tests)
             said = scratch.make(build, targets) if targets else ""
             tests = {} if said else look(scratch.source, build, fault.tests, fault.environment, options)
+            for test in tests.values():  # where the copy lies tells nobody anything
+                test["sentence"] = test["sentence"].replace(f"{scratch.source}/", "").replace("../source/", "")
     finally:
         if own_build:
             shutil.rmtree(build, ignore_errors=True)
