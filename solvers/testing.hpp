@@ -55,6 +55,25 @@ inline double amplitude_of_wave(const Samples& s, int axis) {
   return 2 * (s.v.row(1 - axis).array() * (2 * std::numbers::pi * s.x.row(axis).array()).sin()).mean();
 }
 
+/// A standing wave of sound of one metre along an axis.
+inline Start sound_wave(int axis, double amplitude) {
+  return {.velocity = [=](const Vec2& x) -> Vec2 {
+    return amplitude * std::sin(2 * std::numbers::pi * x[axis]) * Vec2::Unit(axis);
+  }};
+}
+
+/// By the energy of its motion and of its compression [m/s].
+inline double amplitude_of_sound(const Samples& s) {
+  const Scalars compression = oil.sound_speed() * (s.density / oil.density - 1);
+  return std::sqrt(2 * (s.v.colwise().squaredNorm().mean() + compression.square().mean()));
+}
+
+/// Its decay by viscosity, of which there is 4/3 where fluid is compressed (Landau & Lifshitz, Fluid Mechanics, 79).
+inline double sound_left_after(double time) {
+  const double k = 2 * std::numbers::pi;
+  return std::exp(-oil.kinematic_viscosity() * 2 / 3 * k * k * time);
+}
+
 /// The particles of a lattice in reverse, each a little to the right and some of them left out.
 inline Vectors rearranged(const Vectors& lattice) {
   Vectors all = lattice.rowwise().reverse().rightCols(lattice.cols() / 2);

@@ -79,6 +79,10 @@ class MethodTest : public testing::Test {
   const Method& method_;
 };
 
+bool runs_in(Suite suite, const Method& method) {
+  return std::ranges::any_of(method.rungs, [&](const Rung& rung) { return rung.until(suite) > 0; });
+}
+
 std::vector<const Method*> chosen_methods(const Case& declared) {
   std::vector<const Method*> chosen;
   std::string known;
@@ -91,8 +95,14 @@ std::vector<const Method*> chosen_methods(const Case& declared) {
   return chosen;
 }
 
+/// Unless it is named, a method that the suite leaves out is left out.
 int run_tests(const Case& declared, char* program) {
-  for (const Method* method : chosen_methods(declared))
+  std::vector<const Method*> chosen = chosen_methods(declared);
+  if (options.method.empty())
+    std::erase_if(chosen, [](const Method* method) { return !runs_in(options.suite, *method); });
+  if (chosen.empty())
+    throw std::invalid_argument(fmt::format("nothing runs in {}; wanted another --suite", name_of(options.suite)));
+  for (const Method* method : chosen)
     testing::RegisterTest(case_name.c_str(), method->name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
                           [&declared, method]() -> testing::Test* { return new MethodTest(declared, *method); });
   int count = 1;
@@ -135,8 +145,7 @@ void require_no_test(std::string_view option) {
 /// Makes today's values the baselines, and forgets those of methods and rungs that are gone, unless a claim of theory
 /// or literature fails.
 int accept(const Case& declared) {
-  const auto is_run = [](const Rung& rung) { return rung.until(options.suite) > 0; };
-  if (std::ranges::none_of(declared.methods, [&](const Method& m) { return std::ranges::any_of(m.rungs, is_run); })) {
+  if (std::ranges::none_of(declared.methods, [](const Method& m) { return runs_in(options.suite, m); })) {
     fmt::print("{}: nothing runs in {}, nothing to accept\n", case_name, name_of(options.suite));
     return EXIT_SUCCESS;
   }
@@ -173,7 +182,7 @@ void write_ctest_file(const Case& declared, const char* program, const std::stri
   std::string text;
   for (const Method& method : declared.methods)
     for (const Suite suite : {Suite::acceptance, Suite::report, Suite::nightly}) {
-      if (std::ranges::none_of(method.rungs, [&](const Rung& rung) { return rung.until(suite) > 0; })) continue;
+      if (!runs_in(suite, method)) continue;
       const std::string prefix = suite == Suite::acceptance ? "" : std::string(name_of(suite)) + ".";
       const std::string test = fmt::format("{}{}.{}", prefix, case_name, method.name);
       text += fmt::format("add_test([=[{}]=] [=[{}]=] --method {} --suite {} --records [=[{}/{}]=])\n", test, program,

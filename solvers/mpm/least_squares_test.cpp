@@ -84,6 +84,13 @@ TEST(LeastSquaresMpm, AShearWaveDecaysAsItShouldAlongBothAxes) {
   }
 }
 
+TEST(LeastSquaresMpm, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes) {
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_sound(after<LeastSquaresMethod>(1000, endless(sound_wave(axis, 0.01)))) / 0.01;
+    EXPECT_NEAR(left, sound_left_after(1), 0.02 * sound_left_after(1)) << axis;
+  }
+}
+
 TEST(LeastSquaresMpm, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigitsThroughRemeshing) {
   const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
   const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));

@@ -44,6 +44,13 @@ TEST(SecondOrderSph, AShearWaveDecaysAsItShouldAlongBothAxes) {
   }
 }
 
+TEST(SecondOrderSph, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes) {
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_sound(after<SecondOrderMethod>(1000, endless(sound_wave(axis, 0.01)))) / 0.01;
+    EXPECT_NEAR(left, sound_left_after(1), 0.02 * sound_left_after(1)) << axis;
+  }
+}
+
 TEST(SecondOrderSph, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigits) {
   const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
   const Samples s = after<SecondOrderMethod>(500, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));

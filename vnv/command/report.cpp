@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string records{}, site{}, suite = "acceptance", history{}, known_failures{};
+  std::string records{}, site{}, suite = "acceptance", history{}, known_failures{}, faults{};
 };
 
 /// What a build folder was configured with; empty if it does not say.
@@ -37,6 +37,13 @@ std::string known_failures_of(const Build& build, const Options& options) {
   return fs::exists(file) ? file.string() : "";
 }
 
+/// Of a build in its sources, what came of the seeded faults there.
+std::string faults_of(const Build& build, const Options& options) {
+  if (!options.faults.empty()) return options.faults;
+  const fs::path file = fs::path(configured(build, "CMAKE_HOME_DIRECTORY")) / "vnv/faults/trials.csv";
+  return fs::exists(file) ? file.string() : "";
+}
+
 /// As the test SUITE.pages does, where nothing else is asked for.
 int report(const Build& build, const Options& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
@@ -47,6 +54,7 @@ int report(const Build& build, const Options& options) {
   };
   pass_on("--history", history_of(build, options));
   pass_on("--known-failures", known_failures_of(build, options));
+  pass_on("--faults", faults_of(build, options));
   make_pages(build, arguments);
   fmt::print("{}\n", (fs::path(site) / "index.html").string());
   return all_holds;
@@ -65,6 +73,8 @@ void add_report(CLI::App& app, Session& session) {
                       "folder of all nights, which these records join; else that of the build, for its own nights");
   command->add_option("--known-failures", options->known_failures,
                       "claims that are known to fail; else known_failures.csv of the data");
+  command->add_option("--faults", options->faults,
+                      "what came of seeded faults; else vnv/faults/trials.csv of the sources, if it is there");
   set_todo(*command, session, report, options);
 }
 

@@ -53,6 +53,13 @@ TEST_F(AReport, KnowsWhichClaimsAreKnownToFail) {
   EXPECT_EQ(asked_by(""), pages);
 }
 
+TEST_F(AReport, ShowsWhatCameOfSeededFaults) {
+  fs::remove(root() + "/data/known_failures.csv");
+  EXPECT_EQ(asked_by("records site --faults mine.csv"), "records site --faults mine.csv");
+  put("vnv/faults/trials.csv", "");
+  EXPECT_EQ(asked_by("records site"), "records site --faults " + root() + "/vnv/faults/trials.csv");
+}
+
 TEST_F(AReport, LetsOnlyTheNightsOfABuildJoinItsHistory) {
   fs::remove(root() + "/data/known_failures.csv");
   EXPECT_EQ(asked_by("--suite nightly"), root() + "/records/nightly " + root() + "/site/nightly --history /nights");

@@ -135,6 +135,10 @@ class ATrial(InAFolder):
         self.assertEqual(self.conclusion(broken), matrix.NO_FAULT)
         self.assertEqual(self.conclusion(broken, TEXT.replace("flow.mpm", "the build")), matrix.NOTICED)
 
+    def test_in_a_language_that_is_not_installed_is_none(self):
+        fault = self.fault("A\n\nunnoticed by x\nenvironment LC_ALL=tlh_QO\n", "harmless/a.fault")
+        self.assert_refused("a: LC_ALL=tlh_QO: unsupported locale setting, wanted", lambda: runner.require_locale(fault))
+
     def test_of_a_harmless_change_that_is_noticed_is_a_false_alarm(self):
         text = TEXT.replace("noticed", "unnoticed")
         self.assertEqual(self.conclusion({"a": True}, text, "harmless/a.fault"), matrix.FALSE_ALARM)

@@ -12,6 +12,7 @@ Example: vnv/faults/try.py --scratch ~/faults --only 'viscos' --jobs 2
 import argparse
 import dataclasses
 import json
+import locale
 import math
 import os
 import pathlib
@@ -80,8 +81,23 @@ def margin_of(name, records, failed, output):
     return {"margin": None, "sentence": lines[0][:300] if failed and lines else ""}
 
 
+def require_locale(fault):
+    """Programs take one that is not installed for plain English, and nothing would be tried."""
+    for pair in fault.environment:
+        variable, value = pair.split("=", 1)
+        if variable != "LC_ALL":
+            continue
+        try:
+            locale.setlocale(locale.LC_ALL, value)
+        except locale.Error as error:
+            raise seeded.BadInput(f"{fault.name}: {pair}: {error}, wanted one that is installed") from error
+        finally:
+            locale.setlocale(locale.LC_ALL, "C")
+
+
 def tried(scratch, fault, options):
     """One trial, undone in the end: a line of the results."""
+    require_locale(fault)
     own_build = bool(fault.configure)
     build = scratch.builds / (f"build-{fault.name}" if own_build else "build")
     began = time.monotonic()
