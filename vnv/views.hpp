@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
-#include <ranges>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,7 +115,7 @@ struct SeveralViews {
     return [*this](const Results& results, const Record& record) {
       const double in_plain_flow = error_in(views.front(), results, record);
       std::vector<Error> found;
-      for (const View& view : views | std::views::drop(1))
+      for (const View& view : std::span(views).subspan(1))
         found.push_back(
             {view.name, spacing, end, change(), 100 * (error_in(view, results, record) / in_plain_flow - 1)});
       return found;

@@ -144,7 +144,7 @@ void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
 template <class Shape, int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
 void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
           const Vec2& per_cell, To& to) {
-  to.template give<mass>(column, at_corners<Shape>(widened<part>(Moments{m.one, m.X, m.Y, m.XY})));
+  to.template give<mass>(column, at_corners<Shape>(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
   to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
   to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
   CornerForces<Lanes> forces = stress.template as_doubles<part>().template forces<Shape>(per_cell);

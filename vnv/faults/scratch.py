@@ -118,7 +118,7 @@ class Scratch:
         done = run(["cmake", "--build", build, "-j", self.jobs, "--target", *targets])
         if done.returncode == 0:
             return ""
-        said = [line for line in done.stdout.splitlines() if "error" in line] or done.stdout.splitlines()
+        said = [line for line in done.stdout.splitlines() if "error: " in line] or done.stdout.splitlines()
         return said[0][:300]
 
     @contextlib.contextmanager
