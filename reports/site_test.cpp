@@ -4,6 +4,7 @@
 #include "reports/testing.hpp"
 #include "vnv/programs/interruption.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -54,8 +55,19 @@ TEST_F(Site, SaysFirstWhatFails) {
   make_site(records, site);
   for (const char* name : {"index.html", "poiseuille/index.html"}) {
     EXPECT_TRUE(contains(page(name), "1 of 2 claims holds, 1 fails.")) << name;
+    EXPECT_TRUE(contains(page(name), "<p class=\"sum fails\">")) << name;
     EXPECT_LT(page(name).find("the sentence of this verdict"), page(name).find("<table>")) << name;
   }
+}
+
+TEST_F(Site, CallsEachVerdictWhatItIs) {
+  vnv::Record record = sample_record();
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::inconclusive, 0));
+  put(record);
+  make_site(records, site);
+  for (const char* word : {"holds", "fails", "inconclusive"})
+    EXPECT_TRUE(contains(page("poiseuille/index.html"), fmt::format("<td class=\"{0}\">{0}</td>", word))) << word;
 }
 
 TEST_F(Site, DoesNotCallACaseWithoutClaimsGood) {

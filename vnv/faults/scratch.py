@@ -85,8 +85,6 @@ class Scratch:
 
     def configure(self, build, arguments=()):
         """Without precompiled headers: they take in the solvers, and one change there would compile all anew."""
-        if (build / "build.ninja").is_file():
-            return
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         done = run(["cmake", "-S", self.source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DTOUCHSTONE_NATIVE=ON", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", *launcher, *arguments])
