@@ -1,22 +1,26 @@
 #include "vnv/gate/front.hpp"
 
+#include "vnv/gate/compare_values.hpp"
 #include "vnv/gate/meaning.hpp"
 #include "vnv/work_precision.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace touchstone::gate {
 namespace {
 
 using vnv::Error, vnv::Record, vnv::RunSummary, vnv::WorkPoint;
 
+/// The first that is more than rounding.
 std::string error_drawn(const Records& records, const std::string& case_name) {
   for (const Record& record : records)
     if (record.case_name == case_name)
       for (const Error& error : record.errors)
-        if (meaning_of(error.quantity).kind == Kind::error) return error.quantity;
+        if (meaning_of(error.quantity).kind == Kind::error && std::abs(error.value) > rounding_of_zero)
+          return error.quantity;
   return "";
 }
 

@@ -140,7 +140,12 @@ Status gate(const GateRequest& request, std::ostream& told, std::ostream& progre
   told << text_of(found) << std::flush;
   write_text(request.markdown, markdown_of(found));
   write_text(request.json, json_of(found));
-  if (!request.figure.empty()) vnv::write(front_of(turns.before, turns.after), request.figure);
+  if (!request.figure.empty()) {
+    vnv::Record page = front_of(turns.before, turns.after);
+    page.verdicts = verdicts_of(found);
+    page.tables = {page_table_of(found)};
+    vnv::write(page, request.figure);
+  }
   const Change conclusion = conclusion_of(found);
   return conclusion == Change::worse ? worse : conclusion == Change::inconclusive ? inconclusive : same_or_better;
 }

@@ -140,6 +140,24 @@ TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
   ASSERT_EQ(figure.curves.size(), 1u);  // an error that is no number is not drawn
   EXPECT_EQ(figure.curves[0].label, "mpm, before");
   EXPECT_EQ(figure.curves[0].y, std::vector<double>{0.4});
+  ASSERT_EQ(figure.verdicts.size(), 2u);
+  EXPECT_EQ(figure.verdicts[0].outcome, vnv::Outcome::fails);
+  EXPECT_EQ(figure.verdicts[0].sentence.find("worse: "), 0u);
+  EXPECT_EQ(figure.verdicts[1].sentence.find("flow.mpm M1: L2 v_x [%] at 1 s"), 0u);
+  EXPECT_EQ(figure.tables.at(0).rows.size(), 1u);
+}
+
+TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
+  vnv::Record record = plain();
+  record.errors.insert(record.errors.begin(), record.errors[0]);
+  record.errors[0].quantity = "L2 v_y [%]";
+  record.errors[0].value = 2e-15;
+  request_.figure = folder() / "figure.json";
+  const std::string file = record_file("flow.mpm.json", record);
+  EXPECT_EQ(gate(file, file), same_or_better);
+  const vnv::Record figure = vnv::read_record(request_.figure);
+  EXPECT_EQ(figure.figures.at(0).y.label, "L2 v_x [%]");
+  EXPECT_EQ(figure.verdicts.at(0).outcome, vnv::Outcome::holds);
 }
 
 TEST_F(Gate, RefusesWhatCannotBeCompared) {

@@ -148,6 +148,46 @@ std::string markdown_of(const Findings& findings) {
   return text;
 }
 
+std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
+  const auto verdict = [&](Change change, const std::string& quantity, const std::string& sentence) {
+    const bool is_no_worse = change < Change::inconclusive;
+    return vnv::Verdict{.case_name = "gate",
+                        .method = "gate",
+                        .rung = "",
+                        .quantity = quantity,
+                        .unit = "",
+                        .value = is_no_worse ? 1.0 : 0.0,
+                        .lower = 1.0,
+                        .upper = std::nullopt,
+                        .author = fmt::format("baseline: {}", findings.before),
+                        .outcome = is_no_worse               ? vnv::Outcome::holds
+                                   : change == Change::worse ? vnv::Outcome::fails
+                                                             : vnv::Outcome::inconclusive,
+                        .margin = is_no_worse ? 0.0 : -1.0,
+                        .sentence = sentence};
+  };
+  const Change conclusion = conclusion_of(findings);
+  std::vector<vnv::Verdict> verdicts = {
+      verdict(conclusion, "no worse in all", fmt::format("{}: {}", name_of(conclusion), summary_of(findings)))};
+  for (const Difference* change : changes_of(findings))
+    if (change->change >= Change::inconclusive)
+      verdicts.push_back(
+          verdict(change->change, fmt::format("no worse in {}", change->quantity), sentence_of(*change)));
+  return verdicts;
+}
+
+vnv::Table page_table_of(const Findings& findings) {
+  vnv::Table table{.id = "gate",
+                   .title = "Before and after",
+                   .caption = fmt::format("{}.", summary_of(findings)),
+                   .columns = {},
+                   .rows = {}};
+  const std::vector<Row> rows = table_of(findings);
+  table.columns = rows.front();
+  for (std::size_t k = 1; k < rows.size(); ++k) table.rows.emplace_back(rows[k].begin(), rows[k].end());
+  return table;
+}
+
 std::string json_of(const Findings& findings) {
   nlohmann::ordered_json json = {{"before", findings.before},   {"after", findings.after},
                                  {"suite", findings.suite},     {"conclusion", name_of(conclusion_of(findings))},

@@ -25,6 +25,13 @@ std::string text_of(const Findings& findings);
 /// The conclusion, a table of cases and methods, and what changed, worst first, to be pasted in a review.
 std::string markdown_of(const Findings& findings);
 
+/// The conclusion and what is worse or inconclusive, worst first, as verdicts of a page; their limit is how it was
+/// before.
+std::vector<vnv::Verdict> verdicts_of(const Findings& findings);
+
+/// The table of cases and methods, for a page.
+vnv::Table page_table_of(const Findings& findings);
+
 /// Everything. As in a record, what is not a number is the text "nan".
 std::string json_of(const Findings& findings);
 
