@@ -51,9 +51,9 @@ struct NumberIn<Real> {
 template <class Real>
 using Number = typename NumberIn<Real>::type;
 
-// What GCC makes of a loop over lanes, or of a selection, is for the processor that it takes this one for: where it
-// prefers half of the register, the halves go through memory, and sums over pairs took 1.6 times as long. The same bits
-// either way.
+// GCC vectorises a loop over lanes, and a selection, as wide as the processor prefers that it tunes for. Where it
+// mistook one and preferred half of the register, both halves went through memory, and sums over pairs took 1.6 times
+// as long. These fill the register, with the same bits.
 namespace detail {
 
 #if defined(__AVX512F__)
