@@ -330,7 +330,7 @@ Case vnv::the_case() {
       .title = "Speed",
       .description =
           "Steps of a solver are timed in turn with those of a plain textbook loop for the same particles, kept in "
-          "vnv/bench: medians of CPU time over rounds, one core. Ratios hold on any machine; times are today's.",
+          "vnv/bench: medians of CPU time over rounds, one core. Ratios differ less from machine to machine than times do.",
       .times = {1},
       .measurements = {},
       .methods = on_this_machine(),
