@@ -61,9 +61,12 @@ inline Lanes<double, 8> root_of(const Lanes<double, 8>& a) { return _mm512_sqrt_
 inline Lanes<float, 16> root_of(const Lanes<float, 16>& a) { return _mm512_sqrt_ps(a); }
 inline Lanes<double, 8> greater_of(const Lanes<double, 8>& a, const Lanes<double, 8>& b) { return _mm512_max_pd(a, b); }
 inline Lanes<float, 16> greater_of(const Lanes<float, 16>& a, const Lanes<float, 16>& b) { return _mm512_max_ps(a, b); }
+inline Lanes<double, 8> less_of(const Lanes<double, 8>& a, const Lanes<double, 8>& b) { return _mm512_min_pd(a, b); }
+inline Lanes<float, 16> less_of(const Lanes<float, 16>& a, const Lanes<float, 16>& b) { return _mm512_min_ps(a, b); }
 #else
 void root_of() = delete;
 void greater_of() = delete;
+void less_of() = delete;
 #endif
 
 }  // namespace detail
@@ -89,6 +92,14 @@ constexpr Real positive_part(const Real& a) {
   else
     return a > 0 ? a : Real{};
 }
+/// The number where it is negative, else zero.
+template <class Real>
+constexpr Real negative_part(const Real& a) {
+  if constexpr (requires { detail::less_of(a, Real{}); })
+    return detail::less_of(a, Real{});
+  else
+    return a < 0 ? a : Real{};
+}
 
 namespace detail {
 
@@ -112,6 +123,12 @@ Lanes<Real, count> twos(const At& at, int first) {
     std::memcpy(&all, &both, sizeof all);
   } else if constexpr (count == 2) {
     std::memcpy(&all, at(first), sizeof all);
+#if defined(__AVX512DQ__)
+  } else if constexpr (count == 8) {  // inserted from memory: joined in registers they crowd the one port that shuffles
+    const auto two = [&](int k) { return _mm_loadu_pd(at(first + k)); };
+    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(0)), two(2), 1);
+    all = _mm512_insertf64x2(_mm512_insertf64x2(_mm512_castpd256_pd512(low), two(4), 2), two(6), 3);
+#endif
   } else {
     all = joined<Real>(twos<Real, count / 2>(at, first), twos<Real, count / 2>(at, first + count / 2),
                        std::make_index_sequence<count>());

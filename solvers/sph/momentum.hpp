@@ -47,11 +47,11 @@ struct Momentum {
   /// The pull of all terms on a pair, whose slope is found on the way.
   template <class Kernel, class Real>
   Pull<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
-    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r};
+    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r2};  // does not wait for the root
     std::size_t last = 0;
     std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, last), ...); }, terms);
     const auto per = reciprocals(divisors);
-    ij.slope = slope(ij.r, per[0]);
+    ij.slope = slope(ij.r, Real(ij.r * per[0]));
     Pull<Real> sum;
     last = 0;
     std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, last)), ...); }, terms);

@@ -17,7 +17,7 @@ struct CubicSpline {
   template <class Real>
   static constexpr Real dw(const Real& q) {
     const Real a = positive_part(Real(2 - q)), b = positive_part(Real(1 - q));
-    return Number<Real>(sigma) * (Number<Real>(-0.75) * a * a + 3 * b * b);
+    return Number<Real>(-0.75 * sigma) * a * a + Number<Real>(3 * sigma) * b * b;
   }
 };
 static_assert(obeys_kernel_laws<CubicSpline>());

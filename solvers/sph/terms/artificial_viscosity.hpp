@@ -16,7 +16,7 @@ struct ArtificialViscosity {
   }
   template <class Real>
   Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
-    const Real closing = -positive_part(Real(-ij.approach()));
+    const Real closing = negative_part(ij.approach());
     const Real c = ij.mass * ij.slope * Number<Real>(2 * alpha * sound_speed * h) * closing * per_divisor;
     return {c * ij.x, c * ij.y};
   }
