@@ -109,48 +109,65 @@ auto joined(const Lanes<Real, sizeof...(lane) / 2>& a, const Lanes<Real, sizeof.
   return __builtin_shufflevector(a, b, lane...);
 }
 
-/// The two numbers at each of count / 2 places, one after the other.
-template <class Real, int count, class At>
-Lanes<Real, count> twos(const At& at, int first) {
-  Lanes<Real, count> all;
-  if constexpr (sizeof(Real) == sizeof(float)) {  // two floats travel as one double
-    Lanes<double, count / 2> both;
-    for (int k = 0; k < count / 2; ++k) {
-      double two;
-      std::memcpy(&two, at(first + 2 * k), sizeof two);
-      both[k] = two;
-    }
-    std::memcpy(&all, &both, sizeof all);
-  } else if constexpr (count == 2) {
-    std::memcpy(&all, at(first), sizeof all);
+/// What stands at each of width / each places, one after the other: `each` numbers that fill 16 bytes.
+template <class Real, int width, class At>
+Lanes<Real, width> loaded(const At& at) {
+  constexpr int each = 16 / sizeof(Real);
+  Lanes<Real, width> all;
+  if constexpr (width == each) {
+    std::memcpy(&all, at(0), sizeof all);
 #if defined(__AVX512DQ__)
-  } else if constexpr (count == 8) {  // inserted from memory: joined in registers they crowd the one port that shuffles
-    const auto two = [&](int k) { return _mm_loadu_pd(at(first + k)); };
-    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(0)), two(2), 1);
-    all = _mm512_insertf64x2(_mm512_insertf64x2(_mm512_castpd256_pd512(low), two(4), 2), two(6), 3);
+  } else if constexpr (sizeof all == 64) {  // inserted: joined in registers they would crowd the one port that shuffles
+    const auto part = [&](int k) { return _mm_loadu_pd(reinterpret_cast<const double*>(at(k))); };
+    const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(part(0)), part(1), 1);
+    const __m512d whole = _mm512_insertf64x2(_mm512_insertf64x2(_mm512_castpd256_pd512(low), part(2), 2), part(3), 3);
+    std::memcpy(&all, &whole, sizeof all);
 #endif
   } else {
-    all = joined<Real>(twos<Real, count / 2>(at, first), twos<Real, count / 2>(at, first + count / 2),
-                       std::make_index_sequence<count>());
+    all = joined<Real>(loaded<Real, width / 2>(at),
+                       loaded<Real, width / 2>([&](int k) { return at(k + width / 2 / each); }),
+                       std::make_index_sequence<width>());
   }
   return all;
 }
 
-template <class Real, int width, std::size_t... lane>
-std::array<Lanes<Real, width>, 2> unzipped(const Lanes<Real, width>& even, const Lanes<Real, width>& odd,
-                                           std::index_sequence<lane...>) {
+/// Of lanes 0, 2, 4 ... and of lanes 1, 3, 5 ... two numbers each: the first ones of all, and the second ones.
+template <int width, std::size_t... lane>
+std::array<Lanes<double, width>, 2> unzipped(const Lanes<double, width>& even, const Lanes<double, width>& odd,
+                                             std::index_sequence<lane...>) {
   return {__builtin_shufflevector(even, odd, (lane % 2 * width + lane / 2 * 2)...),
           __builtin_shufflevector(even, odd, (lane % 2 * width + lane / 2 * 2 + 1)...)};
 }
 
+/// The numbers of two rows of fours in turn: those in the first half of each four, and those in the second.
+template <int width, std::size_t... lane>
+std::array<Lanes<float, width>, 2> zipped(const Lanes<float, width>& a, const Lanes<float, width>& b,
+                                          std::index_sequence<lane...>) {
+  return {__builtin_shufflevector(a, b, (lane / 4 * 4 + lane % 4 / 2 + lane % 2 * width)...),
+          __builtin_shufflevector(a, b, (lane / 4 * 4 + lane % 4 / 2 + lane % 2 * width + 2)...)};
+}
+
 }  // namespace detail
 
-/// Two numbers that stand side by side in memory at each of `width` places: at(lane) points at the first of a lane's
+/// Two doubles that stand side by side in memory at each of `width` places: at(lane) points at the first of a lane's
 /// two. One load brings both.
-template <class Real, int width, class At>
-std::array<Lanes<Real, width>, 2> gather_two(const At& at) {
-  return detail::unzipped<Real, width>(detail::twos<Real, width>(at, 0), detail::twos<Real, width>(at, 1),
-                                       std::make_index_sequence<width>());
+template <int width, class At>
+std::array<Lanes<double, width>, 2> gather_two(const At& at) {
+  const auto half = [&](int parity) {
+    return detail::loaded<double, width>([&](int k) { return at(2 * k + parity); });
+  };
+  return detail::unzipped<width>(half(0), half(1), std::make_index_sequence<width>());
+}
+
+/// Four floats, likewise.
+template <int width, class At>
+std::array<Lanes<float, width>, 4> gather_four(const At& at) {
+  constexpr std::make_index_sequence<width> all;
+  const auto fourth = [&](int first) { return detail::loaded<float, width>([&](int k) { return at(4 * k + first); }); };
+  const auto even = detail::zipped<width>(fourth(0), fourth(2), all),
+             odd = detail::zipped<width>(fourth(1), fourth(3), all), low = detail::zipped<width>(even[0], odd[0], all),
+             high = detail::zipped<width>(even[1], odd[1], all);
+  return {low[0], low[1], high[0], high[1]};
 }
 
 }  // namespace touchstone::sph

@@ -4,6 +4,7 @@
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/printed.hpp"
+#include "solvers/sph/surroundings.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
@@ -131,6 +132,47 @@ TEST(Lanes, HowManyThereAreDoesNotChangeTheSums) {
   EXPECT_GT(two.norm(), 0);
   EXPECT_LT((accelerations<4>() - two).norm(), rounding);
   EXPECT_LT((accelerations<8>() - two).norm(), rounding);
+}
+
+/// Any two fields that stand side by side, of `width` records in disorder.
+template <class Number, int width>
+void expect_lanes_to_hold_fields() {
+  using Record = Surroundings<Number>;
+  using Field = Number Record::*;
+  std::vector<Record> seen(2 * width);
+  Number next = 0;
+  const std::array<Field, 6> firsts{&Record::vx,          &Record::rho,  &Record::volume,
+                                    &Record::rho_along_x, &Record::l_xx, &Record::l_yy},
+      seconds{&Record::vy, &Record::push, &Record::p, &Record::rho_along_y, &Record::l_xy, &Record::fullness};
+  for (Record& of : seen) {
+    of.stand_at(next, -next);
+    for (const auto& fields : {firsts, seconds})
+      for (const Field field : fields) of.*field = next += 1;
+  }
+  std::array<int, width> which;
+  for (int lane = 0; lane < width; ++lane) which[lane] = (5 * lane + 3) % (2 * width);
+  const Row<Record, width> row{seen.data(), which.data()};
+  const auto places = row.two(&Record::x);
+  for (int lane = 0; lane < width; ++lane) {
+    EXPECT_EQ(places[0][lane], seen[which[lane]].x) << "lane " << lane << " of " << width;
+    EXPECT_EQ(places[1][lane], seen[which[lane]].y) << "lane " << lane << " of " << width;
+  }
+  for (std::size_t k = 0; k < firsts.size(); ++k) {
+    const auto two = row.two(firsts[k]);
+    for (int lane = 0; lane < width; ++lane) {
+      EXPECT_EQ(two[0][lane], seen[which[lane]].*firsts[k]) << "field " << k << ", lane " << lane << " of " << width;
+      EXPECT_EQ(two[1][lane], seen[which[lane]].*seconds[k]) << "field " << k << ", lane " << lane << " of " << width;
+    }
+  }
+}
+
+TEST(Lanes, HoldTheFieldsOfTheirParticles) {
+  expect_lanes_to_hold_fields<double, 2>();
+  expect_lanes_to_hold_fields<double, 4>();
+  expect_lanes_to_hold_fields<double, 8>();
+  expect_lanes_to_hold_fields<float, 4>();
+  expect_lanes_to_hold_fields<float, 8>();
+  expect_lanes_to_hold_fields<float, 16>();
 }
 
 TEST(Without, RestorationIsLeftOutAndNothingElse) {

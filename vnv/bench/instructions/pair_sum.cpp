@@ -56,13 +56,13 @@ template <class Terms>
   const auto& part = fluid.fluid_near_fluid.parts[0];
   for (const auto& block : part.blocks) {
     const int* self = part.rows.data() + block.first_row * width;
-    const auto x_i = gather_two<double, width>([&](int lane) { return &all[self[lane]].x; });
-    const auto push_i = gather_two<double, width>([&](int lane) { return &all[self[lane]].rho; })[1];
+    const auto x_i = gather_two<width>([&](int lane) { return &all[self[lane]].x; });
+    const auto push_i = gather_two<width>([&](int lane) { return &all[self[lane]].rho; })[1];
     Numbers ax{}, ay{};
     for (int row = 1; row < block.rows; ++row) {
       const int* other = self + row * width;
-      const auto x_j = gather_two<double, width>([&](int lane) { return &all[other[lane]].x; });
-      const auto push_j = gather_two<double, width>([&](int lane) { return &all[other[lane]].rho; })[1];
+      const auto x_j = gather_two<width>([&](int lane) { return &all[other[lane]].x; });
+      const auto push_j = gather_two<width>([&](int lane) { return &all[other[lane]].rho; })[1];
       const Numbers x = x_i[0] - x_j[0], y = x_i[1] - x_j[1];
       Numbers r;
       const Numbers r2 = x * x + y * y;
