@@ -109,7 +109,7 @@ auto joined(const Lanes<Real, sizeof...(lane) / 2>& a, const Lanes<Real, sizeof.
   return __builtin_shufflevector(a, b, lane...);
 }
 
-/// What stands at each of width / each places, one after the other: `each` numbers that fill 16 bytes.
+/// The numbers that fill 16 bytes at each of several places, as many as make `width` numbers, one after the other.
 template <class Real, int width, class At>
 Lanes<Real, width> loaded(const At& at) {
   constexpr int each = 16 / sizeof(Real);

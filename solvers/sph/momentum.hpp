@@ -47,7 +47,8 @@ struct Momentum {
   /// The pull of all terms on a pair, whose slope is found on the way.
   template <class Kernel, class Real>
   Pull<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
-    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r2};  // does not wait for the root
+    // r² and not r: the division need not wait for the root.
+    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r2};
     std::size_t last = 0;
     std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, last), ...); }, terms);
     const auto per = reciprocals(divisors);

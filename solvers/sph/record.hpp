@@ -68,7 +68,7 @@ struct Row {
   std::array<Real, 2> two(typename Record::Number Owner::*first) const {
     if constexpr (std::is_same_v<typename Record::Number, double>) {
       return gather_two<width>([&](int lane) { return &(all[which[lane]].*first); });
-    } else {  // the compiler loads a four once for both its halves
+    } else {  // the four floats that hold both; whose other half is asked for too, the compiler loads once
       const auto start = reinterpret_cast<const char*>(&(all->*first)) - reinterpret_cast<const char*>(all);
       const auto four = gather_four<width>(
           [&](int lane) { return reinterpret_cast<const char*>(all + which[lane]) + start / 16 * 16; });

@@ -56,7 +56,7 @@ auto scale(Make make) {
     const double each = times.of(0) / static_cast<double>(many.particles()),
                  among_few = times.of(1) / static_cast<double>(few.particles());
     run.add(dearer, times.ratio(0, 1) * static_cast<double>(few.particles()) / static_cast<double>(many.particles()));
-    if (wanted > 1e5) run.add(moved_meanwhile, (each - among_few) * bandwidth);
+    if (!std::isnan(bandwidth)) run.add(moved_meanwhile, (each - among_few) * bandwidth);
     run.add(spread, 100 * times.spread(0, 1));
     return run;
   };
