@@ -124,16 +124,16 @@ TEST(Couette, PrintedSumCannotStartAtNought) {
 }
 
 TEST(Couette, RefusesWhatIsNotAChannel) {
-  EXPECT_EQ(refusal({.H = -1, .V = 1, .nu = 1}, 0, 1), "Couette: H [m] = -1, wanted a finite number above 0");
-  EXPECT_EQ(refusal({.H = 1, .V = 1, .nu = 0}, 0, 1), "Couette: nu [m²/s] = 0, wanted a finite number above 0");
-  EXPECT_EQ(refusal({.H = 1, .V = std::nan(""), .nu = 1}, 0, 1), "Couette: V [m/s] = nan, wanted a finite number");
+  EXPECT_EQ(refusal({.H = -1, .V = 1, .nu = 1}, 0, 1), "Couette: H [m] = -1, expected a finite number above 0");
+  EXPECT_EQ(refusal({.H = 1, .V = 1, .nu = 0}, 0, 1), "Couette: nu [m²/s] = 0, expected a finite number above 0");
+  EXPECT_EQ(refusal({.H = 1, .V = std::nan(""), .nu = 1}, 0, 1), "Couette: V [m/s] = nan, expected a finite number");
   EXPECT_THROW(Couette({.H = 1, .V = 1, .nu = 1}).steady(2), std::domain_error);
 }
 
 TEST(Couette, RefusesPlacesAndTimesOutsideIt) {
   const Couette unit{.H = 1, .V = 1, .nu = 1};
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal(unit, -0.25, 1), "Couette: y [m] = -0.25, wanted a place in [0, 1]");
+  EXPECT_EQ(refusal(unit, -0.25, 1), "Couette: y [m] = -0.25, expected a place in [0, 1]");
   for (const double y : {1.1, std::nan("")}) EXPECT_NE(refusal(unit, y, 1), "accepted") << y;
   for (const double t : {-1.0, infinite, std::nan("")}) EXPECT_NE(refusal(unit, 0.5, t), "accepted") << t;
 }

@@ -139,17 +139,17 @@ TEST(Poiseuille, PrintedCentrelineValuesEachLackANine) {
 
 TEST(Poiseuille, RefusesWhatIsNotAChannel) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal({.H = 0, .F = 1, .nu = 1}, 0, 1), "Poiseuille: H [m] = 0, wanted a finite number above 0");
-  EXPECT_EQ(refusal({.H = 1, .F = 1, .nu = -2}, 0, 1), "Poiseuille: nu [m²/s] = -2, wanted a finite number above 0");
-  EXPECT_EQ(refusal({.H = 1, .F = nan, .nu = 1}, 0, 1), "Poiseuille: F [m/s²] = nan, wanted a finite number");
+  EXPECT_EQ(refusal({.H = 0, .F = 1, .nu = 1}, 0, 1), "Poiseuille: H [m] = 0, expected a finite number above 0");
+  EXPECT_EQ(refusal({.H = 1, .F = 1, .nu = -2}, 0, 1), "Poiseuille: nu [m²/s] = -2, expected a finite number above 0");
+  EXPECT_EQ(refusal({.H = 1, .F = nan, .nu = 1}, 0, 1), "Poiseuille: F [m/s²] = nan, expected a finite number");
   EXPECT_THROW(Poiseuille({.H = -1, .F = 1, .nu = 1}).steady(0), std::domain_error);
 }
 
 TEST(Poiseuille, RefusesPlacesAndTimesOutsideIt) {
   const Poiseuille unit{.H = 1, .F = 1, .nu = 1};
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal(unit, 1.25, 1), "Poiseuille: y [m] = 1.25, wanted a place in [0, 1]");
-  EXPECT_EQ(refusal(unit, 0.5, -1), "Poiseuille: t [s] = -1, wanted a finite time, not negative");
+  EXPECT_EQ(refusal(unit, 1.25, 1), "Poiseuille: y [m] = 1.25, expected a place in [0, 1]");
+  EXPECT_EQ(refusal(unit, 0.5, -1), "Poiseuille: t [s] = -1, expected a finite time, not negative");
   for (const double y : {-0.1, std::nan("")}) EXPECT_NE(refusal(unit, y, 1), "accepted") << y;
   for (const double t : {infinite, std::nan("")}) EXPECT_NE(refusal(unit, 0.5, t), "accepted") << t;
 }

@@ -9,8 +9,9 @@
 
 namespace touchstone::reference {
 
-[[noreturn]] inline void refuse(std::string_view where, std::string_view what, double value, std::string_view wanted) {
-  throw std::domain_error(fmt::format("{}: {} = {}, wanted {}", where, what, value, wanted));
+[[noreturn]] inline void refuse(std::string_view where, std::string_view what, double value,
+                                std::string_view expected) {
+  throw std::domain_error(fmt::format("{}: {} = {}, expected {}", where, what, value, expected));
 }
 
 inline void require_finite(std::string_view where, std::string_view what, double value) {

@@ -1,8 +1,8 @@
 /// touchstone_report: one night's records to an index, a page per case, a matrix of orders, three tables, and the trend
 /// over all nights.
 
-#include "reports/attachments.hpp"
-#include "reports/site.hpp"
+#include "reports/figures/attachments.hpp"
+#include "reports/pages/site.hpp"
 #include "vnv/programs/interruption.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--history", history, "folder of all nights: this one joins it, and a page shows the trend over them");
   app.add_option("--known-failures", known_failures, "claims that are known to fail, data/known_failures.csv");
   app.add_option("--faults", faults,
-                 "what vnv/faults/try.py has found, trials.csv: a page shows which tests noticed it");
+                 "what vnv/trials/faults/try.py has found, trials.csv: a page shows which tests noticed it");
   app.add_option("--attachments", attachments,
                  "folder for the figures as PNG, for a dashboard: drawn and named where ctest runs this for one");
   CLI11_PARSE(app, argc, argv);

@@ -1,7 +1,7 @@
 #pragma once
 /// What the tests of this room share: a folder of their own and a small record.
 
-#include "reports/cases.hpp"
+#include "reports/read/cases.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -70,7 +70,7 @@ inline vnv::Verdict sample_verdict(vnv::Outcome outcome, double margin) {
   vnv::Verdict verdict;
   verdict.case_name = "poiseuille";
   verdict.method = "mpm";
-  verdict.rung = "M2";
+  verdict.level = "M2";
   verdict.quantity = "L2 v_x";
   verdict.unit = "%";
   verdict.value = 1.5;
@@ -94,7 +94,7 @@ inline vnv::ObservedOrder sample_order(const std::string& quantity = "L2 v_x [%]
   order.trend = spacings > 2 ? vnv::Trend::converging : vnv::Trend::inconclusive;
   double spacing = 4e-3, error = 1.6;
   for (std::size_t i = 0; i < spacings; ++i, spacing /= 2, error /= 4) {
-    order.rungs.push_back(fmt::format("M{}", i + 1));
+    order.levels.push_back(fmt::format("M{}", i + 1));
     order.spacings.push_back(spacing);
     order.errors.push_back(error);
   }
@@ -104,14 +104,14 @@ inline vnv::ObservedOrder sample_order(const std::string& quantity = "L2 v_x [%]
 /// The same, one by one.
 inline std::vector<vnv::Error> errors_of(const vnv::ObservedOrder& order) {
   std::vector<vnv::Error> errors;
-  for (std::size_t i = 0; i < order.rungs.size(); ++i)
-    errors.push_back({order.rungs[i], order.spacings[i], order.time, order.quantity, order.errors[i]});
+  for (std::size_t i = 0; i < order.levels.size(); ++i)
+    errors.push_back({order.levels[i], order.spacings[i], order.time, order.quantity, order.errors[i]});
   return errors;
 }
 
 /// A run that ended, at 1 s.
-inline vnv::RunSummary sample_run(const std::string& rung, double cpu) {
-  vnv::RunSummary run{.rung = rung, .end_time = 1, .finished = true, .outcome = "finished"};
+inline vnv::RunSummary sample_run(const std::string& level, double cpu) {
+  vnv::RunSummary run{.level = level, .end_time = 1, .finished = true, .outcome = "finished"};
   run.cost.cpu = run.cost.cpu_lowest = run.cost.cpu_highest = cpu;
   return run;
 }

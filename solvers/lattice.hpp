@@ -14,14 +14,14 @@ namespace touchstone {
 /// Refuses a parameter that is not a positive number: std::invalid_argument with one line.
 inline void require_positive(std::string_view owner, std::string_view name, double value) {
   if (!(value > 0) || !std::isfinite(value))
-    throw std::invalid_argument(fmt::format("{}: {} = {}, wanted a positive number", owner, name, value));
+    throw std::invalid_argument(fmt::format("{}: {} = {}, expected a positive number", owner, name, value));
 }
 
 /// Refuses water outside the domain: std::invalid_argument with one line.
 inline void require_inside(const Box& filled, const Box& domain) {
   if (domain.contains(filled.low) && domain.contains(filled.high)) return;
   throw std::invalid_argument(fmt::format(
-      "scene: filled box ({:g}, {:g}) to ({:g}, {:g}) m, wanted inside the domain ({:g}, {:g}) to ({:g}, {:g}) m",
+      "scene: filled box ({:g}, {:g}) to ({:g}, {:g}) m, expected inside the domain ({:g}, {:g}) to ({:g}, {:g}) m",
       filled.low.x(), filled.low.y(), filled.high.x(), filled.high.y(), domain.low.x(), domain.low.y(), domain.high.x(),
       domain.high.y()));
 }
@@ -31,7 +31,7 @@ inline void require_filled(std::string_view owner, const Box& filled, const Box&
   const double off = 1e-9 * domain.size().norm();
   if ((filled.low - domain.low).norm() < off && (filled.high - domain.high).norm() < off) return;
   throw std::invalid_argument(fmt::format(
-      "{}: filled box ({:g}, {:g}) to ({:g}, {:g}) m, wanted all of the domain ({:g}, {:g}) to ({:g}, {:g}) m: this "
+      "{}: filled box ({:g}, {:g}) to ({:g}, {:g}) m, expected all of the domain ({:g}, {:g}) to ({:g}, {:g}) m: this "
       "method knows no free surface",
       owner, filled.low.x(), filled.low.y(), filled.high.x(), filled.high.y(), domain.low.x(), domain.low.y(),
       domain.high.x(), domain.high.y()));
@@ -63,9 +63,9 @@ inline Lattice lattice(const Box& box, double spacing) {
   constexpr double most = 1e9;  // so that particles can be counted in an int
   const Vec2 size = box.size(), counts = (size / spacing).array().round();
   if (!((spacing <= size.array() * (1 + 1e-9)).all() && counts.prod() <= most))  // but for rounding
-    throw std::invalid_argument(
-        fmt::format("lattice: spacing = {:g} m, wanted at most the box of {:g} m x {:g} m, and at most {:g} particles",
-                    spacing, size.x(), size.y(), most));
+    throw std::invalid_argument(fmt::format(
+        "lattice: spacing = {:g} m, expected at most the box of {:g} m x {:g} m, and at most {:g} particles", spacing,
+        size.x(), size.y(), most));
   return {box.low, size.cwiseQuotient(counts), std::lround(counts.x()), std::lround(counts.y())};
 }
 
@@ -79,11 +79,11 @@ inline Lattice lattice(const Box& filled, double spacing, const Box& domain) {
 /// for one outside the domain.
 inline Vectors places_in(const Box& domain, const Start& start, const Lattice& lattice) {
   Vectors all = start.places_on(lattice.places());
-  if (all.cols() == 0) throw std::invalid_argument("scene: no particle to start with, wanted at least one");
+  if (all.cols() == 0) throw std::invalid_argument("scene: no particle to start with, expected at least one");
   for (Eigen::Index p = 0; p < all.cols(); ++p)
     if (!domain.contains(all.col(p)))
       throw std::invalid_argument(fmt::format(
-          "scene: particle {} starts at ({:g}, {:g}) m, wanted inside the domain ({:g}, {:g}) to ({:g}, {:g}) m", p,
+          "scene: particle {} starts at ({:g}, {:g}) m, expected inside the domain ({:g}, {:g}) to ({:g}, {:g}) m", p,
           all(0, p), all(1, p), domain.low.x(), domain.low.y(), domain.high.x(), domain.high.y()));
   return all;
 }

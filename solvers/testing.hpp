@@ -81,9 +81,9 @@ inline Vectors rearranged(const Vectors& lattice) {
   return all;
 }
 inline void expect_rearranged(const Samples& started, const Samples& rearranged_start) {
-  const Vectors wanted = rearranged(started.x);
-  ASSERT_EQ(rearranged_start.x.cols(), wanted.cols());
-  EXPECT_LT((rearranged_start.x - wanted).norm(), 1e-12);
+  const Vectors expected = rearranged(started.x);
+  ASSERT_EQ(rearranged_start.x.cols(), expected.cols());
+  EXPECT_LT((rearranged_start.x - expected).norm(), 1e-12);
 }
 
 inline void expect_as_in(const Start& start, const Samples& s, double velocity_tolerance, double pressure_tolerance) {

@@ -1,8 +1,8 @@
 #pragma once
 /// Work shared between threads.
 
-#include <Eigen/Core>
 #include <omp.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 
@@ -21,15 +21,14 @@ void share_out(int threads, Eigen::Index count, const Work& work) {
   }
 }
 
-/// The same for fields of particles. Parts begin where a vector register does: numbers that are left over at the end of a
-/// loop over vectors are reckoned one by one and may be rounded otherwise, as on arm64. So only the very last ones are,
-/// for any number of threads.
+/// The same for fields of particles. Parts begin where a vector register does: numbers that are left over at the end of
+/// a loop over vectors are reckoned one by one and may be rounded otherwise, as on arm64. So only the very last ones
+/// are, for any number of threads.
 template <class Work>
 void share_out_fields(int threads, Eigen::Index count, const Work& work) {
   constexpr Eigen::Index block = 16;  // doubles  at least a vector register
-  share_out(threads, (count + block - 1) / block, [&](Eigen::Index begin, Eigen::Index end) {
-    work(begin * block, std::min(end * block, count));
-  });
+  share_out(threads, (count + block - 1) / block,
+            [&](Eigen::Index begin, Eigen::Index end) { work(begin * block, std::min(end * block, count)); });
 }
 
 }  // namespace touchstone

@@ -1,8 +1,8 @@
 #pragma once
 /// What a case file declares: scene, oracle, measures, methods, limits and plots, and no loop.
 
-#include "vnv/claims.hpp"
-#include "vnv/run.hpp"
+#include "vnv/judge/claims.hpp"
+#include "vnv/run/run.hpp"
 
 #include <functional>
 #include <string>
@@ -14,7 +14,7 @@ enum class Suite { acceptance, report, nightly };
 std::string_view name_of(Suite suite);
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
-struct Rung {
+struct Level {
   std::string name{};                      // "M2"
   double spacing;                          // m  of the particles at the start
   double cell = not_a_number;              // m  of the background grid; none in SPH
@@ -32,11 +32,11 @@ struct Rung {
   }
 };
 
-/// Rungs that differ in one thing, coarse to fine; what that is, the name says. More points in the same cell is not a
+/// Levels that differ in one thing, coarse to fine; what that is, the name says. More points in the same cell is not a
 /// finer grid: these are two ladders.
 struct Ladder {
-  std::string name;                // "grid at 4 points per cell"
-  std::vector<std::string> rungs;  // names
+  std::string name;                 // "grid at 4 points per cell"
+  std::vector<std::string> levels;  // names
 };
 
 /// How far a value may be from its baseline, and why that far.
@@ -49,25 +49,25 @@ struct Tolerance {
 struct Method {
   std::string name{};         // "mpm"
   std::string description{};  // which equations, which walls, which time step; what print leaves open
-  std::function<Run(const Rung&, const Schedule&)> run{};
-  std::function<Simulation(const Rung&, double)> solver{};  // of its scene, with a time step [s]; if runs are of one
-  std::function<double(const Rung&)> time_step{};           // s  the step that it takes by itself, likewise
-  std::vector<Rung> rungs{};
+  std::function<Run(const Level&, const Schedule&)> run{};
+  std::function<Simulation(const Level&, double)> solver{};  // of its scene, with a time step [s]; if runs are of one
+  std::function<double(const Level&)> time_step{};           // s  the step that it takes by itself, likewise
+  std::vector<Level> levels{};
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
   Tolerance tolerance{};
   double relative_cost = 1;  // of all its runs; ctest starts the dearest first
 };
 
-/// A method whose runs are simulations of a scene: `solver(rung, time step [s])` makes one, `time_step(rung)` says
-/// which step it takes where the rung says nothing; that one follows the flow.
+/// A method whose runs are simulations of a scene: `solver(level, time step [s])` makes one, `time_step(level)` says
+/// which step it takes where the level says nothing; that one follows the flow.
 template <class MakeSolver, class TimeStep>
 Method simulating(Method method, MakeSolver solver, TimeStep time_step) {
   method.solver = solver;
   method.time_step = time_step;
-  method.run = [=](const Rung& rung, const Schedule& when) {
-    return record([&] { return Simulation(solver(rung, rung.step_or(time_step(rung)))); }, when,
-                  std::isnan(rung.time_step) ? Stepping::adaptive : Stepping::as_given);
+  method.run = [=](const Level& level, const Schedule& when) {
+    return simulate([&] { return Simulation(solver(level, level.step_or(time_step(level)))); }, when,
+                    std::isnan(level.time_step) ? Stepping::adaptive : Stepping::as_given);
   };
   return method;
 }
@@ -78,12 +78,12 @@ struct Results {
   Suite suite;
   std::vector<Run> runs;
 
-  /// The run of a rung, or null if this suite has none.
-  const Run* run(std::string_view rung) const;
+  /// The run of a level, or null if this suite has none.
+  const Run* run(std::string_view level) const;
 };
 
 /// Turns a run into named numbers, "L2 v_x, row means [%]".
-using Measurement = std::function<std::vector<Error>(const Rung&, const Run&)>;
+using Measurement = std::function<std::vector<Error>(const Level&, const Run&)>;
 
 /// Turns all runs of a method into named numbers that claims may speak of. They belong to the machine of today: no
 /// baseline is taken of them.
@@ -91,8 +91,8 @@ using Finding = std::function<std::vector<Error>(const Results&, const Record&)>
 
 /// How much time may go into making short runs of a method more than once, to tell their cost well.
 struct Repeats {
-  double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each rung
-  long most = 5;          // runs of any one rung
+  double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each level
+  long most = 5;          // runs of any one level
   double longest = 0.25;  // s  user time of a run that is repeated: a longer one tells its cost well enough
 };
 
@@ -110,7 +110,7 @@ struct Case {
   std::vector<Claim> claims{};  // of any method
   std::vector<Method> methods;
   std::vector<Plot> plots{};
-  bool ensemble = false;  // rungs differ by chance: baselines are of what all of them are together
+  bool ensemble = false;  // levels differ by chance: baselines are of what all of them are together
   bool timed = false;     // what it judges is time: no other test runs beside it
   std::string label{};    // besides that of the suite, for ctest -L; of what acceptance runs
 };

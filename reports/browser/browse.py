@@ -99,13 +99,13 @@ SORTS = r"""(() => {
   const table = document.querySelector('table:not(.matrix *)');
   if (!table) return 'none';
   for (const heading of table.tHead.rows[0].cells)
-    for (const wanted of ['ascending', 'descending']) {
+    for (const expected of ['ascending', 'descending']) {
       heading.click();
-      if (heading.getAttribute('aria-sort') !== wanted) return `'${heading.textContent}' is not ${wanted}`;
+      if (heading.getAttribute('aria-sort') !== expected) return `'${heading.textContent}' is not ${expected}`;
       const texts = [...table.tBodies[0].rows].map(r => r.cells[heading.cellIndex].textContent.trim());
       const numbers = texts.map(Number);
       if (numbers.some(Number.isNaN) || texts.includes('')) continue;
-      const way = wanted === 'ascending' ? 1 : -1;
+      const way = expected === 'ascending' ? 1 : -1;
       if (numbers.some((n, i) => i > 0 && way * (n - numbers[i - 1]) < 0))
         return `'${heading.textContent}' is not sorted`;
     }
@@ -142,7 +142,7 @@ def complaints_in(events):
             yield f"a script fails: {told['exceptionDetails'].get('exception', {}).get('description', '?')}"
         url = told.get("request", {}).get("url", "file:")
         if method == "Network.requestWillBeSent" and not url.startswith(("file:", "data:", "about:")):
-            yield f"asks for {url}, wanted no network"
+            yield f"asks for {url}, expected no network"
         if method == "Network.loadingFailed" and not told.get("canceled"):
             yield f"could not load something: {told['errorText']}"
 
@@ -155,7 +155,7 @@ def check(browser, site, page, places, within, pictures):
         if seconds > within:
             seconds = min(seconds, browser.open(page, WIDTHS["desktop"]))
     if page.parent == site and seconds > within:
-        yield f"opened in {seconds:.2f} s, wanted {within} s"
+        yield f"opened in {seconds:.2f} s, expected {within} s"
     yield from (f"image '{image}' does not show" for image in browser.run(UNSHOWN))
     for name, width in WIDTHS.items():
         browser.open(page, width)
@@ -178,7 +178,7 @@ def check(browser, site, page, places, within, pictures):
         yield f"a table does not sort: {sorted_by}"
     told = browser.run(TELLS)
     if told != "none" and ": " not in told:
-        yield f"a curve tells '{told}', wanted night, revision and value"
+        yield f"a curve tells '{told}', expected night, revision and value"
     print(f"{page.parent.name}/{page.name}: opened in {seconds:.2f} s, {page.stat().st_size / 1e6:.2f} MB, "
           f"{len(printed) / 1e6:.2f} MB in print")
 
@@ -195,7 +195,7 @@ def main():
         pictures.mkdir(parents=True, exist_ok=True)
     pages = sorted(site.rglob("*.html"))
     if not pages:
-        sys.exit(f"browse.py: {site}: no pages, wanted a site")
+        sys.exit(f"browse.py: {site}: no pages, expected a site")
     wrong = 0
     with tempfile.TemporaryDirectory() as profile:
         browser = Browser(named.program, profile)

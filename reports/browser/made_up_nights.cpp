@@ -2,7 +2,7 @@
 /// the nights before it, and RECORDS/faults.csv, what tests noticed of a hundred made-up faults; to look at pages, and
 /// to measure how large they are and how soon they open.
 
-#include "reports/night.hpp"
+#include "reports/read/night.hpp"
 
 #include <fmt/format.h>
 
@@ -18,15 +18,15 @@ namespace {
 using namespace touchstone;
 using namespace touchstone::reports;
 
-constexpr long rungs = 8, methods = 5;
+constexpr long levels = 8, methods = 5;
 const std::vector<std::string> norms{"L2 v_x, row means [%]", "Linf v_x, row means [%]", "L2 v_x, per particle [%]",
                                      "Linf v_x, per particle [%]", "kinetic energy off [%]"};
 
 /// Errors of second order; a method of the third case gets worse in the night before last, one of the second fails
 /// last.
-double error_of(long c, long m, long rung, std::size_t norm, long nights_left) {
+double error_of(long c, long m, long level, std::size_t norm, long nights_left) {
   const double worse = c == 2 && m == 1 && nights_left < 2 ? 1.08 : c == 1 && m == 0 && nights_left < 1 ? 3 : 1;
-  return worse * static_cast<double>(1 + c + m) * static_cast<double>(1 + norm) / std::pow(4, rung);
+  return worse * static_cast<double>(1 + c + m) * static_cast<double>(1 + norm) / std::pow(4, level);
 }
 
 vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lower, double upper,
@@ -34,7 +34,7 @@ vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lowe
   vnv::Verdict v;
   v.case_name = record.case_name;
   v.method = record.method;
-  v.rung = e.rung;
+  v.level = e.level;
   v.spacing = e.spacing;
   v.time = e.time;
   v.quantity = e.quantity.substr(0, e.quantity.rfind(" ["));
@@ -45,28 +45,28 @@ vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lowe
   v.author = author;
   v.margin = (upper - e.value) / upper;
   v.outcome = e.value <= upper ? vnv::Outcome::holds : vnv::Outcome::fails;
-  v.sentence = fmt::format("{}.{} {}: {} = {:.4g} %, limit {:.4g} %: {}", v.case_name, v.method, v.rung, v.quantity,
+  v.sentence = fmt::format("{}.{} {}: {} = {:.4g} %, limit {:.4g} %: {}", v.case_name, v.method, v.level, v.quantity,
                            v.value, upper, v.outcome == vnv::Outcome::holds ? "HOLDS" : "FAILS");
   return v;
 }
 
-void add_rung(vnv::Record& record, long c, long m, long rung, long nights_left, std::mt19937& noise) {
-  const std::string name = fmt::format("M{}", rung + 1);
-  const double spacing = 1e-4 / std::pow(2, rung);
+void add_level(vnv::Record& record, long c, long m, long level, long nights_left, std::mt19937& noise) {
+  const std::string name = fmt::format("M{}", level + 1);
+  const double spacing = 1e-4 / std::pow(2, level);
   for (std::size_t norm = 0; norm < norms.size(); ++norm) {
-    const double usual = error_of(c, m, rung, norm, 99);
-    const vnv::Error e{name, spacing, 1, norms[norm], error_of(c, m, rung, norm, nights_left)};
+    const double usual = error_of(c, m, level, norm, 99);
+    const vnv::Error e{name, spacing, 1, norms[norm], error_of(c, m, level, norm, nights_left)};
     record.errors.push_back(e);
     record.verdicts.push_back(verdict(record, e, 0.97 * usual, 1.03 * usual, "baseline: made up"));
     if (norm == 0) record.verdicts.push_back(verdict(record, e, 0, 1.5 * usual, "literature: made up"));
   }
   vnv::RunSummary run{
-      .rung = name, .spacing = spacing, .time_step = 1e-6, .end_time = 1, .finished = true, .outcome = "finished"};
-  run.cost.particles = 100L << (2 * rung);
+      .level = name, .spacing = spacing, .time_step = 1e-6, .end_time = 1, .finished = true, .outcome = "finished"};
+  run.cost.particles = 100L << (2 * level);
   run.cost.steps = 10000;
-  run.cost.cpu = 0.01 * std::pow(4, rung) * std::normal_distribution(nights_left < 5 ? 0.8 : 1.0, 0.017)(noise);
+  run.cost.cpu = 0.01 * std::pow(4, level) * std::normal_distribution(nights_left < 5 ? 0.8 : 1.0, 0.017)(noise);
   run.cost.cpu_lowest = run.cost.cpu_highest = run.cost.wall = run.cost.cpu;
-  run.cost.peak_memory = 1e7 * std::pow(2, rung);
+  run.cost.peak_memory = 1e7 * std::pow(2, level);
   record.runs.push_back(run);
 }
 
@@ -80,7 +80,7 @@ vnv::ObservedOrder order(const vnv::Record& record, const std::string& quantity)
   o.trend = vnv::Trend::converging;
   for (const auto& e : record.errors)
     if (e.quantity == quantity) {
-      o.rungs.push_back(e.rung);
+      o.levels.push_back(e.level);
       o.spacings.push_back(e.spacing);
       o.errors.push_back(e.value);
     }
@@ -100,7 +100,7 @@ vnv::Record record_of(long c, long m, long nights_left, std::mt19937& noise) {
   record.machine = "a machine, 2 processors";
   record.finished_at = fmt::format("2026-{:02}-{:02}T04:00:00Z", nights_left < 22 ? 11 : 10,
                                    nights_left < 22 ? 22 - nights_left : 53 - nights_left);
-  for (long rung = 0; rung < rungs; ++rung) add_rung(record, c, m, rung, nights_left, noise);
+  for (long level = 0; level < levels; ++level) add_level(record, c, m, level, nights_left, noise);
   for (const auto& quantity : {norms[0], norms[1]}) record.orders.push_back(order(record, quantity));
   vnv::Figure figure;
   figure.id = "errors";
@@ -148,7 +148,7 @@ int main(int count, char** arguments) try {
   if (count != 5) throw std::runtime_error("usage: made_up_nights RECORDS HISTORY NIGHTS CASES");
   const std::filesystem::path records = arguments[1], history = arguments[2];
   const long nights = std::stol(arguments[3]), cases = std::stol(arguments[4]);
-  if (nights < 1 || nights > 50) throw std::runtime_error("NIGHTS: wanted 1 to 50");
+  if (nights < 1 || nights > 50) throw std::runtime_error("NIGHTS: expected 1 to 50");
   std::filesystem::create_directories(records);
   std::mt19937 noise;
   for (long left = nights; left-- > 1;) write_night(night_of(night(cases, left, noise)), history);

@@ -1,6 +1,6 @@
 #pragma once
 #include "solvers/integrators/motions.hpp"
-#include "solvers/laps.hpp"
+#include "solvers/stepping/laps.hpp"
 
 namespace touchstone {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The motions that integrators which split a step are made of, each shared between threads.
 
-#include "solvers/fluid_state.hpp"
+#include "solvers/integrators/fluid_state.hpp"
 #include "solvers/threads.hpp"
 
 namespace touchstone {

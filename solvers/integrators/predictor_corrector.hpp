@@ -1,6 +1,6 @@
 #pragma once
-#include "solvers/fluid_state.hpp"
-#include "solvers/laps.hpp"
+#include "solvers/integrators/fluid_state.hpp"
+#include "solvers/stepping/laps.hpp"
 #include "solvers/threads.hpp"
 
 namespace touchstone {

@@ -1,8 +1,8 @@
 #pragma once
 /// What the tests of all integrators move.
 
-#include "solvers/fluid_state.hpp"
-#include "solvers/laps.hpp"
+#include "solvers/integrators/fluid_state.hpp"
+#include "solvers/stepping/laps.hpp"
 
 #include <cmath>
 

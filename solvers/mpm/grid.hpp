@@ -17,15 +17,15 @@ namespace touchstone::mpm {
 /// periodic y the first row of nodes stands again above the last row of cells.
 class Grid {
  public:
-  /// Takes the whole number of cells nearest to size / wanted along each direction, so that opposite walls both lie on
-  /// nodes: 1.61 m in cells of 0.02 m becomes 81 or 80 cells of about 0.02 m, whichever way the half is rounded.
-  /// Throws std::invalid_argument if the wanted cell [m] is not positive or leaves no cell or too many.
-  Grid(const Domain& domain, double wanted_cell)
+  /// Takes the whole number of cells nearest to size / expected along each direction, so that opposite walls both lie
+  /// on nodes: 1.61 m in cells of 0.02 m becomes 81 or 80 cells of about 0.02 m, whichever way the half is rounded.
+  /// Throws std::invalid_argument if the expected cell [m] is not positive or leaves no cell or too many.
+  Grid(const Domain& domain, double expected_cell)
       : box(domain.box),
         periodic_x(domain.periodic_x),
         periodic_y(domain.periodic_y),
-        columns(cells_along(box.size().x(), wanted_cell)),
-        rows(cells_along(box.size().y(), wanted_cell)),
+        columns(cells_along(box.size().x(), expected_cell)),
+        rows(cells_along(box.size().y(), expected_cell)),
         cell(box.size().x() / columns, box.size().y() / rows) {}
 
   const Box box;  // m
@@ -59,7 +59,7 @@ class Grid {
     const double off = std::abs(line - std::round(line));
     if (!(off < 1e-6 && line > -0.5 && line < lines + 0.5))  // of a cell; more than rounding leaves
       throw std::invalid_argument(
-          fmt::format("mpm: wall at {} = {:g} m, wanted on a grid line: {:g} + 0 to {} times {:g} m",
+          fmt::format("mpm: wall at {} = {:g} m, expected on a grid line: {:g} + 0 to {} times {:g} m",
                       wall.axis == 0 ? "x" : "y", wall.position, box.low[wall.axis], lines, cell[wall.axis]));
     return static_cast<int>(std::round(line));
   }
@@ -76,12 +76,12 @@ class Grid {
   }
 
  private:
-  static int cells_along(double size, double wanted) {
+  static int cells_along(double size, double expected) {
     constexpr double most = 20000;  // so that cells and nodes can be counted in an int
-    const double n = std::round(size / wanted);
-    if (!(wanted > 0 && n >= 1 && n <= most))
+    const double n = std::round(size / expected);
+    if (!(expected > 0 && n >= 1 && n <= most))
       throw std::invalid_argument(
-          fmt::format("mpm: cell = {:g} m, wanted positive and 1 to {:g} times in {:g} m", wanted, most, size));
+          fmt::format("mpm: cell = {:g} m, expected positive and 1 to {:g} times in {:g} m", expected, most, size));
     return static_cast<int>(n);
   }
 };

@@ -1,7 +1,7 @@
 #pragma once
-#include "solvers/extremes.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/samples.hpp"
+#include "solvers/stepping/extremes.hpp"
 
 namespace touchstone::mpm {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "solvers/diverged.hpp"
 #include "solvers/mpm/grid.hpp"
-#include "solvers/mpm/particles.hpp"
+#include "solvers/mpm/printed/particles.hpp"
+#include "solvers/stepping/diverged.hpp"
 
 #include <limits>
 
@@ -32,14 +32,14 @@ int cell_along(Number& within, int at, int cells, bool periodic) {
 template <class Particles, class FluidLaw>
 int settle(Particles& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step, double time) {
   const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
-  const auto fail = [&](std::string quantity, double value, std::string wanted) {
+  const auto fail = [&](std::string quantity, double value, std::string expected) {
     throw Diverged({.step = step,
                     .time = time,
                     .particle = particles.number[slot],
                     .place = place,
                     .quantity = std::move(quantity),
                     .value = value,
-                    .wanted = std::move(wanted)});
+                    .expected = std::move(expected)});
   };
   const auto range = [](double low, double high) { return fmt::format("{:g} to {:g}", low, high); };
 

@@ -83,7 +83,7 @@ TEST(Settle, ReportsAParticleThatLeftTheDomain) {
   EXPECT_EQ(fault.particle, 42);
   EXPECT_EQ(fault.quantity, "x [m]");
   EXPECT_DOUBLE_EQ(fault.value, 0.45);
-  EXPECT_EQ(fault.wanted, "0 to 0.4");
+  EXPECT_EQ(fault.expected, "0 to 0.4");
   EXPECT_DOUBLE_EQ(fault.place.y(), 0.15);
 }
 
@@ -104,7 +104,7 @@ TEST(Settle, ReportsAnImplausibleDensity) {
     Pool pool(true);
     pool.particles.expansion[pool.slot(2)] = 1000 / density - 1;
     EXPECT_EQ(pool.fault(2).quantity, "density [kg/m³]") << density;
-    EXPECT_EQ(pool.fault(2).wanted, "200 to 5000");
+    EXPECT_EQ(pool.fault(2).expected, "200 to 5000");
   }
 }
 

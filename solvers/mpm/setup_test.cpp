@@ -1,5 +1,5 @@
 #include "solvers/fluids/tait.hpp"
-#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/walls/free_slip.hpp"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ TEST(Mpm, RefusesInOneLine) {
   Settings wrong = coarse;
   wrong.spacing = 0.7;
   EXPECT_EQ(refusal(tank(), wrong),
-            "lattice: spacing = 0.7 m, wanted at most the box of 0.6 m x 0.6 m, and at most 1e+09 particles");
+            "lattice: spacing = 0.7 m, expected at most the box of 0.6 m x 0.6 m, and at most 1e+09 particles");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 /// How runs start and how they repeat along both axes, for all methods of this room.
 
-#include "solvers/mpm/affine.hpp"
-#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/affine/affine.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/testing.hpp"
 
 #include <numbers>

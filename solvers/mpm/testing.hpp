@@ -1,10 +1,10 @@
 #pragma once
 /// Scenes that the tests of all material point methods share, and what all of them must notice.
 
-#include "solvers/diverged.hpp"
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
+#include "solvers/stepping/diverged.hpp"
 #include "solvers/walls/free_slip.hpp"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 /// What both methods do alike around their sums over pairs.
 
 #include "solvers/forces/none.hpp"
-#include "solvers/laps.hpp"
 #include "solvers/sph/momentum.hpp"
 #include "solvers/sph/neighbourhood.hpp"
 #include "solvers/sph/settings.hpp"
+#include "solvers/stepping/laps.hpp"
 
 namespace touchstone::sph {
 

@@ -25,7 +25,7 @@ inline void require_off_walls(const Vectors& places, const std::vector<Wall>& wa
     for (Index p = 0; p < places.cols(); ++p)
       if (wall.distance(places.col(p)) < least)
         throw std::invalid_argument(
-            fmt::format("sph: particle {} starts at ({:g}, {:g}) m, {:g} m from a wall, wanted at least {:g} m", p,
+            fmt::format("sph: particle {} starts at ({:g}, {:g}) m, {:g} m from a wall, expected at least {:g} m", p,
                         places(0, p), places(1, p), wall.distance(places.col(p)), least));
 }
 
@@ -56,8 +56,8 @@ class Neighbourhood {
     const Vec2 period = domain_.box.size();
     for (const int axis : {0, 1})
       if (const double farthest = reach.kernel + reach.greatest_skin; periodic(axis) && farthest > period[axis])
-        throw std::invalid_argument(fmt::format("sph: neighbours are listed up to {} m, wanted at most the period {} m",
-                                                farthest, period[axis]));
+        throw std::invalid_argument(fmt::format(
+            "sph: neighbours are listed up to {} m, expected at most the period {} m", farthest, period[axis]));
     const Lattice cells = lattice(scene.filled, spacing, domain_.box);
     const Vectors places = places_in(domain_.box, scene.start, cells);
     require_off_walls(places, scene.walls, spacing);
@@ -112,7 +112,7 @@ class Neighbourhood {
       for (Index i = begin; i < end; ++i) {
         record[i].stand_at(x[i], y[i]);
         record[i].move(vx[i], vy[i]);
-        record[i].be(rho[i], law.pressure(rho[i]));
+        record[i].set_state(rho[i], law.pressure(rho[i]));
       }
     });
     images.refresh_fluid(all, seen);
@@ -241,7 +241,7 @@ class Neighbourhood {
     for (Index k = all.fluid; k <= all.nowhere(); ++k) {
       seen[k] = Record{};
       seen[k].stand_at(all.x[k], all.y[k]);
-      seen[k].be(density_, 0);
+      seen[k].set_state(density_, 0);
     }
   }
 

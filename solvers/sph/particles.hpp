@@ -2,10 +2,10 @@
 /// All particles of a run in one numbering: fluid, then boundary, then their images beyond the periodic seam, then one
 /// so far away that no kernel reaches it, which fills the vector lanes that have no neighbour.
 
-#include "solvers/diverged.hpp"
-#include "solvers/fluid_state.hpp"
+#include "solvers/integrators/fluid_state.hpp"
 #include "solvers/scene.hpp"
 #include "solvers/sph/record.hpp"
+#include "solvers/stepping/diverged.hpp"
 
 #include <vector>
 

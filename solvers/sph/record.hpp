@@ -43,7 +43,7 @@ struct alignas(16) Record : Place<Number_> {
   Number rho, push;  // kg/m³; Pa m⁶/kg²  p / rho²
   Number volume, p;  // m³/kg  1 / rho; Pa
 
-  void be(double density, double pressure) {
+  void set_state(double density, double pressure) {
     const double per = 1 / density;
     rho = static_cast<Number>(density);
     p = static_cast<Number>(pressure);

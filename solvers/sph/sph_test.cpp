@@ -1,13 +1,13 @@
 #include "solvers/forces/uniform.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
-#include "solvers/sph/printed.hpp"
+#include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
-#include "solvers/sph/transport_velocity.hpp"
+#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
 
@@ -39,7 +39,7 @@ void see(Near& near, const Scalars& pressure) {
   for (Index i = 0; i < near.all.fluid; ++i) {
     near.seen[i].stand_at(near.all.x[i], near.all.y[i]);
     near.seen[i].move(near.all.vx[i], near.all.vy[i]);
-    near.seen[i].be(near.all.rho[i], pressure[i]);
+    near.seen[i].set_state(near.all.rho[i], pressure[i]);
   }
   near.images.refresh_fluid(near.all, near.seen);
   near.images.refresh_boundary(near.all, near.seen);
@@ -94,13 +94,13 @@ TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
   const Particles& all = near.all;
   ASSERT_GT(all.images, 0);
   for (Index i = 0; i < all.fluid; ++i) {
-    std::multiset<int> wanted;
+    std::multiset<int> expected;
     for (Index j = 0; j < all.nowhere(); ++j) {
       const Index source = j < all.fluid + all.boundary ? j : near.images.source(j - near.images.first(all));
       const bool on_wall = source >= all.fluid + near.ghosts();
-      if (j != i && !on_wall && apart(near, i, j) < 2 * h) wanted.insert(static_cast<int>(j));
+      if (j != i && !on_wall && apart(near, i, j) < 2 * h) expected.insert(static_cast<int>(j));
     }
-    ASSERT_EQ(sorted(listed(near, i, 2 * h)), wanted) << "particle " << i;
+    ASSERT_EQ(sorted(listed(near, i, 2 * h)), expected) << "particle " << i;
   }
 }
 
@@ -318,7 +318,7 @@ TEST(Printed, AParticleThatIsNoNumberIsNamedWithItsStep) {
   auto solver = printed<CubicSpline>(scene, settings, terms());
   try {
     for (int k = 0; k < 100; ++k) solver.step();
-    FAIL() << "wanted Diverged";
+    FAIL() << "expected Diverged";
   } catch (const Diverged& diverged) {
     EXPECT_EQ(diverged.fault.particle, 67);
     EXPECT_EQ(diverged.fault.step, 5);  // poisoned in the step from 20 us on, which is the fifth

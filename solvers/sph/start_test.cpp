@@ -2,12 +2,12 @@
 
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
-#include "solvers/sph/printed.hpp"
+#include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
-#include "solvers/sph/transport_velocity.hpp"
+#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/testing.hpp"
 
 #include <cmath>
@@ -78,7 +78,7 @@ TEST(Walls, RefuseFluidThatStartsOnThem) {
     FAIL();
   } catch (const std::invalid_argument& refusal) {
     EXPECT_STREQ(refusal.what(),
-                 "sph: particle 1 starts at (0.3, 0.004) m, 0.004 m from a wall, wanted at least 0.005 m");
+                 "sph: particle 1 starts at (0.3, 0.004) m, 0.004 m from a wall, expected at least 0.005 m");
   }
 }
 

@@ -1,16 +1,16 @@
 #include "solvers/forces/uniform.hpp"
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/sph/free_surface/surroundings.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
-#include "solvers/sph/printed.hpp"
-#include "solvers/sph/surroundings.hpp"
+#include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
-#include "solvers/sph/transport_velocity.hpp"
+#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/walls/no_slip.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ Vectors accelerations() {
     all.y[i] = far + (static_cast<double>(i / 20) + 0.2 * jitter(random)) * spacing;
     seen[i].stand_at(all.x[i], all.y[i]);
     seen[i].move(jitter(random), jitter(random));
-    seen[i].be(1000 + jitter(random), jitter(random));
+    seen[i].set_state(1000 + jitter(random), jitter(random));
   }
   NeighbourLists<width> lists;
   const Cells cells(all.x, all.y, all.fluid, 2 * h, [](Index) { return true; });

@@ -31,7 +31,7 @@ double wall_time() {
 }
 
 double median(std::vector<double> values) {
-  if (values.empty()) throw std::invalid_argument("median: no values, wanted at least one");
+  if (values.empty()) throw std::invalid_argument("median: no values, expected at least one");
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;

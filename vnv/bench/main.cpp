@@ -8,8 +8,8 @@
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
-#include "vnv/channel.hpp"
-#include "vnv/lap_clock.hpp"
+#include "vnv/flows/channel.hpp"
+#include "vnv/run/lap_clock.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -112,16 +112,17 @@ void add_loop(const std::string& name, Make make) {
 /// M1 to M4 and S1 to S4 of table 2.
 void add_channels() {
   for (const int k : {1, 2, 3, 4}) {
-    const vnv::Rung rung{.name = std::to_string(k), .spacing = channel_cell / k, .cell = channel_cell};
-    add_solver("mpm/channel/M" + rung.name, mpm_work,
-               [=] { return vnv::channel::mpm_solver<mpm::PrescribedMotion>(channel(), rung, channel_step); });
-    add_loop("plain_musl/channel/M" + rung.name,
-             [=] { return PlainMusl(plain(channel()), rung.cell, rung.spacing, channel_step); });
-    add_loop("mls_mpm/channel/M" + rung.name,
-             [=] { return MlsMpm(plain(channel()), rung.cell, rung.spacing, channel_step); });
-    add_solver("sph/channel/S" + rung.name, sph_work,
-               [=] { return vnv::channel::printed_solver(channel(), rung, channel_step); });
-    add_loop("plain_sph/channel/S" + rung.name, [=] { return PlainSph(plain(channel()), rung.spacing, channel_step); });
+    const vnv::Level level{.name = std::to_string(k), .spacing = channel_cell / k, .cell = channel_cell};
+    add_solver("mpm/channel/M" + level.name, mpm_work,
+               [=] { return vnv::channel::mpm_solver<mpm::PrescribedMotion>(channel(), level, channel_step); });
+    add_loop("plain_musl/channel/M" + level.name,
+             [=] { return PlainMusl(plain(channel()), level.cell, level.spacing, channel_step); });
+    add_loop("mls_mpm/channel/M" + level.name,
+             [=] { return MlsMpm(plain(channel()), level.cell, level.spacing, channel_step); });
+    add_solver("sph/channel/S" + level.name, sph_work,
+               [=] { return vnv::channel::printed_solver(channel(), level, channel_step); });
+    add_loop("plain_sph/channel/S" + level.name,
+             [=] { return PlainSph(plain(channel()), level.spacing, channel_step); });
   }
 }
 

@@ -2,8 +2,8 @@
 /// A solver timed in turn with something else that does the same work, as a run of a case.
 
 #include "vnv/bench/in_turn.hpp"
-#include "vnv/lap_clock.hpp"
-#include "vnv/run.hpp"
+#include "vnv/run/lap_clock.hpp"
+#include "vnv/run/run.hpp"
 
 namespace touchstone::bench {
 

@@ -3,18 +3,18 @@
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
-#include "solvers/sph/printed.hpp"
+#include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/ablation.hpp"
-#include "vnv/dam_front.hpp"
+#include "vnv/flows/dam_front.hpp"
+#include "vnv/studies/ablation.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -48,19 +48,19 @@ const DamFront front{.column_length = l0,
 /// The front runs at most at 2 sqrt(g h0) = 4.9 m/s; twice that is no flow any more.
 const StepSearch search{.low = 5 * us, .high = 5000 * us, .tolerance = 0.02, .steps = 1000, .speed_limit = 10};
 
-/// A variant of a method, by how a solver is made for a rung and a time step [s].
+/// A variant of a method, by how a solver is made for a level and a time step [s].
 template <class Factory>
 Variant variant(std::string name, double time_step, Factory solver) {
-  return {std::move(name), [=](const Rung& rung, const Schedule& when) {
-            return run_and_search([&](double step) { return solver(rung, step); }, time_step, when, search);
+  return {std::move(name), [=](const Level& level, const Schedule& when) {
+            return run_and_search([&](double step) { return solver(level, step); }, time_step, when, search);
           }};
 }
 
 template <class WallTreatment, class FluidLaw>
 Variant mpm_variant(std::string name, const FluidLaw& fluid) {
-  return variant(std::move(name), 50 * us, [=](const Rung& rung, double step) {
-    return mpm::solver<mpm::LinearHat, WallTreatment>(collapse_of(fluid),
-                                                      {.cell = rung.cell, .spacing = rung.spacing, .time_step = step});
+  return variant(std::move(name), 50 * us, [=](const Level& level, double step) {
+    return mpm::solver<mpm::LinearHat, WallTreatment>(
+        collapse_of(fluid), {.cell = level.cell, .spacing = level.spacing, .time_step = step});
   });
 }
 
@@ -75,10 +75,10 @@ const auto laminar = [](double h) {
 /// The printed method with these terms, each a function of the smoothing length, and without what `Left` names.
 template <class Left = sph::Without<>, class... Terms>
 Variant sph_variant(std::string name, Terms... terms) {
-  return variant(std::move(name), 25 * us, [=](const Rung& rung, double step) {
-    const double h = 1.2 * rung.spacing;
+  return variant(std::move(name), 25 * us, [=](const Level& level, double step) {
+    const double h = 1.2 * level.spacing;
     return sph::printed<sph::CubicSpline, PredictorCorrector, double, Left>(
-        collapse_of(inviscid), {.spacing = rung.spacing, .smoothing_length = h, .time_step = step},
+        collapse_of(inviscid), {.spacing = level.spacing, .smoothing_length = h, .time_step = step},
         sph::momentum(terms(h)...));
   });
 }
@@ -100,7 +100,7 @@ Case vnv::the_case() {
           "critical step is found by bisection over the first 1000 steps.",
       .times = {0.5},
       .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
-      .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); }},
+      .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); }},
       .methods =
           {ablation({.name = "mpm",
                      .description = "Material point method as printed, linear hats, cells of 0.02 m, 4 points in each.",

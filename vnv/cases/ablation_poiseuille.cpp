@@ -6,8 +6,8 @@
 #include "solvers/mpm/walls/prescribed_velocity.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/ablation.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
+#include "vnv/studies/ablation.hpp"
 
 #include <numbers>
 
@@ -43,18 +43,18 @@ const reference::Poiseuille exact{.H = H, .F = F, .nu = water.kinematic_viscosit
 /// The steady flow reaches 1 mm/s; ten times that is no flow any more.
 const StepSearch search{.low = 0.5 * us, .high = 1000 * us, .speed_limit = 10 * mm};
 
-/// A variant of a method, by how a solver is made for a rung and a time step [s].
+/// A variant of a method, by how a solver is made for a level and a time step [s].
 template <class Factory>
 Variant variant(std::string name, double time_step, Factory solver) {
-  return {std::move(name), [=](const Rung& rung, const Schedule& when) {
-            return run_and_search([&](double step) { return solver(rung, step); }, time_step, when, search);
+  return {std::move(name), [=](const Level& level, const Schedule& when) {
+            return run_and_search([&](double step) { return solver(level, step); }, time_step, when, search);
           }};
 }
 
 template <class WallTreatment>
 Variant mpm_variant(std::string name) {
   return variant(std::move(name), 4 * dt,
-                 [](const Rung& rung, double step) { return mpm_solver<WallTreatment>(scene, rung, step); });
+                 [](const Level& level, double step) { return mpm_solver<WallTreatment>(scene, level, step); });
 }
 
 /// Terms of the printed method for its smoothing length h [m].
@@ -66,19 +66,20 @@ const auto artificial = [](double h) {
 /// The printed method with these terms, each a function of the smoothing length, and without what `Left` names.
 template <class Left = sph::Without<>, class... Terms>
 Variant printed_variant(std::string name, Terms... terms) {
-  return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
-    const double h = 1.2 * rung.spacing;
+  return variant(std::move(name), 4 * dt, [=](const Level& level, double step) {
+    const double h = 1.2 * level.spacing;
     return sph::printed<sph::CubicSpline, PredictorCorrector, double, Left>(
-        scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = step}, sph::momentum(terms(h)...));
+        scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = step}, sph::momentum(terms(h)...));
   });
 }
 
 /// The regularised method with these terms, and without what `Left` names.
 template <class Left = sph::Without<sph::MomentumOfDrift>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
-  return variant(std::move(name), 4 * dt, [=](const Rung& rung, double step) {
+  return variant(std::move(name), 4 * dt, [=](const Level& level, double step) {
     return sph::transport_velocity<sph::QuinticSpline, KickDriftKick, double, Left>(
-        scene, {.spacing = rung.spacing, .smoothing_length = rung.spacing, .time_step = step}, sph::momentum(terms...));
+        scene, {.spacing = level.spacing, .smoothing_length = level.spacing, .time_step = step},
+        sph::momentum(terms...));
   });
 }
 
@@ -88,9 +89,9 @@ const sph::MorrisViscosity morris{.mu = water.viscosity};
 
 const std::string with_momentum = "with the momentum of the drift";
 
-const Rung coarse{.spacing = H / 20, .report = end, .nightly = end};
-const Rung coarse_and_long{.spacing = H / 20, .report = end, .nightly = long_end};
-const Rung coarse_grid{.spacing = H / 40, .cell = H / 20, .report = end, .nightly = end};
+const Level coarse{.spacing = H / 20, .report = end, .nightly = end};
+const Level coarse_and_long{.spacing = H / 20, .report = end, .nightly = long_end};
+const Level coarse_grid{.spacing = H / 40, .cell = H / 20, .report = end, .nightly = end};
 
 }  // namespace
 

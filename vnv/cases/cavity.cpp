@@ -2,7 +2,7 @@
 /// steady, at Reynolds numbers of 100, 400 and 1000: walls all around, corners where the velocity jumps, and a shear
 /// that never ends.
 
-#include "vnv/lid_driven.hpp"
+#include "vnv/flows/lid_driven.hpp"
 #include "vnv/measures/steadiness.hpp"
 #include "vnv/plots/centreline_profiles.hpp"
 #include "vnv/plots/over_time.hpp"
@@ -23,16 +23,16 @@ struct Flow {
 };
 constexpr std::array flows{Flow{100, 12}, Flow{400, 25}, Flow{1000, 35}};
 
-/// The flow that a rung names; the first for a run at any resolution.
-const Flow& flow_of(const Rung& rung) {
+/// The flow that a level names; the first for a run at any resolution.
+const Flow& flow_of(const Level& level) {
   const auto named = std::ranges::find_if(
-      flows, [&](const Flow& flow) { return rung.name.starts_with(fmt::format("Re {},", flow.Re)); });
+      flows, [&](const Flow& flow) { return level.name.starts_with(fmt::format("Re {},", flow.Re)); });
   return named == flows.end() ? flows.front() : *named;
 }
 
 std::string ladder_at(int Re) { return fmt::format("particles across at Re {}", Re); }
 
-Rung rung_of(const Flow& flow, int particles, double acceptance, double nightly) {
+Level level_of(const Flow& flow, int particles, double acceptance, double nightly) {
   return {.name = flow.at(particles),
           .spacing = cavity.side / particles,
           .cell = 2 * cavity.side / particles,
@@ -40,44 +40,45 @@ Rung rung_of(const Flow& flow, int particles, double acceptance, double nightly)
           .nightly = nightly};
 }
 
-/// A method in the flow that each rung names.
+/// A method in the flow that each level names.
 template <class MakeMethod>
-Method in_cavity(const MakeMethod& make, std::vector<Rung> rungs, std::vector<Claim> claims) {
+Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<Claim> claims) {
   Method method = make(scene_at(flows.front().Re));
-  method.run = [make](const Rung& rung, const Schedule& when) {
-    return make(scene_at(flow_of(rung).Re)).run(rung, when);
+  method.run = [make](const Level& level, const Schedule& when) {
+    return make(scene_at(flow_of(level).Re)).run(level, when);
   };
-  method.rungs = std::move(rungs);
+  method.levels = std::move(levels);
   method.relative_cost = 0;  // particles times steps; the night lasts long if these begin late
-  for (const Rung& rung : method.rungs) method.relative_cost += 1e-6 * rung.nightly / std::pow(rung.spacing, 3);
+  for (const Level& level : method.levels) method.relative_cost += 1e-6 * level.nightly / std::pow(level.spacing, 3);
   for (const Flow& flow : flows) {
     Ladder ladder{ladder_at(flow.Re), {}};
-    for (const Rung& rung : method.rungs)
-      if (flow_of(rung).Re == flow.Re) ladder.rungs.push_back(rung.name);
-    if (!ladder.rungs.empty()) method.ladders.push_back(std::move(ladder));
+    for (const Level& level : method.levels)
+      if (flow_of(level).Re == flow.Re) ladder.levels.push_back(level.name);
+    if (!ladder.levels.empty()) method.ladders.push_back(std::move(ladder));
   }
   method.claims = std::move(claims);
   return method;
 }
 
-/// All flows; the thinner their layers, the fewer rungs are of use.
-std::vector<Rung> all_rungs() {
+/// All flows; the thinner their layers, the fewer levels are of use.
+std::vector<Level> all_levels() {
   const auto& [slow, middle, fast] = flows;
-  return {rung_of(slow, 24, slow.end, slow.end), rung_of(slow, 50, 0, slow.end),      rung_of(slow, 100, 0, slow.end),
-          rung_of(middle, 50, 0, middle.end),    rung_of(middle, 100, 0, middle.end), rung_of(fast, 100, 0, fast.end)};
+  return {level_of(slow, 24, slow.end, slow.end), level_of(slow, 50, 0, slow.end),
+          level_of(slow, 100, 0, slow.end),       level_of(middle, 50, 0, middle.end),
+          level_of(middle, 100, 0, middle.end),   level_of(fast, 100, 0, fast.end)};
 }
 /// The coarse ones of the slowest flow.
-std::vector<Rung> coarse_rungs() {
+std::vector<Level> coarse_levels() {
   const Flow& slow = flows.front();
-  return {rung_of(slow, 24, slow.end, slow.end), rung_of(slow, 50, 0, slow.end)};
+  return {level_of(slow, 24, slow.end, slow.end), level_of(slow, 50, 0, slow.end)};
 }
 
 double speed(const Samples& samples, Eigen::Index particle) { return samples.v.col(particle).norm(); }  // m/s
 
-std::vector<Error> against_ghia(const Rung& rung, const Run& run) {
+std::vector<Error> against_ghia(const Level& level, const Run& run) {
   std::vector<Error> errors;
   for (const auto direction : {Centreline::vertical, Centreline::horizontal})
-    for (const Error& error : cavity.compare(rung, run, ghia_centreline(data_folder(), direction, flow_of(rung).Re)))
+    for (const Error& error : cavity.compare(level, run, ghia_centreline(data_folder(), direction, flow_of(level).Re)))
       errors.push_back(error);
   return errors;
 }
@@ -94,15 +95,15 @@ Method mixing(Method method) {
 }
 
 /// Both components at most so far from the tables, in per cent of the lid's speed.
-std::vector<Claim> within(double percent, const std::string& rung, const Author& author) {
-  return {at_most("L2 v_x, vertical centreline [%]", percent, author).on(rung),
-          at_most("L2 v_y, horizontal centreline [%]", percent, author).on(rung)};
+std::vector<Claim> within(double percent, const std::string& level, const Author& author) {
+  return {at_most("L2 v_x, vertical centreline [%]", percent, author).on(level),
+          at_most("L2 v_y, horizontal centreline [%]", percent, author).on(level)};
 }
 
 /// What is claimed of 24 across, and of 100 across at these Reynolds numbers.
 std::vector<Claim> near_ghia(double of_24_across, const std::vector<Flow>& at, std::vector<Claim> more = {}) {
-  const auto add = [&](double percent, const std::string& rung, const Author& author) {
-    for (const Claim& claim : within(percent, rung, author)) more.push_back(claim);
+  const auto add = [&](double percent, const std::string& level, const Author& author) {
+    for (const Claim& claim : within(percent, level, author)) more.push_back(claim);
   };
   add(of_24_across, flows[0].at(24), first_measured);
   for (const Flow& flow : at) add(2, flow.at(100), literature("Ghia, Ghia & Shin 1982, tables I and II"));
@@ -138,13 +139,13 @@ Case vnv::the_case() {
            "by local fits of second degree; norms are relative to the lid's speed.\n\nPrinted MPM and SPH with a transport velocity "
            "are not here: within 0.4 s the lid carries a particle of theirs through the wall that it meets.",
        .times = {flows.front().end},
-       .watch = {.every = whole, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
+       .watch = {.every = output_interval, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
        .measurements = {against_ghia},
        .findings = {unsteadiness(0, 3)},
-       .methods = {in_cavity(affine, coarse_rungs(), within(6, flows[0].at(24), first_measured)),
-                   in_cavity(least_squares, all_rungs(),
+       .methods = {in_cavity(affine, coarse_levels(), within(6, flows[0].at(24), first_measured)),
+                   in_cavity(least_squares, all_levels(),
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
-                   in_cavity([](const auto& scene) { return mixing(second_order(scene)); }, all_rungs(),
+                   in_cavity([](const auto& scene) { return mixing(second_order(scene)); }, all_levels(),
                              near_ghia(4, {flows.begin(), flows.end()}))},
        .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
                            {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),

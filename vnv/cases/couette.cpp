@@ -6,7 +6,7 @@
 #include "solvers/mpm/walls/prescribed_velocity.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 
 #include <cmath>
 
@@ -53,14 +53,14 @@ Case vnv::the_case() {
       .times = {0.05, 0.1, 0.2, 1, 10},
       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{middle_velocity(s)}; }},
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
-                       [](const Rung& rung, const Run& run) { return growth_of(rung, run, exact); }},
+                       [](const Level& level, const Run& run) { return growth_of(level, run, exact); }},
       .claims = {},
       .methods =
           {{
                .name = "mpm",
                .description = mpm_words + moving_words,
                .run = mpm_with<mpm::PrescribedMotion>(scene),
-               .rungs = mpm_rungs(1, 1),
+               .levels = mpm_levels(1, 1),
                .ladders = mpm_ladders(),
                .claims =
                    {at_most(l2, 0.04, baseline("a plain prototype of the same scheme had 0.03")).on("M2").at(0.1),
@@ -71,7 +71,7 @@ Case vnv::the_case() {
                .name = "mpm_reset",
                .description = mpm_words + reset_words,
                .run = mpm_with<mpm::VelocityReset>(scene),
-               .rungs = mpm_rungs(0, 1),
+               .levels = mpm_levels(0, 1),
                .ladders = mpm_ladders(),
                .claims = {between(
                               l2_rows, 0.99 * alternating, 1.01 * alternating,
@@ -92,7 +92,7 @@ Case vnv::the_case() {
                    "Here the held node passes on no acceleration of the wall: particles beside a wall that starts "
                    "at once never learn of it. Kept to show that the suite tells it apart.",
                .run = mpm_with<mpm::PrescribedVelocity>(scene),
-               .rungs =
+               .levels =
                    {{.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 0.1, .report = 1, .nightly = 1}},
                .claims = {at_least(l2, 5, theory("the impulse of the wall is missing")).on("M2").at(0.1)},
            },
@@ -100,7 +100,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs(0),
+               .levels = printed_levels(0),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = {between(l2_rows, 1.35, 5, theory("an elastic lattice: above Sun et al., table 4, S1"))
                               .on("S1")
@@ -116,7 +116,7 @@ Case vnv::the_case() {
                .name = "sph_difference",
                .description = sph_printed_words + difference_words,
                .run = channel::sph_as_printed<sph::PressureDifference>(scene),
-               .rungs = difference_rungs(),
+               .levels = difference_levels(),
                .ladders = sph_ladders({"S1", "S2"}),
                .claims = at_most_the_papers("4", {1.35, 0.68}, 'S'),
                .tolerance = stretched,
@@ -126,7 +126,7 @@ Case vnv::the_case() {
                .name = "sph_regularised",
                .description = sph_regularised_words,
                .run = sph_with_transport_velocity(scene),
-               .rungs = regularised_rungs(),
+               .levels = regularised_levels(),
                .ladders = sph_ladders({"S1", "S2", "S3"}),
                .claims = {at_most(l2, 0.2, baseline("a fifth of a per cent is what a regularised method is to keep"))
                               .on("S1")

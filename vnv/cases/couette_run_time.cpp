@@ -2,7 +2,7 @@
 
 #include "reference/couette.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel_run_time.hpp"
+#include "vnv/flows/channel_run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -4,7 +4,7 @@
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 #include "vnv/stability/critical_step.hpp"
 
 #include <numbers>
@@ -40,23 +40,23 @@ const Tolerance one_bisection{0.015, "another rounding may turn the last bisecti
 const Claim morris = at_least(over_courant, 0.25, literature("Morris, Fox & Zhu 1997: 0.25 h / c is stable"));
 const Claim papers_step = at_least(stable_end, 5, literature("Sun et al. run every model with 5 us"));
 
-constexpr double whole = 0.05;  // s  of which the steps that methods choose divide
+constexpr double output_interval = 0.05;  // s  of which the steps that methods choose divide
 
 /// Searches with a solver of the channels; (31) is that of a cell, or of so many spacings.
 template <class MakeSolver>
 auto searching(MakeSolver solver, double spacings = 0) {
-  return [=](const Rung& rung, const Schedule&) {
-    return search_critical_step([&](double time_step) { return solver(scene, rung, time_step); }, search,
-                                spacings > 0 ? spacings * rung.spacing : rung.cell, water.sound_speed());
+  return [=](const Level& level, const Schedule&) {
+    return search_critical_step([&](double time_step) { return solver(scene, level, time_step); }, search,
+                                spacings > 0 ? spacings * level.spacing : level.cell, water.sound_speed());
   };
 }
 
 constexpr bool nightly_alone = true;
-Rung rung_of_mpm(const std::string& name, double spacing, bool in_nightly_alone = false) {
+Level level_of_mpm(const std::string& name, double spacing, bool in_nightly_alone = false) {
   const double others = in_nightly_alone ? 0 : 1;
   return {.name = name, .spacing = spacing, .cell = H / 40, .acceptance = others, .report = others, .nightly = 1};
 }
-Rung rung_of_sph(const std::string& name, double spacing, bool in_nightly_alone = false) {
+Level level_of_sph(const std::string& name, double spacing, bool in_nightly_alone = false) {
   const double others = in_nightly_alone ? 0 : 1;
   return {.name = name, .spacing = spacing, .acceptance = name == "S1" ? others : 0, .report = others, .nightly = 1};
 }
@@ -65,12 +65,13 @@ Rung rung_of_sph(const std::string& name, double spacing, bool in_nightly_alone 
 Method limits_of(Method method) {
   const auto solver = method.solver;
   const bool has_cells = method.name.starts_with("mpm");
-  method.run = [=](const Rung& rung, const Schedule&) {
-    return search_critical_step([&](double time_step) { return solver(rung, time_step); }, search,
-                                has_cells ? rung.cell : rung.spacing, water.sound_speed());
+  method.run = [=](const Level& level, const Schedule&) {
+    return search_critical_step([&](double time_step) { return solver(level, time_step); }, search,
+                                has_cells ? level.cell : level.spacing, water.sound_speed());
   };
-  method.rungs = {{.name = "40 across", .spacing = H / 40, .cell = H / 20, .acceptance = 1, .report = 1, .nightly = 1}};
-  method.claims = {papers_step, at_least(stable_end, method.time_step(method.rungs[0]) / us,
+  method.levels = {
+      {.name = "40 across", .spacing = H / 40, .cell = H / 20, .acceptance = 1, .report = 1, .nightly = 1}};
+  method.claims = {papers_step, at_least(stable_end, method.time_step(method.levels[0]) / us,
                                          theory("the step that a method chooses is a stable one"))};
   method.tolerance = one_bisection;
   return method;
@@ -92,7 +93,7 @@ Case vnv::the_case() {
                       .name = "mpm",
                       .description = mpm_words + moving_words,
                       .run = searching([](const auto&... of) { return mpm_solver<mpm::PrescribedMotion>(of...); }),
-                      .rungs = {rung_of_mpm("M1", H / 40), rung_of_mpm("M2", H / 80)},
+                      .levels = {level_of_mpm("M1", H / 40), level_of_mpm("M2", H / 80)},
                       .claims = {courant, papers_step},
                       .tolerance = one_bisection,
                   },
@@ -100,7 +101,7 @@ Case vnv::the_case() {
                       .name = "mpm_reset",
                       .description = mpm_words + reset_words,
                       .run = searching([](const auto&... of) { return mpm_solver<mpm::VelocityReset>(of...); }),
-                      .rungs = {rung_of_mpm("M1", H / 40, nightly_alone), rung_of_mpm("M2", H / 80, nightly_alone)},
+                      .levels = {level_of_mpm("M1", H / 40, nightly_alone), level_of_mpm("M2", H / 80, nightly_alone)},
                       .claims = {courant, papers_step},
                       .tolerance = one_bisection,
                   },
@@ -108,7 +109,7 @@ Case vnv::the_case() {
                       .name = "sph",
                       .description = sph_printed_words + conservative_words,
                       .run = searching([](const auto&... of) { return printed_solver(of...); }, 1.2),
-                      .rungs = {rung_of_sph("S1", H / 40), rung_of_sph("S2", H / 80)},
+                      .levels = {level_of_sph("S1", H / 40), level_of_sph("S2", H / 80)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
                   },
@@ -117,7 +118,7 @@ Case vnv::the_case() {
                       .description = sph_printed_words + difference_words,
                       .run = searching([](const auto&... of) { return printed_solver<sph::PressureDifference>(of...); },
                                        1.2),
-                      .rungs = {rung_of_sph("S1", H / 40, nightly_alone)},
+                      .levels = {level_of_sph("S1", H / 40, nightly_alone)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
                   },
@@ -125,7 +126,7 @@ Case vnv::the_case() {
                       .name = "sph_regularised",
                       .description = sph_regularised_words,
                       .run = searching([](const auto&... of) { return transport_solver(of...); }, 1),
-                      .rungs = {rung_of_sph("S1", H / 40), rung_of_sph("S2", H / 80)},
+                      .levels = {level_of_sph("S1", H / 40), level_of_sph("S2", H / 80)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
                   },
@@ -133,13 +134,13 @@ Case vnv::the_case() {
                       .name = "sph_one_evaluation",
                       .description = sph_regularised_words + one_evaluation_words,
                       .run = searching([](const auto&... of) { return transport_solver<AdamsBashforth>(of...); }, 1),
-                      .rungs = {rung_of_sph("S1", H / 40, nightly_alone)},
+                      .levels = {level_of_sph("S1", H / 40, nightly_alone)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
                   },
-                  limits_of(vnv::mpm_affine(scene, whole)),
-                  limits_of(vnv::mpm_least_squares(scene, whole)),
-                  limits_of(vnv::sph_second_order(scene, whole))},
+                  limits_of(vnv::mpm_affine(scene, output_interval)),
+                  limits_of(vnv::mpm_least_squares(scene, output_interval)),
+                  limits_of(vnv::sph_second_order(scene, output_interval))},
       .label = "stability",
   };
 }

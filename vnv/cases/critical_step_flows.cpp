@@ -54,7 +54,7 @@ Run search_in(const Flow& flow, const LatticeMethod& method) {
       search, lattice.unit(), c);
   const double linear = critical_courant(method.for_theory(), lattice, method.every);
   run.add(over_theory, run.summary.time_step / a_length / linear);
-  run.add(step_chosen, method.on(lattice, {}).time_step(lattice.rung()) / run.summary.time_step);
+  run.add(step_chosen, method.on(lattice, {}).time_step(lattice.level()) / run.summary.time_step);
   return run;
 }
 
@@ -62,20 +62,20 @@ Method limits_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
   method.tolerance = moved_limit;
   for (const Flow& flow : flows) {
-    Rung rung = lattice_for(on_lattice).rung();
-    rung.name = flow.name;
-    rung.acceptance = flow.in_acceptance;
-    rung.nightly = 1;
-    method.rungs.push_back(rung);
+    Level level = lattice_for(on_lattice).level();
+    level.name = flow.name;
+    level.acceptance = flow.in_acceptance;
+    level.nightly = 1;
+    method.levels.push_back(level);
   }
   method.claims = {chosen_is_stable.on("shear wave")};
   if (on_lattice.claims_to_be_galilean)
     method.claims.push_back(between(over_theory, 0.95, 1.05,
                                     theory("sound does not know that it is carried along: the limit is that at rest"))
                                 .on("uniform flow"));
-  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+  method.run = [on_lattice](const Level& level, const Schedule&) {
     for (const Flow& flow : flows)
-      if (flow.name == rung.name) return search_in(flow, on_lattice);
+      if (flow.name == level.name) return search_in(flow, on_lattice);
     return search_in(flows.front(), on_lattice);
   };
   return method;

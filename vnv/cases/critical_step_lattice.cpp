@@ -61,7 +61,7 @@ Run compare(const LatticeMethod& method, const RestingLattice& lattice) {
   const StepSearch search{.low = 0.1 * a_length, .high = 8 * a_length, .speed_limit = 1e-4 * c};
   const SolverWith solver_with = simulations(method.on, lattice);
   const CriticalStep found = critical_step(solver_with, search);
-  const double own = method.on(lattice, {}).time_step(lattice.rung()) / a_length,
+  const double own = method.on(lattice, {}).time_step(lattice.level()) / a_length,
                limit = std::sqrt(found.low * found.high) / a_length,
                linear = critical_courant(method.for_theory(), lattice, method.every, method.theory_from);
   const double beyond = 1.05 * limit, growth = growth_per_step(solver_with(beyond * a_length), search),
@@ -91,16 +91,16 @@ Method limits_of(const LatticeMethod& on_lattice) {
     method.claims.push_back(
         between(growth_over_theory, 0.9, 1.1, theory("the same; read off noise in which other waves grow as well")));
   for (const Arrangement& a : arrangements(on_lattice)) {
-    Rung rung = a.lattice.rung();
-    rung.name = a.name;
-    rung.acceptance = a.in_acceptance;
-    rung.nightly = 1;
-    method.rungs.push_back(rung);
+    Level level = a.lattice.level();
+    level.name = a.name;
+    level.acceptance = a.in_acceptance;
+    level.nightly = 1;
+    method.levels.push_back(level);
   }
-  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+  method.run = [on_lattice](const Level& level, const Schedule&) {
     for (const Arrangement& a : arrangements(on_lattice))
-      if (a.name == rung.name) return compare(on_lattice, a.lattice);
-    return compare(on_lattice, {.cells = 8, .points = static_cast<int>(std::lround(rung.cell / rung.spacing))});
+      if (a.name == level.name) return compare(on_lattice, a.lattice);
+    return compare(on_lattice, {.cells = 8, .points = static_cast<int>(std::lround(level.cell / level.spacing))});
   };
   return method;
 }

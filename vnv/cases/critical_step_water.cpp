@@ -1,7 +1,7 @@
 /// The largest stable time step of each method in water at rest under gravity: with a surface, a floor and weight.
 
+#include "vnv/flows/water_at_rest.hpp"
 #include "vnv/stability/critical_step.hpp"
-#include "vnv/water_at_rest.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -16,16 +16,16 @@ Method limits_of(Method method) {
   const auto solver = method.solver;
   const auto own_step = method.time_step;
   const bool has_cells = method.name.starts_with("mpm");
-  method.run = [=](const Rung& rung, const Schedule&) {
-    const double length = has_cells ? rung.cell : rung.spacing, a_length = length / c;
+  method.run = [=](const Level& level, const Schedule&) {
+    const double length = has_cells ? level.cell : level.spacing, a_length = length / c;
     Run run =
-        search_critical_step([&](double time_step) { return solver(rung, time_step); },
+        search_critical_step([&](double time_step) { return solver(level, time_step); },
                              {.low = 0.05 * a_length, .high = 8 * a_length, .speed_limit = speed_limit}, length, c);
-    run.add(step_chosen, own_step(rung) / run.summary.time_step);
+    run.add(step_chosen, own_step(level) / run.summary.time_step);
     return run;
   };
-  method.rungs = {{.name = "20 across", .spacing = depth / 20, .cell = depth / 10, .acceptance = 1, .nightly = 1},
-                  {.name = "40 across", .spacing = depth / 40, .cell = depth / 20, .nightly = 1}};
+  method.levels = {{.name = "20 across", .spacing = depth / 20, .cell = depth / 10, .acceptance = 1, .nightly = 1},
+                   {.name = "40 across", .spacing = depth / 40, .cell = depth / 20, .nightly = 1}};
   method.tolerance = moved_limit;
   method.claims = {chosen_is_stable};
   return method;

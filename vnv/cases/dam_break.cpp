@@ -3,21 +3,21 @@
 
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
-#include "solvers/sph/printed.hpp"
+#include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/dam_front.hpp"
-#include "vnv/free_surface_methods.hpp"
+#include "vnv/flows/dam_front.hpp"
 #include "vnv/measures/roughness.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
-#include "vnv/run_time.hpp"
+#include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -27,7 +27,7 @@ namespace {
 constexpr double l0 = 0.6, h0 = 0.6, tank_length = 1.61, tank_height = 1.2;  // m
 constexpr double g = 9.8;                                                    // m/s²
 constexpr double cell = 0.02;                                                // m
-constexpr double whole = 0.01;                                               // s  holds whole numbers of steps
+constexpr double output_interval = 0.01;                                     // s  holds whole numbers of steps
 constexpr double mpm_step = 50 * us;                                         // as the paper
 constexpr double sph_step = 25 * us;  // half the paper's, with which S4 diverges as it meets the wall
 
@@ -47,34 +47,34 @@ const DamFront front{.column_length = l0,
                      .gravity = g,
                      .slab = cell};
 
-Run run_mpm(const Rung& rung, const Schedule& when) {
-  return record(
+Run run_mpm(const Level& level, const Schedule& when) {
+  return simulate(
       [&] {
         return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-            scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = mpm_step});
+            scene, {.cell = level.cell, .spacing = level.spacing, .time_step = mpm_step});
       },
       when);
 }
 
-Run run_sph(const Rung& rung, const Schedule& when) {
-  const double h = 1.2 * rung.spacing;
-  return record(
+Run run_sph(const Level& level, const Schedule& when) {
+  const double h = 1.2 * level.spacing;
+  return simulate(
       [&] {
         return sph::printed<sph::CubicSpline>(
-            scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = sph_step},
+            scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = sph_step},
             sph::momentum(sph::Pressure{},
                           sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
       },
       when);
 }
 
-/// What is asked of the finest rung that the report runs.
-std::vector<Claim> front_claims(const std::string& rung) {
+/// What is asked of the finest level that the report runs.
+std::vector<Claim> front_claims(const std::string& level) {
   return {at_most(front.rms, 0.12, baseline("a plain prototype of the printed MPM stood 0.09 off Lobovský et al. 2014"))
-              .on(rung),
+              .on(level),
           between(front.slope_error, -20, 20,
                   baseline("a plain prototype of the printed MPM was 16 % off the slope of Lobovský et al. 2014, 1.34"))
-              .on(rung)};
+              .on(level)};
 }
 
 const std::string pressure_roughness = "roughness of p over rho g h0 [%]";
@@ -82,10 +82,10 @@ const std::string pressure_roughness = "roughness of p over rho g h0 [%]";
 /// Quadratic B-splines, affine velocities and densities smoothed in the affine way, with the paper's cells. A4 has half
 /// the step of the others: with theirs a particle that is alone in the jet at the far wall expands without bound.
 Method smooth() {
-  Method method = mpm_apic(scene, whole);
-  method.rungs = {{.name = "A1", .spacing = cell, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
-                  {.name = "A2", .spacing = cell / 2, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
-                  {.name = "A4", .spacing = cell / 4, .cell = cell, .time_step = 1e-4, .nightly = 0.5}};
+  Method method = mpm_apic(scene, output_interval);
+  method.levels = {{.name = "A1", .spacing = cell, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
+                   {.name = "A2", .spacing = cell / 2, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
+                   {.name = "A4", .spacing = cell / 4, .cell = cell, .time_step = 1e-4, .nightly = 0.5}};
   method.ladders = {{"points per cell, cells of 0.02 m", {"A1", "A2", "A4"}}};
   method.claims = front_claims("A2");
   method.claims.push_back(
@@ -108,7 +108,7 @@ Case vnv::the_case() {
           "0.02 m.",
       .times = {0.32, 0.41, 0.46, 0.5},
       .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
-      .measurements = {[](const Rung& rung, const Run& run) { return front.compare(rung, run); },
+      .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); },
                        roughness_of("p", pressure, "rho g h0", scene.fluid.density * g * h0, {0.32})},
       .claims = {between("mass over that of the column, less 1 [-]", -1e-12, 1e-12,
                          theory("particles keep their mass; rounding of the sum")),
@@ -120,7 +120,7 @@ Case vnv::the_case() {
                    "Material point method as printed by Sun et al., section 2.1, linear hats, cells of 0.02 m, "
                    "without viscosity, walls held at nodes with free slip, time step 50 us.",
                .run = run_mpm,
-               .rungs =
+               .levels =
                    {{.name = "M1", .spacing = cell, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
                     {.name = "M2", .spacing = cell / 2, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
                     {.name = "M3", .spacing = cell / 3, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
@@ -142,10 +142,10 @@ Case vnv::the_case() {
                    "the paper's 50 us pressure noise grows from 0.2 s on and a particle of S4 is pushed through the "
                    "wall at 0.385 s.",
                .run = run_sph,
-               .rungs = {{.name = "S1", .spacing = 0.02, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
-                         {.name = "S2", .spacing = 0.01, .report = 0.5, .nightly = 0.5},
-                         {.name = "S3", .spacing = 0.02 / 3, .report = 0.5, .nightly = 0.5},
-                         {.name = "S4", .spacing = 0.005, .report = 0.5, .nightly = 0.5}},
+               .levels = {{.name = "S1", .spacing = 0.02, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
+                          {.name = "S2", .spacing = 0.01, .report = 0.5, .nightly = 0.5},
+                          {.name = "S3", .spacing = 0.02 / 3, .report = 0.5, .nightly = 0.5},
+                          {.name = "S4", .spacing = 0.005, .report = 0.5, .nightly = 0.5}},
                .ladders = {{"spacing at fixed h / spacing", {"S1", "S2", "S3", "S4"}}},
                .claims = front_claims("S4"),
                .tolerance = {0.02, "a splash is chaotic: another rounding moves the front by parts of a spacing"},

@@ -1,6 +1,6 @@
 /// A round drop that a strain stretches [Monaghan 1994]: a free surface all around, and nothing that holds it together.
 
-#include "vnv/drop.hpp"
+#include "vnv/flows/drop.hpp"
 #include "vnv/measures/field_errors.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
@@ -14,7 +14,7 @@ namespace {
 const std::string pressure_error = "pressure in the middle, less the exact, over that at the start [%]";
 
 /// Mean over the particles within a fifth of the drop's half-axes.
-std::vector<Error> error_of_pressure(const Rung& rung, const Run& run) {
+std::vector<Error> error_of_pressure(const Level& level, const Run& run) {
   std::vector<Error> errors;
   for (const Samples& s : run.samples) {
     const auto state = exact.at(s.time);
@@ -25,7 +25,7 @@ std::vector<Error> error_of_pressure(const Rung& rung, const Run& run) {
       sum += s.pressure[p] - state.p(x.x(), x.y());
       ++count;
     }
-    errors.push_back({rung.name, rung.spacing, s.time, pressure_error, 100 * sum / count / exact.at(0).p_centre});
+    errors.push_back({level.name, level.spacing, s.time, pressure_error, 100 * sum / count / exact.at(0).p_centre});
   }
   return errors;
 }
@@ -38,12 +38,12 @@ VelocityTruth velocity_of_drop() {
   };
 }
 
-const std::vector<Rung> levels =
-    rungs_across(2 * R, {{40, end, 0, end}, {60, 0, 0, end}, {80, 0, 0, end}, {120, 0, 0, end}});
+const std::vector<Level> levels =
+    levels_across(2 * R, {{40, end, 0, end}, {60, 0, 0, end}, {80, 0, 0, end}, {120, 0, 0, end}});
 
 std::map<std::string, std::vector<Claim>> claims() {
   const Claim holds_its_shape =
-      at_most(axes_error, 0.5, baseline("half-axes within half a per cent are what is wanted until 2:1"));
+      at_most(axes_error, 0.5, baseline("half-axes within half a per cent are what is expected until 2:1"));
   const Claim converges =
       order_at_least(ladder_across, axes_error, 1, 0.75, theory("the surface is known to a cell")).over(4);
   return {{"mpm_affine", {holds_its_shape, converges}},
@@ -64,7 +64,7 @@ Case vnv::the_case() {
       .times = {0.2, 0.4, 0.6, end},
       .watch = watch_axes(),
       .measurements = {error_of_axes, velocity_errors(velocity_of_drop()), error_of_pressure},
-      .methods = up(levels, methods_on(scene()), claims()),
+      .methods = with_ladder(levels, methods_on(scene()), claims()),
       .plots = {over_time({"length",
                            "Longer half-axis over time",
                            "From the second moments of the particles.",

@@ -61,10 +61,10 @@ Ending as_damped(const LatticeMethod& method, Ending usual) {
 Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& wave, Ending usual) {
   const RestingLattice lattice = wave.on(lattice_for(method));
   const Method here = method.on(lattice, wave.start(lattice));
-  const double dt = here.time_step(lattice.rung()), nu = c * RestingLattice::spacing / lattice.reynolds,
+  const double dt = here.time_step(lattice.level()), nu = c * RestingLattice::spacing / lattice.reynolds,
                half_time = std::numbers::ln2 / (nu * std::pow(2 * std::numbers::pi / lattice.side(), 2));
   return {.name = name,
-          .make = [=] { return here.solver(lattice.rung(), dt); },
+          .make = [=] { return here.solver(lattice.level(), dt); },
           .end = std::clamp(half_time, 100 * dt, 1000 * dt),
           .error = error_of(wave, lattice),
           .accurate_within = 5,
@@ -80,7 +80,7 @@ Extreme across_the_seam(const LatticeMethod& method) {
   return {.name = name,
           .make =
               [=] {
-                return method.on(lattice, {.velocity = [=](const Vec2&) { return flow; }}).solver(lattice.rung(), dt);
+                return method.on(lattice, {.velocity = [=](const Vec2&) { return flow; }}).solver(lattice.level(), dt);
               },
           .end = 500 * dt,
           .error = [=](const Samples& s) { return 100 * (s.v.colwise() - flow).colwise().norm().maxCoeff() / c; },
@@ -110,8 +110,8 @@ Extreme at_random(const LatticeMethod& method) {
   const Method here = method.on(lattice, start);
   const std::string name = "particles at random";
   return {.name = name,
-          .make = [=] { return here.solver(lattice.rung(), here.time_step(lattice.rung())); },
-          .end = 500 * here.time_step(lattice.rung()),
+          .make = [=] { return here.solver(lattice.level(), here.time_step(lattice.level())); },
+          .end = 500 * here.time_step(lattice.level()),
           .declared = borne_by(here.name)};
 }
 
@@ -120,12 +120,12 @@ Extreme at_rest_for_long(const LatticeMethod& method) {
   RestingLattice lattice = lattice_for(method);
   lattice.cells /= 2;
   const Method here = method.on(lattice, noisy(lattice, 1e-6));
-  const double dt = here.time_step(lattice.rung());
+  const double dt = here.time_step(lattice.level());
   // The methods that are made of parts take half a microsecond or more for a particle's step.
   const std::array slow = {"mpm_apic", "mpm_xpic", "sph_corrected", "sph_shifted"};
   const bool is_slow = std::ranges::find(slow, here.name) != slow.end();
   return {.name = is_slow ? "a hundred thousand steps at rest" : "a million steps at rest",
-          .make = [=] { return here.solver(lattice.rung(), dt); },
+          .make = [=] { return here.solver(lattice.level(), dt); },
           .end = (is_slow ? 1e5 : 1e6) * dt,
           .error = [](const Samples& s) { return 100 * s.v.colwise().norm().maxCoeff() / c; },
           .accurate_within = 1e-3,

@@ -1,7 +1,7 @@
 /// Extreme scenes with a free surface or hardly any fluid, each with its ending declared.
 
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/free_surface_methods.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/stability/extreme.hpp"
 #include "vnv/stability/lattice_noise.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using Water = Scene<Newtonian, Uniform>;
 
 constexpr double spacing = 0.02, cell = 2 * spacing, g = 9.81, c = 40;  // m, m, m/s², m/s
-constexpr double whole = 0.01;                                          // s  of which every step divides all times
+constexpr double output_interval = 0.01;                                // s  of which every step divides all times
 constexpr Newtonian water{{.density = 1000, .bulk_modulus = 1000 * c * c / 7}, 1e-3};
 
 Box box(double width, double height) { return {.high = {width, height}}; }
@@ -229,9 +229,9 @@ Method method_meeting_extremes(Make make) {
   std::vector<Extreme> extremes;
   for (const Setting& setting : settings()) {
     const Method here = make(setting.scene);
-    const Rung rung{.spacing = spacing, .cell = setting.cell_size};
+    const Level level{.spacing = spacing, .cell = setting.cell_size};
     extremes.push_back({.name = setting.name,
-                        .make = [=] { return here.solver(rung, here.time_step(rung)); },
+                        .make = [=] { return here.solver(level, here.time_step(level)); },
                         .end = setting.end,
                         .error = setting.error,
                         .accurate_within = setting.accurate_within,
@@ -253,13 +253,13 @@ Case vnv::the_case() {
           "particle to particle, four in a cell, the speed of sound 40 m/s. How each has to end is declared beforehand.",
       .times = {1},
       .measurements = {},
-      .methods = {method_meeting_extremes([](const Water& s) { return mpm_as_printed(s, whole, 0.4); }),
-                  method_meeting_extremes([](const Water& s) { return mpm_affine(s, whole, 0.4); }),
-                  method_meeting_extremes([](const Water& s) { return mpm_apic(s, whole); }),
-                  method_meeting_extremes([](const Water& s) { return mpm_xpic(s, whole); }),
-                  method_meeting_extremes([](const Water& s) { return sph_as_printed(s, whole, 0.2); }),
-                  method_meeting_extremes([](const Water& s) { return sph_delta(s, whole); }),
-                  method_meeting_extremes([](const Water& s) { return sph_corrected(s, whole); })},
+      .methods = {method_meeting_extremes([](const Water& s) { return mpm_as_printed(s, output_interval, 0.4); }),
+                  method_meeting_extremes([](const Water& s) { return mpm_affine(s, output_interval, 0.4); }),
+                  method_meeting_extremes([](const Water& s) { return mpm_apic(s, output_interval); }),
+                  method_meeting_extremes([](const Water& s) { return mpm_xpic(s, output_interval); }),
+                  method_meeting_extremes([](const Water& s) { return sph_as_printed(s, output_interval, 0.2); }),
+                  method_meeting_extremes([](const Water& s) { return sph_delta(s, output_interval); }),
+                  method_meeting_extremes([](const Water& s) { return sph_corrected(s, output_interval); })},
       .plots = {endings({"colliding drops", "a drop torn apart", "a jet of single particles", "gravity x 100"})},
       .label = "stability",
   };

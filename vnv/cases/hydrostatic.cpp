@@ -1,11 +1,11 @@
 /// Water at rest under gravity: what pressure it has, and what moves all the same.
 
+#include "vnv/flows/water_at_rest.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/profiles.hpp"
-#include "vnv/water_at_rest.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -19,7 +19,7 @@ const std::string energy = "kinetic over potential energy, largest after 1 s [-]
 const std::string surface = "highest particle, farthest from where it started, over the depth [%]";
 
 /// At each time of the case once the start has died away: the largest until then.
-std::vector<Error> unrest(const Rung& rung, const Run& run) {
+std::vector<Error> unrest(const Level& level, const Run& run) {
   std::vector<Error> errors;
   for (const Samples& s : run.samples) {
     if (s.time <= settled * (1 + 1e-9)) continue;
@@ -29,8 +29,8 @@ std::vector<Error> unrest(const Rung& rung, const Run& run) {
       if (run.history.time[k] >= settled) largest = std::max(largest, seen[0]);
       farthest = std::max(farthest, std::abs(seen[1] - run.history.seen[0][1]));
     }
-    errors.push_back({rung.name, rung.spacing, s.time, energy, largest});
-    errors.push_back({rung.name, rung.spacing, s.time, surface, 100 * farthest / depth});
+    errors.push_back({level.name, level.spacing, s.time, energy, largest});
+    errors.push_back({level.name, level.spacing, s.time, surface, 100 * farthest / depth});
   }
   return errors;
 }
@@ -40,20 +40,20 @@ std::vector<double> look(const Samples& s) {
   return {kinetic_energy(s) / (g * (s.mass * s.x.row(1).transpose().array()).sum()), s.x.row(1).maxCoeff()};
 }
 
-const std::vector<Rung> levels = rungs_across(depth, {{20, 2, 0, end}, {40, 0, 0, end}, {80, 0, 0, end}}),
-                        // For methods of which 80 across takes more than a minute and tells nothing new.
-    coarser = rungs_across(depth, {{20, 2, 0, end}, {28, 0, 0, end}, {40, 0, 0, end}});
+const std::vector<Level> levels = levels_across(depth, {{20, 2, 0, end}, {40, 0, 0, end}, {80, 0, 0, end}}),
+                         // For methods of which 80 across takes more than a minute and tells nothing new.
+    coarser = levels_across(depth, {{20, 2, 0, end}, {28, 0, 0, end}, {40, 0, 0, end}});
 
 Claim is_still() { return at_most(energy, 1e-6, baseline("a thousandth of the speed of a wave is still")); }
 
 /// Of a method that holds water at rest, for 2 s with 20 across and for 10 s with 40.
 std::vector<Claim> claims(const Claim& still_for_long = is_still()) {
   std::vector<Claim> all = {is_still().on("20 across").at(2), still_for_long.on("40 across").at(end)};
-  for (const auto& [rung, time] : {std::pair("20 across", 2.0), std::pair("40 across", end)}) {
-    all.push_back(at_most(l2_p, 0.5, baseline("a pressure within half a per cent is what is wanted of water at rest"))
-                      .on(rung)
+  for (const auto& [level, time] : {std::pair("20 across", 2.0), std::pair("40 across", end)}) {
+    all.push_back(at_most(l2_p, 0.5, baseline("a pressure within half a per cent is what is expected of water at rest"))
+                      .on(level)
                       .at(time));
-    all.push_back(at_most(surface, 0.1, baseline("a thousandth of the depth is still")).on(rung).at(time));
+    all.push_back(at_most(surface, 0.1, baseline("a thousandth of the depth is still")).on(level).at(time));
   }
   return all;
 }
@@ -73,9 +73,9 @@ Case vnv::the_case() {
       .times = {settled, 2, end},
       .watch = {.every = 0.05, .see = look},
       .measurements = {norms_of("p, per particle", pressures, pressure_at), unrest},
-      .methods = {up(levels, printed(scene)), up(levels, affine(scene), claims()), up(coarser, apic(scene), claims()),
-                  up(coarser, xpic(scene), claims()), up(coarser, printed_sph(scene)),
-                  up(levels, delta(scene), claims(rearranges()))},
+      .methods = {with_ladder(levels, printed(scene)), with_ladder(levels, affine(scene), claims()),
+                  with_ladder(coarser, apic(scene), claims()), with_ladder(coarser, xpic(scene), claims()),
+                  with_ladder(coarser, printed_sph(scene)), with_ladder(levels, delta(scene), claims(rearranges()))},
       .plots = {profiles({"profile",
                           "Pressure over height",
                           "Each particle of the runs with 40 across.",

@@ -1,9 +1,9 @@
 /// A lid-driven cavity whose lid slides the other way, on a disturbed lattice and with particles numbered anew: walls
 /// all around.
 
-#include "vnv/lid_driven.hpp"
+#include "vnv/flows/lid_driven.hpp"
 #include "vnv/measures/decay.hpp"
-#include "vnv/views.hpp"
+#include "vnv/studies/views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -3,8 +3,8 @@
 
 #include "reference/couette.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel_flow.hpp"
-#include "vnv/views.hpp"
+#include "vnv/flows/channel_flow.hpp"
+#include "vnv/studies/views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,8 +1,8 @@
 /// A stretching drop that is mirrored, carried along, turned, on a disturbed lattice and with particles numbered anew:
 /// a free surface all around.
 
-#include "vnv/drop.hpp"
-#include "vnv/views.hpp"
+#include "vnv/flows/drop.hpp"
+#include "vnv/studies/views.hpp"
 
 #include <numbers>
 

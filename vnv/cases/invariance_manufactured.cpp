@@ -1,8 +1,8 @@
 /// The manufactured solution that is mirrored, carried along, turned, on a disturbed lattice and with particles
 /// numbered anew, and its body force with it: every term of the equations takes part.
 
-#include "vnv/manufactured.hpp"
-#include "vnv/square_views.hpp"
+#include "vnv/flows/manufactured.hpp"
+#include "vnv/flows/square_views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,9 +1,9 @@
 /// A rotating square patch that is mirrored, carried along, turned, on a disturbed lattice and with particles numbered
 /// anew: a free surface with corners, under tension.
 
+#include "vnv/flows/patch.hpp"
 #include "vnv/measures/decay.hpp"
-#include "vnv/patch.hpp"
-#include "vnv/views.hpp"
+#include "vnv/studies/views.hpp"
 
 #include <numbers>
 

@@ -2,7 +2,7 @@
 /// anew: on its lattice rows of particles slip past each other, turned they do not.
 
 #include "reference/shear_wave.hpp"
-#include "vnv/square_views.hpp"
+#include "vnv/flows/square_views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,8 +1,8 @@
 /// Taylor-Green vortices that are mirrored, carried along, turned, on a disturbed lattice and with particles numbered
 /// anew.
 
-#include "vnv/square_views.hpp"
-#include "vnv/taylor_green.hpp"
+#include "vnv/flows/square_views.hpp"
+#include "vnv/flows/taylor_green.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,9 +1,9 @@
 /// Water at rest that is carried along, on a disturbed lattice and with particles numbered anew: gravity, a free
 /// surface and a floor. Its mirror image is the water itself.
 
+#include "vnv/flows/water_at_rest.hpp"
 #include "vnv/measures/norms_of.hpp"
-#include "vnv/views.hpp"
-#include "vnv/water_at_rest.hpp"
+#include "vnv/studies/views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

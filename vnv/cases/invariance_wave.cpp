@@ -1,8 +1,8 @@
 /// A standing gravity wave that is carried along, on a disturbed lattice and with particles numbered anew: gravity, a
 /// free surface and a floor. Its mirror image is the wave itself.
 
-#include "vnv/gravity_wave.hpp"
-#include "vnv/views.hpp"
+#include "vnv/flows/gravity_wave.hpp"
+#include "vnv/studies/views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -34,7 +34,7 @@ Run under(const LatticeMethod& method, double pressure) {
   const CostMeter meter;
   const RestingLattice lattice = lattice_for(method, pressure);
   const double c = RestingLattice::sound_speed,
-               courant = method.on(lattice, {}).time_step(lattice.rung()) / 2 * c / lattice.unit(),
+               courant = method.on(lattice, {}).time_step(lattice.level()) / 2 * c / lattice.unit(),
                lengths = courant * lattice.points;  // spacings that sound travels in a step
   const double radius = spectrum(method.for_theory(), lattice, courant, method.every).radius;
   const double growth = growth_per_step(simulate(method.on, lattice, noisy(lattice, 1e-8), courant),
@@ -54,15 +54,15 @@ Run under(const LatticeMethod& method, double pressure) {
 Method under_pressures(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
   for (const double p : pressures) {
-    Rung rung = lattice_for(on_lattice, p).rung();
-    rung.name = name_of_pressure(p);
-    rung.acceptance = std::ranges::find(in_acceptance, p) != in_acceptance.end();
-    rung.nightly = 1;
-    method.rungs.push_back(rung);
+    Level level = lattice_for(on_lattice, p).level();
+    level.name = name_of_pressure(p);
+    level.acceptance = std::ranges::find(in_acceptance, p) != in_acceptance.end();
+    level.nightly = 1;
+    method.levels.push_back(level);
   }
-  method.run = [on_lattice](const Rung& rung, const Schedule&) {
+  method.run = [on_lattice](const Level& level, const Schedule&) {
     for (const double p : pressures)
-      if (name_of_pressure(p) == rung.name) return under(on_lattice, p);
+      if (name_of_pressure(p) == level.name) return under(on_lattice, p);
     return under(on_lattice, 0);
   };
   method.tolerance = {0.1, "a growth rate is read off a line through noise"};

@@ -1,8 +1,8 @@
 /// A drop that turns for a hundred thousand steps: what a method loses or gains, and what it hides.
 
-#include "vnv/free_surface_methods.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/hidden_motion.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/plots/over_time.hpp"
 
 using namespace touchstone;
@@ -14,7 +14,7 @@ using Water = Scene<Newtonian, Uniform>;
 
 constexpr double spacing = 0.02, cell = 2 * spacing, R = 0.2, c = 40;  // m, m, m, m/s
 constexpr double turning = 0.001 * c / R;                              // 1/s  its edge moves at a thousandth of c
-constexpr double whole = 0.01;                                         // s
+constexpr double output_interval = 0.01;                               // s
 const Vec2 centre(2, 2);
 
 Vectors round(const Vectors& lattice) {
@@ -52,9 +52,9 @@ std::vector<double> look(const Samples& s) {
   return {kinetic_energy(s), angular_momentum(s), hidden_motion(s, 1.6 * spacing), closest_pair(s) / spacing};
 }
 
-std::vector<Error> drifts(const Rung& rung, const Run& run) {
+std::vector<Error> drifts(const Level& level, const Run& run) {
   const auto& seen = run.history.seen;
-  const Error steps{rung.name, rung.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
+  const Error steps{level.name, level.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
   if (!run.summary.finished || seen.empty()) return {steps};
   const auto change = [&](Seen what) { return 100 * (seen.back()[what] / seen.front()[what] - 1); };
   double most_hidden = 0, closest_ever = seen.front()[closest];
@@ -63,7 +63,7 @@ std::vector<Error> drifts(const Rung& rung, const Run& run) {
     closest_ever = std::min(closest_ever, at[closest]);
   }
   const auto error = [&](const std::string& quantity, double value) {
-    return Error{rung.name, rung.spacing, run.summary.end_time, quantity, value};
+    return Error{level.name, level.spacing, run.summary.end_time, quantity, value};
   };
   return {steps, error(energy_change, change(energy)), error(momentum_change, change(momentum)),
           error("motion that neighbours do not share, largest [%]", most_hidden),
@@ -74,14 +74,14 @@ const std::string short_run = "10000 steps", long_run = "100000 steps";
 
 /// So many steps of the method's own choice.
 Method for_long(Method method, std::vector<Claim> claims, bool may_diverge = false) {
-  Rung rung{.name = short_run, .spacing = spacing, .cell = cell, .may_diverge = may_diverge};
-  const double dt = method.time_step(rung);
-  rung.acceptance = 10'000 * dt;
-  method.rungs = {rung};
-  rung.name = long_run;
-  rung.acceptance = 0;
-  rung.nightly = 100'000 * dt;
-  method.rungs.push_back(rung);
+  Level level{.name = short_run, .spacing = spacing, .cell = cell, .may_diverge = may_diverge};
+  const double dt = method.time_step(level);
+  level.acceptance = 10'000 * dt;
+  method.levels = {level};
+  level.name = long_run;
+  level.acceptance = 0;
+  level.nightly = 100'000 * dt;
+  method.levels.push_back(level);
   method.claims = std::move(claims);
   method.tolerance = {0.5, "a drop under tension is a chaos of particles after some turns"};
   return method;
@@ -108,13 +108,13 @@ Case vnv::the_case() {
       .times = {},
       .watch = {.every = 0.05, .see = look},
       .measurements = {drifts},
-      .methods = {for_long(mpm_as_printed(scene, whole, 0.4), {gains_nothing}),
-                  for_long(mpm_affine(scene, whole, 0.4), {gains_nothing, keeps_turning(0.1)}),
-                  for_long(mpm_apic(scene, whole), {gains_nothing, keeps_turning(0.1)}),
-                  for_long(mpm_xpic(scene, whole), {gains_nothing}),
-                  for_long(sph_as_printed(scene, whole, 0.2), {gains_nothing, keeps_turning(0.01)}),
-                  for_long(sph_delta(scene, whole), {gains_nothing, keeps_turning(0.01)}),
-                  for_long(sph_corrected(scene, whole),
+      .methods = {for_long(mpm_as_printed(scene, output_interval, 0.4), {gains_nothing}),
+                  for_long(mpm_affine(scene, output_interval, 0.4), {gains_nothing, keeps_turning(0.1)}),
+                  for_long(mpm_apic(scene, output_interval), {gains_nothing, keeps_turning(0.1)}),
+                  for_long(mpm_xpic(scene, output_interval), {gains_nothing}),
+                  for_long(sph_as_printed(scene, output_interval, 0.2), {gains_nothing, keeps_turning(0.01)}),
+                  for_long(sph_delta(scene, output_interval), {gains_nothing, keeps_turning(0.01)}),
+                  for_long(sph_corrected(scene, output_interval),
                            {at_least(steps_taken, 1000, baseline("first torn apart after 26900 steps"))}, true)},
       .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}},
                           energy, {short_run, long_run}),

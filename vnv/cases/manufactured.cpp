@@ -1,7 +1,7 @@
-/// The manufactured solution (vnv/manufactured.hpp). Few steps and no floor but rounding: here the strongest claims of
-/// order are made.
+/// The manufactured solution (vnv/flows/manufactured.hpp). Few steps and no floor but rounding: here the strongest
+/// claims of order are made.
 
-#include "vnv/manufactured.hpp"
+#include "vnv/flows/manufactured.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -12,14 +12,14 @@ namespace {
 
 constexpr double end = 0.2;  // s
 
-const std::vector<Rung> six_levels = rungs_across(
+const std::vector<Level> six_levels = levels_across(
     side,
     {{32, end, 0, end}, {48, end, 0, end}, {64, end, 0, end}, {96, end, 0, end}, {128, 0, 0, end}, {256, 0, 0, end}});
 /// In MPM four particles share a node.
-const std::vector<Rung> finer_levels = rungs_across(
+const std::vector<Level> finer_levels = levels_across(
     side,
     {{48, end, 0, end}, {72, end, 0, end}, {96, end, 0, end}, {144, end, 0, end}, {192, 0, 0, end}, {384, 0, 0, end}});
-const std::vector<Rung> coarse_levels = rungs_across(side, {{32, end, 0, end}, {64, end, 0, end}, {128, 0, 0, end}});
+const std::vector<Level> coarse_levels = levels_across(side, {{32, end, 0, end}, {64, end, 0, end}, {128, 0, 0, end}});
 
 Claim of_second_order(const std::string& quantity, const std::string& words) {
   return order_at_least(ladder_across, quantity, 1.9, 1.75, theory(words)).at(end).over(5);
@@ -41,14 +41,14 @@ Case vnv::the_case() {
           "rho U². A body force sustains it exactly; continuity holds by itself.",
       .times = {end},
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
-      .methods = {up(coarse_levels, mpm_as_printed(scene, whole), {no_worse_than(33)}),
-                  up(coarse_levels, mpm_affine(scene, whole), {no_worse_than(15)}),
-                  up(finer_levels, mpm_least_squares(scene, whole),
-                     {of_second_order(l2_velocity, "fits and differences of second order")}),
-                  up(coarse_levels, sph_as_printed(scene, whole), {no_worse_than(55)}),
-                  up(coarse_levels, sph_transport_velocity(scene, whole), {no_worse_than(27)}),
-                  up(six_levels, sph_second_order(scene, whole),
-                     {of_second_order(l2_velocity, "fits of second degree")})},
+      .methods = {with_ladder(coarse_levels, mpm_as_printed(scene, output_interval), {no_worse_than(33)}),
+                  with_ladder(coarse_levels, mpm_affine(scene, output_interval), {no_worse_than(15)}),
+                  with_ladder(finer_levels, mpm_least_squares(scene, output_interval),
+                              {of_second_order(l2_velocity, "fits and differences of second order")}),
+                  with_ladder(coarse_levels, sph_as_printed(scene, output_interval), {no_worse_than(55)}),
+                  with_ladder(coarse_levels, sph_transport_velocity(scene, output_interval), {no_worse_than(27)}),
+                  with_ladder(six_levels, sph_second_order(scene, output_interval),
+                              {of_second_order(l2_velocity, "fits of second degree")})},
       .plots = figures(end, l2_velocity, 100),
   };
 }

@@ -3,7 +3,7 @@
 #include "reference/oscillating_poiseuille.hpp"
 #include "solvers/forces/oscillating.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel_flow.hpp"
+#include "vnv/flows/channel_flow.hpp"
 
 #include <numbers>
 

@@ -6,7 +6,7 @@
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -39,14 +39,14 @@ Case vnv::the_case() {
       .times = {0.05, 0.1, 0.2, 1, 10},
       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{largest_velocity(s)}; }},
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
-                       [](const Rung& rung, const Run& run) { return growth_of(rung, run, exact); }},
+                       [](const Level& level, const Run& run) { return growth_of(level, run, exact); }},
       .claims = {},
       .methods =
           {{
                .name = "mpm",
                .description = mpm_words + moving_words,
                .run = mpm_with<mpm::PrescribedMotion>(scene),
-               .rungs = mpm_rungs(1, 10),
+               .levels = mpm_levels(1, 10),
                .ladders = mpm_ladders(),
                .claims =
                    {at_most(l2, 0.07, baseline("a plain prototype of the same scheme had 0.064")).on("M2").at(1),
@@ -58,7 +58,7 @@ Case vnv::the_case() {
                .name = "mpm_reset",
                .description = mpm_words + reset_words,
                .run = mpm_with<mpm::VelocityReset>(scene),
-               .rungs = mpm_rungs(0, 1),
+               .levels = mpm_levels(0, 1),
                .ladders = mpm_ladders(),
                .claims = {order_between(grid, linf, 0.8, 1.2,
                                         theory("a reset wall acts up to half a cell inside: order 1 at the wall"))
@@ -74,7 +74,7 @@ Case vnv::the_case() {
                .name = "sph",
                .description = sph_printed_words + conservative_words,
                .run = channel::sph_as_printed(scene),
-               .rungs = printed_rungs(1),
+               .levels = printed_levels(1),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
                .claims = at_most_the_papers("3", {4.39, 2.33, 1.63}, 'S') +
                          order_between(spacing_ladder, l2_rows, 0, 0.5,
@@ -87,7 +87,7 @@ Case vnv::the_case() {
                .name = "sph_difference",
                .description = sph_printed_words + difference_words,
                .run = channel::sph_as_printed<sph::PressureDifference>(scene),
-               .rungs = difference_rungs(),
+               .levels = difference_levels(),
                .ladders = sph_ladders({"S1", "S2"}),
                .claims = at_most_the_papers("3", {4.39, 2.33}, 'S'),
                .tolerance = stretched,
@@ -97,7 +97,7 @@ Case vnv::the_case() {
                .name = "sph_regularised",
                .description = sph_regularised_words,
                .run = sph_with_transport_velocity(scene),
-               .rungs = regularised_rungs(),
+               .levels = regularised_levels(),
                .ladders = sph_ladders({"S1", "S2", "S3"}),
                .claims =
                    {at_most(l2, 0.5, baseline("a prototype with mirrored wall velocities had 0.39")).on("S1").at(1),

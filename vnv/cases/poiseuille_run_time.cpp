@@ -5,7 +5,7 @@
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/bench/in_turn.hpp"
 #include "vnv/bench/plain_musl.hpp"
-#include "vnv/channel_run_time.hpp"
+#include "vnv/flows/channel_run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

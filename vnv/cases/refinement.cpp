@@ -1,7 +1,7 @@
 /// The manufactured solution, refined in one direction at a time: cells of the grid, points in a cell and the time step
 /// of the material point method; kernel, spacing within it and the time step of smoothed particle hydrodynamics.
 
-#include "vnv/manufactured.hpp"
+#include "vnv/flows/manufactured.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -20,34 +20,34 @@ struct Point {
   bool quick;    // in the suite acceptance too
 };
 
-/// A direction of refinement: the points of `rungs` along which all else is equal.
+/// A direction of refinement: the points of `levels` along which all else is equal.
 std::string cells_at(double points) { return fmt::format("cells of {0:g} x {0:g} points", points); }
 const std::string points_in_cells = "points in 32 cells across";
 std::string kernels_at(double ratio) { return fmt::format("h at h / spacing = {:g}", ratio); }
 const std::string spacing_in_kernels = "spacing at h = 1.3 / 32 m";
 
-Rung with_suites(Rung rung, bool quick) {
-  rung.acceptance = quick ? end : 0;
-  rung.nightly = end;
-  return rung;
+Level with_suites(Level level, bool quick) {
+  level.acceptance = quick ? end : 0;
+  level.nightly = end;
+  return level;
 }
 
-Rung mpm_rung(const Point& p) {
+Level mpm_level(const Point& p) {
   const double cell = side / p.across;
   return with_suites(
       {.name = fmt::format("{0} cells, {1:g} x {1:g} points, c dt = {2:g} cells", p.across, p.finer, p.share),
        .spacing = cell / p.finer,
        .cell = cell,
-       .time_step = step_for(scene, p.share, cell, whole)},
+       .time_step = step_for(scene, p.share, cell, output_interval)},
       p.quick);
 }
-Rung sph_rung(const Point& p) {
+Level sph_level(const Point& p) {
   const double h = 1.3 * side / p.across, spacing = side / std::round(side * p.finer / h);
   return with_suites(
       {.name = fmt::format("h = 1.3 / {} m, {:g} spacings, c dt = {:g} spacings", p.across, p.finer, p.share),
        .spacing = spacing,
        .smoothing_length = h,
-       .time_step = step_for(scene, p.share, spacing, whole)},
+       .time_step = step_for(scene, p.share, spacing, output_interval)},
       p.quick);
 }
 
@@ -66,13 +66,13 @@ std::vector<Point> surface(const auto& finer) {
 }
 
 /// A method over the whole surface, with a ladder along each of its lines.
-Method over_surface(Method method, const std::vector<Point>& all, Rung (*rung_of)(const Point&),
+Method over_surface(Method method, const std::vector<Point>& all, Level (*level_of)(const Point&),
                     std::string (*along)(double), const std::string& within) {
-  for (const Point& p : all) method.rungs.push_back(rung_of(p));
+  for (const Point& p : all) method.levels.push_back(level_of(p));
   const auto ladder = [&](const std::string& name, auto&& on) {
     Ladder line{name, {}};
     for (const Point& p : all)
-      if (p.share == share_of_all && on(p)) line.rungs.push_back(rung_of(p).name);
+      if (p.share == share_of_all && on(p)) line.levels.push_back(level_of(p).name);
     method.ladders.push_back(std::move(line));
   };
   for (const Point& p : all)
@@ -93,10 +93,10 @@ void over_time_steps(const Results& results, Record& record) {
        {.label = "L2 v [%]", .logarithmic = true}});
   const Ladder& coarsest = results.method.ladders.front();
   Curve curve{"time_step", results.method.name, Role::ours, {}, {}, false};
-  for (const Rung& rung : results.method.rungs) {
-    const Rung& first = *std::ranges::find(results.method.rungs, coarsest.rungs[2], &Rung::name);
-    const Run* run = results.run(rung.name);
-    if (!run || rung.spacing != first.spacing) continue;
+  for (const Level& level : results.method.levels) {
+    const Level& first = *std::ranges::find(results.method.levels, coarsest.levels[2], &Level::name);
+    const Run* run = results.run(level.name);
+    if (!run || level.spacing != first.spacing) continue;
     if (const auto error = error_of(l2_velocity, end)(record, *run)) {
       curve.x.push_back(run->summary.time_step);
       curve.y.push_back(*error);
@@ -108,7 +108,7 @@ void over_time_steps(const Results& results, Record& record) {
 }  // namespace
 
 Case vnv::the_case() {
-  const Method mpm = mpm_least_squares(scene, whole), sph = sph_second_order(scene, whole);
+  const Method mpm = mpm_least_squares(scene, output_interval), sph = sph_second_order(scene, output_interval);
   return {
       .title = "Refinement in each direction",
       .description =
@@ -118,8 +118,8 @@ Case vnv::the_case() {
           "what is left.",
       .times = {end},
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
-      .methods = {over_surface(mpm, surface(points), mpm_rung, cells_at, points_in_cells),
-                  over_surface(sph, surface(ratios), sph_rung, kernels_at, spacing_in_kernels)},
+      .methods = {over_surface(mpm, surface(points), mpm_level, cells_at, points_in_cells),
+                  over_surface(sph, surface(ratios), sph_level, kernels_at, spacing_in_kernels)},
       .plots = {along_ladders({"surface",
                                "Error over spacing, in each direction",
                                "L2 error of the velocity at the end; each line refines one thing.",

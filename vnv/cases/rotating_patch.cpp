@@ -1,13 +1,13 @@
 /// A square patch that rotates and that nothing holds together [Colagrossi 2005]: what it must keep, under tension.
 
-#include "vnv/disturbed.hpp"
+#include "vnv/flows/patch.hpp"
+#include "vnv/judge/norms.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/half_axes.hpp"
 #include "vnv/measures/roughness.hpp"
-#include "vnv/norms.hpp"
-#include "vnv/patch.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
+#include "vnv/studies/disturbed.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -18,14 +18,14 @@ namespace {
 constexpr double end = 1;  // s
 
 const std::string with_disorder = ", disturbed";
-bool is_disturbed(const Rung& rung) { return rung.name.ends_with(with_disorder); }
+bool is_disturbed(const Level& level) { return level.name.ends_with(with_disorder); }
 
 /// On the lattice that the sides follow, which keeps the symmetry of a square whatever a method does, or on one whose
 /// particles are moved by up to a tenth of a spacing.
-Scene<Tait> scene_of(const Rung& rung) {
+Scene<Tait> scene_of(const Level& level) {
   Scene<Tait> seen = scene();
-  if (is_disturbed(rung))
-    seen.start.places = [by = rung.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
+  if (is_disturbed(level))
+    seen.start.places = [by = level.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
   return seen;
 }
 
@@ -53,7 +53,7 @@ const std::string torque = "angular momentum, farthest from that at the start [%
 const std::string loss = "kinetic energy lost [%]";
 const std::string skew = "half-axes of its second moments, by how much they differ [%]";
 
-std::vector<Error> what_is_not_kept(const Rung& rung, const Run& run) {
+std::vector<Error> what_is_not_kept(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
   const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
   double largest = 0, farthest = 0;
@@ -63,17 +63,17 @@ std::vector<Error> what_is_not_kept(const Rung& rung, const Run& run) {
     farthest = norms::larger_magnitude(farthest, seen[angular_momentum] / first[angular_momentum] - 1);
   }
   const auto at_the_end = [&](const std::string& quantity, double value) {
-    return Error{rung.name, rung.spacing, run.summary.end_time, quantity, value};
+    return Error{level.name, level.spacing, run.summary.end_time, quantity, value};
   };
   std::vector<Error> found = {at_the_end(drift, largest / (exact.mass() * omega * L)),
                               at_the_end(torque, 100 * std::abs(farthest)),
                               at_the_end(loss, 100 * (1 - last[energy] / first[energy]))};
-  if (is_disturbed(rung)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
+  if (is_disturbed(level)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
   return found;
 }
 
-std::vector<Rung> levels() {
-  std::vector<Rung> all = rungs_across(L, {{20, end, 0, end}, {40, end, 0, end}, {80, 0, 0, end}});
+std::vector<Level> levels() {
+  std::vector<Level> all = levels_across(L, {{20, end, 0, end}, {40, end, 0, end}, {80, 0, 0, end}});
   all.push_back(all[1]);
   all.back().name += with_disorder;
   return all;
@@ -85,9 +85,9 @@ Claim keeps_momentum() { return at_most(drift, 1e-9, theory("no force acts on it
 template <class Make>
 Method turned_by(const Make& make, std::vector<Claim> claims = {}) {
   claims.push_back(at_most(skew, 1, theory("a quarter turn changes nothing")).on("40 across" + with_disorder));
-  Method rotating = up(levels(), make(scene_of({})), std::move(claims));
-  rotating.ladders[0].rungs.pop_back();
-  rotating.run = [=](const Rung& rung, const Schedule& when) { return make(scene_of(rung)).run(rung, when); };
+  Method rotating = with_ladder(levels(), make(scene_of({})), std::move(claims));
+  rotating.ladders[0].levels.pop_back();
+  rotating.run = [=](const Level& level, const Schedule& when) { return make(scene_of(level)).run(level, when); };
   return rotating;
 }
 

@@ -3,7 +3,7 @@
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/race.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -47,9 +47,10 @@ double bandwidth_among(double particles) {
 /// its bytes have to be moved: what that costs is a matter of the machine, not of the solver, so the machine is asked.
 template <class Make>
 auto scale(Make make) {
-  return [make](const Rung& rung, const Schedule&) {
-    const double wanted = std::stod(rung.name), bandwidth = wanted > 1e5 ? bandwidth_among(wanted) : not_a_number;
-    auto few = make(1e4), many = make(wanted);
+  return [make](const Level& level, const Schedule&) {
+    const double expected = std::stod(level.name),
+                 bandwidth = expected > 1e5 ? bandwidth_among(expected) : not_a_number;
+    auto few = make(1e4), many = make(expected);
     const int rounds = many.particles() > 2'000'000 ? 5 : 15;
     const Times times = time_in_turn({[&] { many.step(); }, [&] { few.step(); }}, {.rounds = rounds});
     Run run = run_of(many, times.of(0));
@@ -69,7 +70,7 @@ std::vector<Error> find_memory(const Results& results, const Record&) {
     const Cost& cost = run.summary.cost;
     const double each = cost.peak_memory / static_cast<double>(cost.particles);
     const auto found = [&](const std::string& quantity, double value) {
-      all.push_back({run.summary.rung, run.summary.spacing, not_a_number, quantity, value});
+      all.push_back({run.summary.level, run.summary.spacing, not_a_number, quantity, value});
     };
     found(memory, 1e-9 * cost.peak_memory);
     found(memory_each, each);
@@ -79,8 +80,8 @@ std::vector<Error> find_memory(const Results& results, const Record&) {
 }
 
 /// 10^3 to 10^7; report stops at 10^6.
-std::vector<Rung> rungs() {
-  std::vector<Rung> all;
+std::vector<Level> levels() {
+  std::vector<Level> all;
   for (const char* name : {"1e3", "1e4", "1e5", "1e6", "1e7"}) {
     const bool largest = std::string_view(name) == "1e7";
     all.push_back(
@@ -126,13 +127,13 @@ Case vnv::the_case() {
       .methods = {{.name = "mpm",
                    .description = channel::mpm_words + channel::moving_words,
                    .run = scale(mpm_of),
-                   .rungs = rungs(),
+                   .levels = levels(),
                    .ladders = ladders,
                    .claims = claims_of_mpm()},
                   {.name = "sph",
                    .description = channel::sph_printed_words + channel::conservative_words,
                    .run = scale(sph_of),
-                   .rungs = rungs(),
+                   .levels = levels(),
                    .ladders = ladders,
                    .claims = claims_of_sph()}},
       .plots = {along_ladders({"cost_per_particle",

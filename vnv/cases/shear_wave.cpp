@@ -1,9 +1,9 @@
 /// A decaying wave of shear: the viscous term alone, in a fluid whose rows of particles slip past each other.
 
 #include "reference/shear_wave.hpp"
+#include "vnv/flows/square.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/plots/over_time.hpp"
-#include "vnv/square.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -22,10 +22,10 @@ const Scene<Newtonian> scene{.domain = domain, .fluid = fluid, .filled = box, .s
                                                                                 return velocity(x, 0);
                                                                               }}};
 
-const std::vector<Rung> levels = rungs_across(
+const std::vector<Level> levels = levels_across(
     side, {{32, early, 0, end}, {44, early, 0, end}, {64, 0, 0, end}, {88, 0, 0, early}, {128, 0, 0, early}});
 /// Where errors of fourth order no longer hide those of second.
-const std::vector<Rung> finer_levels = rungs_across(
+const std::vector<Level> finer_levels = levels_across(
     side, {{64, early, 0, end}, {88, early, 0, early}, {128, 0, 0, early}, {176, 0, 0, early}, {256, 0, 0, early}});
 
 Claim of_second_order(const std::string& words) {
@@ -44,10 +44,14 @@ Case vnv::the_case() {
        .times = {early, end},
        .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
-       .methods = {up(levels, mpm_as_printed(scene, whole)), up(levels, mpm_affine(scene, whole)),
-                   up(finer_levels, mpm_least_squares(scene, whole), {of_second_order("fits and differences")}),
-                   up(levels, sph_as_printed(scene, whole)), up(levels, sph_transport_velocity(scene, whole)),
-                   up(finer_levels, sph_second_order(scene, whole), {of_second_order("fits of second degree")})},
+       .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
+                   with_ladder(levels, mpm_affine(scene, output_interval)),
+                   with_ladder(finer_levels, mpm_least_squares(scene, output_interval),
+                               {of_second_order("fits and differences")}),
+                   with_ladder(levels, sph_as_printed(scene, output_interval)),
+                   with_ladder(levels, sph_transport_velocity(scene, output_interval)),
+                   with_ladder(finer_levels, sph_second_order(scene, output_interval),
+                               {of_second_order("fits of second degree")})},
        .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
                            {"32 across"}),
                  exact_over_time(

@@ -2,14 +2,14 @@
 /// other business cancel.
 
 #include "solvers/integrators/adams_bashforth.hpp"
-#include "solvers/mpm/affine.hpp"
+#include "solvers/mpm/affine/affine.hpp"
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
 #include "vnv/bench/race.hpp"
-#include "vnv/channel.hpp"
-#include "vnv/soundness.hpp"
+#include "vnv/flows/channel.hpp"
+#include "vnv/run/soundness.hpp"
 
 #include <thread>
 
@@ -22,7 +22,7 @@ namespace {
 const Author goal = baseline("goal set against the plain loop of vnv/bench");
 const Author set_goal = baseline("goal set");
 
-Rung timed(std::string name, double spacing, double cell = not_a_number) {
+Level timed(std::string name, double spacing, double cell = not_a_number) {
   return {.name = std::move(name), .spacing = spacing, .cell = cell, .report = 1, .nightly = 1};
 }
 
@@ -36,9 +36,9 @@ constexpr int evaluations = 1;
 template <>
 constexpr int evaluations<PredictorCorrector> = 2;
 
-Run race_mpm_in_channel(const Rung& rung, const Schedule&) {
-  return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step),
-              PlainMusl(plain(bench::channel()), rung.cell, rung.spacing, channel_step));
+Run race_mpm_in_channel(const Level& level, const Schedule&) {
+  return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), level, channel_step),
+              PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
 const std::string watch_cost = "time of a look of the watch over that of the steps between two [%]";
@@ -56,71 +56,71 @@ Run time_the_watch(Simulation simulation) {
   run.add(spread, 100 * times.spread(0, 1));
   return run;
 }
-Run watch_mpm(const Rung& rung, const Schedule&) {
-  return time_the_watch(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), rung, channel_step));
+Run watch_mpm(const Level& level, const Schedule&) {
+  return time_the_watch(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), level, channel_step));
 }
-Run watch_sph(const Rung& rung, const Schedule&) {
-  return time_the_watch(channel::printed_solver(bench::channel(), rung, channel_step));
+Run watch_sph(const Level& level, const Schedule&) {
+  return time_the_watch(channel::printed_solver(bench::channel(), level, channel_step));
 }
 
-auto dam_mpm(const Vec2& tank, const Rung& rung) {
+auto dam_mpm(const Vec2& tank, const Level& level) {
   return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-      dam(tank), {.cell = rung.cell, .spacing = rung.spacing, .time_step = dam_mpm_step});
+      dam(tank), {.cell = level.cell, .spacing = level.spacing, .time_step = dam_mpm_step});
 }
 
 /// From 0.1 s on, when a third of the column's top has sunk.
-Run race_mpm_in_dam(const Rung& rung, const Schedule&) {
-  return race(dam_mpm(dam_tank, rung), PlainMusl(plain(dam()), rung.cell, rung.spacing, dam_mpm_step), 2000);
+Run race_mpm_in_dam(const Level& level, const Schedule&) {
+  return race(dam_mpm(dam_tank, level), PlainMusl(plain(dam()), level.cell, level.spacing, dam_mpm_step), 2000);
 }
 
-Run race_mpm_in_single_precision(const Rung& rung, const Schedule&) {
+Run race_mpm_in_single_precision(const Level& level, const Schedule&) {
   return race(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion, float>(
-                  bench::channel(), {.cell = rung.cell, .spacing = rung.spacing, .time_step = channel_step}),
-              PlainMusl(plain(bench::channel()), rung.cell, rung.spacing, channel_step));
+                  bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
+              PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
-Run race_affine_mpm(const Rung& rung, const Schedule&) {
-  return race(mpm::affine(bench::channel(), {.cell = rung.cell, .spacing = rung.spacing, .time_step = channel_step}),
-              MlsMpm(plain(bench::channel()), rung.cell, rung.spacing, channel_step));
+Run race_affine_mpm(const Level& level, const Schedule&) {
+  return race(mpm::affine(bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
+              MlsMpm(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
 /// Terms as the plain loop has them: pressure and laminar viscosity.
 template <class Integrator>
-Run race_sph_in_channel(const Rung& rung, const Schedule&) {
-  const double h = 1.2 * rung.spacing;
+Run race_sph_in_channel(const Level& level, const Schedule&) {
+  const double h = 1.2 * level.spacing;
   return race_with_rates(sph::printed<sph::CubicSpline, Integrator>(
-                             bench::channel(), sph_settings(rung.spacing, channel_step),
+                             bench::channel(), sph_settings(level.spacing, channel_step),
                              sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h})),
-                         PlainSph(plain(bench::channel()), rung.spacing, channel_step), evaluations<Integrator>);
+                         PlainSph(plain(bench::channel()), level.spacing, channel_step), evaluations<Integrator>);
 }
 
 template <class Integrator>
-Run race_sph_in_dam(const Rung& rung, const Schedule&) {
-  const double h = 1.2 * rung.spacing;
+Run race_sph_in_dam(const Level& level, const Schedule&) {
+  const double h = 1.2 * level.spacing;
   return race_with_rates(
       sph::printed<sph::CubicSpline, Integrator>(
-          dam(), sph_settings(rung.spacing, dam_sph_step),
+          dam(), sph_settings(level.spacing, dam_sph_step),
           sph::momentum(sph::Pressure{},
                         sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = dam().fluid.sound_speed(), .h = h})),
-      PlainSph(plain(dam()), rung.spacing, dam_sph_step), evaluations<Integrator>);
+      PlainSph(plain(dam()), level.spacing, dam_sph_step), evaluations<Integrator>);
 }
 
-// The column in tanks as many times as large as the paper's as the rung's name says.
+// The column in tanks as many times as large as the paper's as the level's name says.
 const std::string empty_share = "empty share of the tank [%]";
 const std::string slower = "time per step over that in the paper's tank [-]";
 
-Vec2 tank_of(const Rung& rung) {
-  const double times = std::stod(rung.name);
+Vec2 tank_of(const Level& level) {
+  const double times = std::stod(level.name);
   return times <= 10 ? Vec2(times * dam_tank.x(), dam_tank.y()) : Vec2(times / 10 * dam_tank.x(), 10 * dam_tank.y());
 }
 
-Run compare_tanks(const Rung& rung, const Schedule&) {
-  auto small = dam_mpm(dam_tank, rung), large = dam_mpm(tank_of(rung), rung);
+Run compare_tanks(const Level& level, const Schedule&) {
+  auto small = dam_mpm(dam_tank, level), large = dam_mpm(tank_of(level), level);
   const Times times = time_in_turn({[&] { large.step(); }, [&] { small.step(); }});
   Run run = run_of(large, times.of(0));
   run.add(slower, times.ratio(0, 1));
   run.add(spread, 100 * times.spread(0, 1));
-  run.add(empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(rung).prod()));
+  run.add(empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(level).prod()));
   return run;
 }
 
@@ -150,18 +150,18 @@ Run compare_threads(Make make) {
 /// Eight channels of the paper, one after the other.
 const auto long_channel = bench::channel(8 * channel_length);
 
-Run compare_threads_of_mpm(const Rung& rung, const Schedule&) {
+Run compare_threads_of_mpm(const Level& level, const Schedule&) {
   return compare_threads([&](int threads) {
     return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-        long_channel, {.cell = rung.cell, .spacing = rung.spacing, .time_step = channel_step, .threads = threads});
+        long_channel, {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step, .threads = threads});
   });
 }
 
-Run compare_threads_of_sph(const Rung& rung, const Schedule&) {
-  const double h = 1.2 * rung.spacing;
+Run compare_threads_of_sph(const Level& level, const Schedule&) {
+  const double h = 1.2 * level.spacing;
   return compare_threads([&](int threads) {
     return sph::printed<sph::CubicSpline>(
-        long_channel, sph_settings(rung.spacing, channel_step, threads),
+        long_channel, sph_settings(level.spacing, channel_step, threads),
         sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h}));
   });
 }
@@ -172,16 +172,16 @@ std::vector<Method> with_threads() {
   return {{.name = "mpm_threads",
            .description = "Material point method, linear hats, in eight of the paper's channels: " + words,
            .run = compare_threads_of_mpm,
-           .rungs = {timed("M4", channel_cell / 4, channel_cell)},
+           .levels = {timed("M4", channel_cell / 4, channel_cell)},
            .claims = {at_least(used, 0.9, baseline("goal set: 1.8 of 2"))}},
           {.name = "sph_threads",
            .description = "Smoothed particle hydrodynamics in eight of the paper's channels: " + words,
            .run = compare_threads_of_sph,
-           .rungs = {timed("S4", channel_cell / 4)},
+           .levels = {timed("S4", channel_cell / 4)},
            .claims = {at_least(used, 0.9, baseline("goal set: 1.8 of 2"))}}};
 }
 
-/// Where a step's time goes, for each rung that was raced.
+/// Where a step's time goes, for each level that was raced.
 void tabulate_sub_steps(const Results& results, Record& record) {
   Table table{"sub_steps",
               "Where the time of a step goes",
@@ -191,7 +191,8 @@ void tabulate_sub_steps(const Results& results, Record& record) {
   table.columns.insert(table.columns.end(), names_of_sub_steps.begin(), names_of_sub_steps.end());
   for (const Run& run : results.runs) {
     if (std::isnan(run.value_of(loop_time))) continue;
-    std::vector<Cell> row = {results.method.name, run.summary.rung, run.value_of(solver_time), run.value_of(loop_time)};
+    std::vector<Cell> row = {results.method.name, run.summary.level, run.value_of(solver_time),
+                             run.value_of(loop_time)};
     for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k) {
       const double time = run.value_of(time_of(SubStep(k)));
       row.push_back(std::isnan(time) ? 0 : time);
@@ -233,8 +234,8 @@ std::vector<Method> on_one_core() {
               .description = channel::mpm_words + channel::moving_words +
                              " Timed in Poiseuille flow against the same method with loops over particles and nodes.",
               .run = race_mpm_in_channel,
-              .rungs = {timed("M1", channel_cell, channel_cell), timed("M2", channel_cell / 2, channel_cell),
-                        timed("M3", channel_cell / 3, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
+              .levels = {timed("M1", channel_cell, channel_cell), timed("M2", channel_cell / 2, channel_cell),
+                         timed("M3", channel_cell / 3, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
               .claims = {at_least(faster, 2, goal).on("M1"), at_least(faster, 2, goal).on("M2"),
                          at_least(faster, 4, goal).on("M4"),
                          at_most(lap_cost, 1.05,
@@ -245,21 +246,21 @@ std::vector<Method> on_one_core() {
               .name = "mpm_watched",
               .description = "How much the watch over a run costs where steps are cheapest.",
               .run = watch_mpm,
-              .rungs = {timed("M1", channel_cell, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
+              .levels = {timed("M1", channel_cell, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
               .claims = {at_most(watch_cost, 1, set_goal)},
           },
           {
               .name = "sph_watched",
               .description = "The same for smoothed particle hydrodynamics.",
               .run = watch_sph,
-              .rungs = {timed("S1", channel_cell)},
+              .levels = {timed("S1", channel_cell)},
               .claims = {at_most(watch_cost, 1, set_goal)},
           },
           {
               .name = "mpm_single",
               .description = "The same with particles in single precision; the plain loop is in double precision.",
               .run = race_mpm_in_single_precision,
-              .rungs = {timed("M4", channel_cell / 4, channel_cell)},
+              .levels = {timed("M4", channel_cell / 4, channel_cell)},
               .claims = {at_least(faster, 4, goal)},
           },
           {
@@ -268,50 +269,50 @@ std::vector<Method> on_one_core() {
                   "Affine material point method on quadratic B-splines, timed in Poiseuille flow against the 88-line "
                   "algorithm of Hu et al. (2018).",
               .run = race_affine_mpm,
-              .rungs = {timed("M2", channel_cell / 2, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
+              .levels = {timed("M2", channel_cell / 2, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
               .claims = {at_least(faster, 2.5, goal).on("M4")},
           },
           {
               .name = "mpm_dam_break",
               .description = "The same in the dam break, from 0.1 s on. The plain loop keeps the whole stress.",
               .run = race_mpm_in_dam,
-              .rungs = {timed("M4", dam_cell / 4, dam_cell)},
+              .levels = {timed("M4", dam_cell / 4, dam_cell)},
               .claims = {at_least(faster, 2.5, goal)},
           },
           {
               .name = "mpm_empty_background",
               .description = "The column of the dam break in tanks 1, 10 and 100 times as large as the paper's.",
               .run = compare_tanks,
-              .rungs = {timed("1", dam_cell / 4, dam_cell), timed("10", dam_cell / 4, dam_cell),
-                        timed("100", dam_cell / 4, dam_cell)},
+              .levels = {timed("1", dam_cell / 4, dam_cell), timed("10", dam_cell / 4, dam_cell),
+                         timed("100", dam_cell / 4, dam_cell)},
               .claims = {between(slower, 0.9, 1.1, set_goal)},
           },
           {
               .name = "sph",
               .description = channel::sph_printed_words + plain_sph_words,
               .run = race_sph_in_channel<PredictorCorrector>,
-              .rungs = {timed("S2", channel_cell / 2)},
+              .levels = {timed("S2", channel_cell / 2)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 7, goal)},
           },
           {
               .name = "sph_dam_break",
               .description = column_words,
               .run = race_sph_in_dam<PredictorCorrector>,
-              .rungs = {timed("S4", dam_cell / 4)},
+              .levels = {timed("S4", dam_cell / 4)},
               .claims = {at_least(faster_rates, 2.5, goal)},
           },
           {
               .name = "sph_one_evaluation",
               .description = "The same by a method of Adams and Bashforth, with one right-hand side a step.",
               .run = race_sph_in_channel<AdamsBashforth>,
-              .rungs = {timed("S2", channel_cell / 2)},
+              .levels = {timed("S2", channel_cell / 2)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 13, goal)},
           },
           {
               .name = "sph_one_evaluation_dam_break",
               .description = column_words + " With one right-hand side a step.",
               .run = race_sph_in_dam<AdamsBashforth>,
-              .rungs = {timed("S4", dam_cell / 4)},
+              .levels = {timed("S4", dam_cell / 4)},
               .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 8, goal)},
           }};
 }

@@ -4,9 +4,9 @@
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/free_surface_methods.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/front.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/plots/ensembles.hpp"
 
 using namespace touchstone;
@@ -17,7 +17,7 @@ namespace {
 constexpr double l0 = 0.6, h0 = 0.3, tank_length = 1.62, headroom = 2.4;  // m
 constexpr double g = 9.8;                                                 // m/s²
 constexpr double cell = 0.03;                                             // m
-constexpr double whole = 0.02;                                            // s  holds whole numbers of steps
+constexpr double output_interval = 0.02;                                  // s  holds whole numbers of steps
 constexpr double end = 1.4;                                               // s
 
 const Scene<Tait, Uniform> scene{
@@ -75,10 +75,10 @@ double highest(const Run& run, Column column) {
   return most;
 }
 
-std::vector<Error> numbers_of(const Rung& rung, const Run& run) {
+std::vector<Error> numbers_of(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
   const auto told = [&](const std::string& quantity, double value) {
-    return Error{rung.name, rung.spacing, end, quantity, value};
+    return Error{level.name, level.spacing, end, quantity, value};
   };
   return {told("front at t = 0.3 s [m]", seen_at(run, front, 0.3)),
           told("arrival at the far wall [s]", arrival(run)),
@@ -112,9 +112,9 @@ std::vector<Method> methods_from_all_starts() {
                           .may_diverge = true},
                          method_on);
   };
-  return {from_all(end, [](const auto& s) { return mpm_as_printed(s, whole, 0.2); }),
-          from_all(end, [](const auto& s) { return mpm_affine(s, whole, 0.4); }),
-          from_all(0, [](const auto& s) { return sph_as_printed(s, whole, 0.25); })};
+  return {from_all(end, [](const auto& s) { return mpm_as_printed(s, output_interval, 0.2); }),
+          from_all(end, [](const auto& s) { return mpm_affine(s, output_interval, 0.4); }),
+          from_all(0, [](const auto& s) { return sph_as_printed(s, output_interval, 0.25); })};
 }
 
 Figure over_time(const std::string& id, const std::string& title, const std::string& caption, const std::string& unit) {

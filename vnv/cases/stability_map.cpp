@@ -1,7 +1,7 @@
 /// Where each method is stable, and where it is right: over the acoustic and the viscous Courant number, and over
 /// stiffness and Reynolds number with the step that it chooses.
 
-#include "solvers/diverged.hpp"
+#include "solvers/stepping/diverged.hpp"
 #include "vnv/stability/lattice_noise.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
@@ -238,7 +238,7 @@ Run map_of_fluids(const LatticeMethod& method) {
       const Method here = method.on(lattice, wave_on(lattice, wave));
       const double nu = c * RestingLattice::spacing / lattice.reynolds;
       const Ending ending =
-          tried(here.solver(lattice.rung(), here.time_step(lattice.rung())), lattice.side(), nu, wave, steps);
+          tried(here.solver(lattice.level(), here.time_step(lattice.level())), lattice.side(), nu, wave, steps);
       map.add(reynolds, stiffness, ending);
       if (stiffness < 0.099 || reynolds > 101) continue;
       ++made_for;
@@ -257,14 +257,14 @@ bool can_be_arranged(const LatticeMethod& method) { return !method.fits && !meth
 
 Method maps_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
-  Rung rung = lattice_for(on_lattice, 1).rung();
-  rung.nightly = 1;
+  Level level = lattice_for(on_lattice, 1).level();
+  level.nightly = 1;
   for (const std::string& name : {over_courant_numbers, over_arrangements, over_fluids}) {
     if (name == over_arrangements && !can_be_arranged(on_lattice)) continue;
-    rung.name = name;
-    method.rungs.push_back(rung);
+    level.name = name;
+    method.levels.push_back(level);
   }
-  method.run = [on_lattice](const Rung& which, const Schedule&) {
+  method.run = [on_lattice](const Level& which, const Schedule&) {
     return which.name == over_fluids         ? map_of_fluids(on_lattice)
            : which.name == over_arrangements ? map_of_arrangements(on_lattice)
                                              : map_of_courant_numbers(on_lattice);

@@ -1,6 +1,6 @@
 /// A standing gravity wave of small amplitude: its period and how viscosity makes it die.
 
-#include "vnv/gravity_wave.hpp"
+#include "vnv/flows/gravity_wave.hpp"
 #include "vnv/measures/swing.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
@@ -23,24 +23,24 @@ std::vector<double> look(const Samples& s) {
 
 const std::string period_error = "period, less the exact [%]", decay_error = "rate of decay, less the exact [%]";
 
-std::vector<Error> errors_of_swing(const Rung& rung, const Run& run) {
+std::vector<Error> errors_of_swing(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
   std::vector<double> heights;
   for (const std::vector<double>& seen : run.history.seen) heights.push_back(seen[0]);
   const Swing swing = fit_swing(run.history.time, heights, exact.omega());
-  return {{rung.name, rung.spacing, end, period_error, 100 * (exact.omega() / swing.omega - 1)},
-          {rung.name, rung.spacing, end, decay_error, 100 * (swing.decay / exact.decay_rate() - 1)}};
+  return {{level.name, level.spacing, end, period_error, 100 * (exact.omega() / swing.omega - 1)},
+          {level.name, level.spacing, end, decay_error, 100 * (swing.decay / exact.decay_rate() - 1)}};
 }
 
-const std::vector<Rung> levels = rungs_across(L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
+const std::vector<Level> levels = levels_across(L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
 
 /// From so many particles to a wave on.
-std::vector<Claim> swings_right(const std::vector<std::string>& rungs) {
+std::vector<Claim> swings_right(const std::vector<std::string>& names) {
   std::vector<Claim> all;
-  for (const std::string& rung : rungs) {
-    all.push_back(between(period_error, -1, 1, theory("the wave is linear to k² a² / 8 = 0.2 %")).on(rung));
+  for (const std::string& level : names) {
+    all.push_back(between(period_error, -1, 1, theory("the wave is linear to k² a² / 8 = 0.2 %")).on(level));
     all.push_back(
-        between(decay_error, -10, 10, theory("decay of a potential flow, to first order in nu k² / omega")).on(rung));
+        between(decay_error, -10, 10, theory("decay of a potential flow, to first order in nu k² / omega")).on(level));
   }
   return all;
 }
@@ -48,18 +48,18 @@ std::vector<Claim> swings_right(const std::vector<std::string>& rungs) {
 /// Each up the levels that are worth their time: 150 across takes the dearer methods three to ten minutes each, 100
 /// across takes those on B-splines one or more. XPIC, the dearest, comes at night only; by day the drop tries it.
 std::vector<Method> methods_up_levels() {
-  Rung at_night = levels[0];
+  Level at_night = levels[0];
   at_night.acceptance = 0;
-  std::vector<Method> methods =
-      up(levels, methods_on(scene),
-         {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}});
+  std::vector<Method> methods = with_ladder(
+      levels, methods_on(scene),
+      {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}});
   for (Method& method : methods)
     if (method.name == "mpm_xpic")
-      method = up({at_night}, method, method.claims);
+      method = with_ladder({at_night}, method, method.claims);
     else if (method.name == "mpm_apic")
-      method = up({levels[0]}, method, method.claims);
+      method = with_ladder({levels[0]}, method, method.claims);
     else if (method.relative_cost > 1)
-      method = up({levels[0], levels[1]}, method, method.claims);
+      method = with_ladder({levels[0], levels[1]}, method, method.claims);
   return methods;
 }
 

@@ -5,7 +5,7 @@
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -42,26 +42,26 @@ Case vnv::the_case() {
                       .name = "mpm",
                       .description = mpm_words + moving_words,
                       .run = mpm_with<mpm::PrescribedMotion>(scene, step),
-                      .rungs = {{.name = "M1",
-                                 .spacing = H / 40,
-                                 .cell = H / 40,
-                                 .acceptance = end,
-                                 .report = end,
-                                 .nightly = end}},
+                      .levels = {{.name = "M1",
+                                  .spacing = H / 40,
+                                  .cell = H / 40,
+                                  .acceptance = end,
+                                  .report = end,
+                                  .nightly = end}},
                       .claims = {at_most(l2_rows, 0.25, baseline("twice the error of the paper's fluid and force"))},
                   },
                   {
                       .name = "sph",
                       .description = sph_printed_words + conservative_words,
                       .run = channel::sph_as_printed(scene, step),
-                      .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
+                      .levels = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
                       .tolerance = stretched,
                   },
                   {
                       .name = "sph_regularised",
                       .description = sph_regularised_words,
                       .run = sph_with_transport_velocity(scene, regularised_step),
-                      .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
+                      .levels = {{.name = "S1", .spacing = H / 40, .acceptance = end, .report = end, .nightly = end}},
                       .claims = {at_most(l2_rows, 0.3, baseline("twice the error of the paper's fluid and force"))},
                       .tolerance = stretched,
                   }},

@@ -3,7 +3,7 @@
 #include "reference/stokes.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/oscillating.hpp"
-#include "vnv/channel_flow.hpp"
+#include "vnv/flows/channel_flow.hpp"
 
 #include <numbers>
 

@@ -4,7 +4,7 @@
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/channel.hpp"
+#include "vnv/flows/channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -40,19 +40,19 @@ Case vnv::the_case() {
                       .name = "mpm",
                       .description = mpm_words + moving_words,
                       .run = mpm_with<mpm::PrescribedMotion>(scene),
-                      .rungs = {{.name = "M1",
-                                 .spacing = H / 40,
-                                 .cell = H / 40,
-                                 .acceptance = end,
-                                 .report = end,
-                                 .nightly = end}},
+                      .levels = {{.name = "M1",
+                                  .spacing = H / 40,
+                                  .cell = H / 40,
+                                  .acceptance = end,
+                                  .report = end,
+                                  .nightly = end}},
                       .claims = {at_most(l2_rows, 0.17, baseline("twice the error of the paper's fluid and force"))},
                   },
                   {
                       .name = "sph",
                       .description = sph_printed_words + conservative_words,
                       .run = channel::sph_as_printed(scene),
-                      .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 0.05, .report = end, .nightly = end}},
+                      .levels = {{.name = "S1", .spacing = H / 40, .acceptance = 0.05, .report = end, .nightly = end}},
                       .claims = {at_most(l2_rows, 4.39, literature("Sun et al., table 3, S1, for the paper's force"))
                                      .on("S1")
                                      .at(end)},
@@ -62,7 +62,7 @@ Case vnv::the_case() {
                       .name = "sph_regularised",
                       .description = sph_regularised_words,
                       .run = sph_with_transport_velocity(scene),
-                      .rungs = {{.name = "S1", .spacing = H / 40, .acceptance = 0.05, .report = end, .nightly = end}},
+                      .levels = {{.name = "S1", .spacing = H / 40, .acceptance = 0.05, .report = end, .nightly = end}},
                       .claims = {at_most(l2_rows, 0.34, baseline("twice the error of the paper's fluid and force"))},
                       .tolerance = stretched,
                   }},

@@ -1,7 +1,7 @@
 /// Decaying Taylor-Green vortices at a Reynolds number of 100 [Taylor 1923]. Their stretching tears any lattice of
 /// particles within a tenth of the time that they live: the hardest of the smooth flows for a particle method.
 
-#include "vnv/taylor_green.hpp"
+#include "vnv/flows/taylor_green.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -13,21 +13,21 @@ constexpr double early = 0.1, end = 0.5;  // s
 constexpr taylor_green::Flow flow{.reynolds = 100, .sound_speed = 80};
 const Scene<Newtonian> scene = flow.scene();
 
-const std::vector<Rung> finely = rungs_across(side, {{50, early, 0, end},
-                                                     {60, 0, 0, early},
-                                                     {70, early, 0, early},
-                                                     {84, 0, 0, early},
-                                                     {100, 0, 0, end},
-                                                     {120, 0, 0, early},
-                                                     {140, 0, 0, early}});
-const std::vector<Rung> coarsely = rungs_across(side, {{50, early, 0, end}, {100, 0, 0, end}});
+const std::vector<Level> finely = levels_across(side, {{50, early, 0, end},
+                                                       {60, 0, 0, early},
+                                                       {70, early, 0, early},
+                                                       {84, 0, 0, early},
+                                                       {100, 0, 0, end},
+                                                       {120, 0, 0, early},
+                                                       {140, 0, 0, early}});
+const std::vector<Level> coarsely = levels_across(side, {{50, early, 0, end}, {100, 0, 0, end}});
 
-/// Of the methods of second order: how energy decays and, once the flow has begun to tear the lattice, the order. Rungs
-/// stand close to each other, since the error of a method that remeshes or spreads particles falls unevenly.
+/// Of the methods of second order: how energy decays and, once the flow has begun to tear the lattice, the order.
+/// Levels stand close to each other, since the error of a method that remeshes or spreads particles falls unevenly.
 std::vector<Claim> claims_of_second_order(Claim order) {
   std::vector<Claim> claims = {order.at(early).over(6)};
-  for (const auto& [rung, limit] : {std::pair("50 across", 1.0), std::pair("100 across", 0.3)})
-    claims.push_back(between(decay_error, -limit, limit, baseline("goal for " + std::string(rung))).on(rung).at(end));
+  for (const auto& [level, limit] : {std::pair("50 across", 1.0), std::pair("100 across", 0.3)})
+    claims.push_back(between(decay_error, -limit, limit, baseline("goal for " + std::string(level))).on(level).at(end));
   return claims;
 }
 Claim of_least_squares() { return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory("second order")); }
@@ -57,11 +57,12 @@ Case vnv::the_case() {
       "Four vortices in a periodic square of 1 m decay; top speed 1 m/s at the start, Reynolds number 100, Mach number 1/80. "
       "The oracle is Taylor's solution for an incompressible fluid. Within half a second the flow stretches fluid at the "
       "corners of the vortices ten times.";
-  declared.methods = {up(coarsely, mpm_as_printed(scene, whole), {no_worse_than(77)}),
-                      up(coarsely, mpm_affine(scene, whole), {no_worse_than(17)}),
-                      up(finely, mpm_least_squares(scene, whole), claims_of_second_order(of_least_squares())),
-                      up(coarsely, sph_as_printed(scene, whole), {no_worse_than(92)}),
-                      up(coarsely, sph_transport_velocity(scene, whole), {no_worse_than(15)}),
-                      up(finely, spreading(sph_second_order(scene, whole)), claims_of_second_order(of_sph()))};
+  declared.methods = {
+      with_ladder(coarsely, mpm_as_printed(scene, output_interval), {no_worse_than(77)}),
+      with_ladder(coarsely, mpm_affine(scene, output_interval), {no_worse_than(17)}),
+      with_ladder(finely, mpm_least_squares(scene, output_interval), claims_of_second_order(of_least_squares())),
+      with_ladder(coarsely, sph_as_printed(scene, output_interval), {no_worse_than(92)}),
+      with_ladder(coarsely, sph_transport_velocity(scene, output_interval), {no_worse_than(15)}),
+      with_ladder(finely, spreading(sph_second_order(scene, output_interval)), claims_of_second_order(of_sph()))};
   return declared;
 }

@@ -1,7 +1,7 @@
 /// Decaying Taylor-Green vortices at a Reynolds number of 1000 [Taylor 1923]: ten times less viscosity than in
 /// `taylor_green` to hide what a method damps of its own.
 
-#include "vnv/taylor_green.hpp"
+#include "vnv/flows/taylor_green.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -13,9 +13,9 @@ constexpr double early = 0.1, end = 0.5;  // s
 constexpr taylor_green::Flow flow{.reynolds = 1000, .sound_speed = 40};
 const Scene<Newtonian> scene = flow.scene();
 
-const std::vector<Rung> finely =
-    rungs_across(side, {{50, early, 0, end}, {70, 0, 0, end}, {100, 0, 0, end}, {140, 0, 0, early}});
-const std::vector<Rung> coarsely = rungs_across(side, {{50, early, 0, end}, {100, 0, 0, end}});
+const std::vector<Level> finely =
+    levels_across(side, {{50, early, 0, end}, {70, 0, 0, end}, {100, 0, 0, end}, {140, 0, 0, early}});
+const std::vector<Level> coarsely = levels_across(side, {{50, early, 0, end}, {100, 0, 0, end}});
 
 }  // namespace
 
@@ -26,8 +26,11 @@ Case vnv::the_case() {
       "Four vortices in a periodic square of 1 m decay; top speed 1 m/s at the start, Mach number 1/40. The oracle is "
       "Taylor's solution for an incompressible fluid. Energy falls by 4 % in half a second: what a method damps of its own "
       "shows.";
-  declared.methods = {up(coarsely, mpm_as_printed(scene, whole)),         up(coarsely, mpm_affine(scene, whole)),
-                      up(finely, mpm_least_squares(scene, whole)),        up(coarsely, sph_as_printed(scene, whole)),
-                      up(coarsely, sph_transport_velocity(scene, whole)), up(finely, sph_second_order(scene, whole))};
+  declared.methods = {with_ladder(coarsely, mpm_as_printed(scene, output_interval)),
+                      with_ladder(coarsely, mpm_affine(scene, output_interval)),
+                      with_ladder(finely, mpm_least_squares(scene, output_interval)),
+                      with_ladder(coarsely, sph_as_printed(scene, output_interval)),
+                      with_ladder(coarsely, sph_transport_velocity(scene, output_interval)),
+                      with_ladder(finely, sph_second_order(scene, output_interval))};
   return declared;
 }

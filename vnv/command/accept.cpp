@@ -37,7 +37,7 @@ bool accept_one(const Build& build, const Options& options, const Chosen& one) {
 int accept(const Build& build, const Options& options) {
   if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw std::invalid_argument(
-        fmt::format("--reason '{}': wanted the reason why the new values are right", options.reason));
+        fmt::format("--reason '{}': expected the reason why the new values are right", options.reason));
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
   long refused = 0;

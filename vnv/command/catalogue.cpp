@@ -20,7 +20,7 @@ std::vector<std::string> case_names(const Build& build) {
   std::ifstream in(file);
   if (!in)
     throw std::runtime_error(fmt::format(
-        "{}: cannot be read, wanted the list of cases in a build folder; --build names one", file.string()));
+        "{}: cannot be read, expected the list of cases in a build folder; --build names one", file.string()));
   std::vector<std::string> names;
   for (std::string name; in >> name;) names.push_back(name);
   return names;
@@ -74,22 +74,23 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
   std::vector<Chosen> methods = catalogue.methods();
   std::vector<std::string> names;
   for (const Chosen& one : methods) names.push_back(one.name());
-  const std::vector<std::string> wanted = chosen_by(patterns, names);
+  const std::vector<std::string> expected = chosen_by(patterns, names);
   std::erase_if(methods, [&](const Chosen& one) {
-    return std::ranges::find(wanted, one.name()) == wanted.end() || !(suite.empty() || one.method->is_run_in(suite));
+    return std::ranges::find(expected, one.name()) == expected.end() ||
+           !(suite.empty() || one.method->is_run_in(suite));
   });
   if (methods.empty())
-    throw std::invalid_argument(
-        wanted.empty()
-            ? "no case is built; wanted at least one: cmake --build BUILD"
-            : fmt::format("{}: the suite {} runs none of it, wanted at least one method", joined(wanted, ", "), suite));
+    throw std::invalid_argument(expected.empty()
+                                    ? "no case is built; expected at least one: cmake --build BUILD"
+                                    : fmt::format("{}: the suite {} runs none of it, expected at least one method",
+                                                  joined(expected, ", "), suite));
   return methods;
 }
 
 std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std::string>& patterns,
                                const std::string& suite) {
   if (!catalogue.not_built.empty())
-    throw std::invalid_argument(fmt::format("not built: {}; wanted the program of each case: cmake --build BUILD",
+    throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
                                             joined(catalogue.not_built)));
   return choose(catalogue, patterns, suite);
 }

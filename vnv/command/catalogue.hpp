@@ -1,8 +1,8 @@
 #pragma once
 /// All cases of a build folder, as their programs describe themselves.
 
-#include "vnv/description.hpp"
 #include "vnv/programs/programs.hpp"
+#include "vnv/record/description.hpp"
 
 #include <filesystem>
 #include <string>

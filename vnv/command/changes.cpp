@@ -9,7 +9,7 @@ namespace touchstone::vnv::command {
 namespace {
 
 const Baseline* same_place(const Baselines& among, const Baseline& row) {
-  return among.find(row.method, row.rung, row.time, row.quantity);
+  return among.find(row.method, row.level, row.time, row.quantity);
 }
 
 bool is_equal(const Baseline& a, const Baseline& b) {
@@ -36,7 +36,7 @@ double Change::margin() const {
 std::string Change::sentence(const std::string& case_name) const {
   const Baseline& row = after ? *after : *before;
   std::string place = fmt::format("{}.{}", case_name, row.method);
-  if (!row.rung.empty()) place += " " + row.rung;
+  if (!row.level.empty()) place += " " + row.level;
   if (!std::isnan(row.time)) place += fmt::format(", {:g} s", row.time);
   return fmt::format("{}, {}: {}", place, row.quantity, values(*this));
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// What an acceptance changed.
 
-#include "vnv/baselines.hpp"
+#include "vnv/judge/baselines.hpp"
 
 #include <optional>
 #include <string>

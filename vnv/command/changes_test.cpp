@@ -8,8 +8,8 @@ namespace touchstone::vnv::command {
 namespace {
 
 Baselines with(const std::vector<Baseline>& rows) { return {.acceptance = {}, .rows = rows}; }
-Baseline l2(const std::string& rung, double value) {
-  return {"mpm", rung, 0.1, "L2 [%]", value, value - 1, value + 1, ""};
+Baseline l2(const std::string& level, double value) {
+  return {"mpm", level, 0.1, "L2 [%]", value, value - 1, value + 1, ""};
 }
 
 TEST(Changes, AreNoneOfEqualBaselines) { EXPECT_TRUE(changes(with({l2("M1", 2)}), with({l2("M1", 2)})).empty()); }

@@ -3,7 +3,7 @@
 #include "vnv/command/commands.hpp"
 #include "vnv/command/joined.hpp"
 #include "vnv/command/terminal.hpp"
-#include "vnv/tables.hpp"
+#include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::string limits(const ClaimDescription& claim) {
 std::string sentence(const ClaimDescription& claim) {
   std::string text =
       claim.ladder.empty() ? claim.quantity : fmt::format("order of {} over {}", claim.quantity, claim.ladder);
-  if (!claim.rung.empty()) text += ", " + claim.rung;
+  if (!claim.level.empty()) text += ", " + claim.level;
   if (claim.time) text += fmt::format(", {:g} s", *claim.time);
   text += ": " + limits(claim);
   if (claim.surely_above) text += fmt::format(", surely above {:g}", *claim.surely_above);
@@ -45,13 +45,13 @@ std::string authors(const std::vector<ClaimDescription>& claims, long accepted) 
   return text.empty() ? "none of its own" : text;
 }
 
-void print_rungs(const MethodDescription& method) {
-  for (const RungDescription& rung : method.rungs) {
-    std::string text = fmt::format("{}: spacing {:g} m", rung.name, rung.spacing);
-    if (rung.cell) text += fmt::format(", cell {:g} m", *rung.cell);
-    if (rung.smoothing_length) text += fmt::format(", smoothing length {:g} m", *rung.smoothing_length);
-    if (rung.time_step) text += fmt::format(", time step {:g} s", *rung.time_step);
-    for (const auto& [suite, until] : rung.until) text += fmt::format("; {} to {:g} s", suite, until);
+void print_levels(const MethodDescription& method) {
+  for (const LevelDescription& level : method.levels) {
+    std::string text = fmt::format("{}: spacing {:g} m", level.name, level.spacing);
+    if (level.cell) text += fmt::format(", cell {:g} m", *level.cell);
+    if (level.smoothing_length) text += fmt::format(", smoothing length {:g} m", *level.smoothing_length);
+    if (level.time_step) text += fmt::format(", time step {:g} s", *level.time_step);
+    for (const auto& [suite, until] : level.until) text += fmt::format("; {} to {:g} s", suite, until);
     print_wrapped(text, 6);
   }
 }
@@ -62,10 +62,10 @@ void print_method(const MethodDescription& method, bool whole) {
   print_wrapped("Claims: " + authors(method.claims, method.baselines), 4);
   if (!whole) return;
   for (const ClaimDescription& claim : method.claims) print_wrapped(sentence(claim), 6);
-  fmt::print("    Rungs:\n");
-  print_rungs(method);
+  fmt::print("    Levels:\n");
+  print_levels(method);
   for (const LadderDescription& ladder : method.ladders)
-    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.rungs, ", ")), 4);
+    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.levels, ", ")), 4);
   print_wrapped(fmt::format("New baselines have {:g} % of room, or {:g}: {}", 100 * method.tolerance.relative,
                             method.tolerance.absolute, method.tolerance.basis),
                 4);
@@ -121,7 +121,7 @@ void add_explain(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand(
       "explain", "Tells what a case solves, what is claimed on whose word, and where its data come from.");
   command->footer(
-      "One method alone is told with its claims and rungs.\n"
+      "One method alone is told with its claims and levels.\n"
       "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
   command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
   set_todo(*command, session, explain, pattern);

@@ -40,7 +40,7 @@ void Hash::add_file(const fs::path& file) {
   std::vector<char> part(1 << 16);
   while (in.read(part.data(), std::ssize(part)), in.gcount() > 0)
     add({part.data(), static_cast<std::size_t>(in.gcount())});
-  if (!in.eof()) throw std::runtime_error(fmt::format("{}: cannot be read, wanted a file to hash", file.string()));
+  if (!in.eof()) throw std::runtime_error(fmt::format("{}: cannot be read, expected a file to hash", file.string()));
 }
 
 std::string Hash::digits() const { return fmt::format("{:016x}", value_); }

@@ -2,7 +2,7 @@
 /// What a record was made from, so that finished work is known again: FOLDER/inputs/CASE.METHOD holds it, written after
 /// the record FOLDER/CASE.METHOD.json.
 
-#include "vnv/description.hpp"
+#include "vnv/record/description.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-/// vnv list: cases, methods, rungs, and which suite runs what.
+/// vnv list: cases, methods, levels, and which suite runs what.
 
 #include "vnv/command/commands.hpp"
 #include "vnv/command/joined.hpp"
@@ -18,10 +18,10 @@ struct Options {
   bool as_json = false, names_alone = false;
 };
 
-std::vector<std::string> rungs_of(const MethodDescription& method, const std::string& suite) {
+std::vector<std::string> levels_of(const MethodDescription& method, const std::string& suite) {
   std::vector<std::string> names;
-  for (const RungDescription& rung : method.rungs)
-    if (rung.until.contains(suite)) names.push_back(rung.name);
+  for (const LevelDescription& level : method.levels)
+    if (level.until.contains(suite)) names.push_back(level.name);
   return names;
 }
 
@@ -32,14 +32,14 @@ void print_names(const std::vector<Chosen>& methods) {
 void print_json(const std::vector<Chosen>& methods) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Chosen& one : methods) {
-    nlohmann::ordered_json rungs = nlohmann::ordered_json::object();
+    nlohmann::ordered_json levels = nlohmann::ordered_json::object();
     for (const std::string& suite : suites)
-      if (one.method->is_run_in(suite)) rungs[suite] = rungs_of(*one.method, suite);
+      if (one.method->is_run_in(suite)) levels[suite] = levels_of(*one.method, suite);
     all.push_back({{"case", one.of->name},
                    {"title", one.of->title},
                    {"method", one.method->name},
                    {"timed", one.of->timed},
-                   {"rungs", rungs}});
+                   {"levels", levels}});
   }
   fmt::print("{}\n", all.dump(2));
 }
@@ -52,7 +52,7 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
     fmt::print("  {}\n", one.method->name);
     for (const std::string& suite : suites)
       if (one.method->is_run_in(suite) && (only.empty() || suite == only))
-        fmt::print("    {:<10}  {}\n", suite, joined(rungs_of(*one.method, suite), ", "));
+        fmt::print("    {:<10}  {}\n", suite, joined(levels_of(*one.method, suite), ", "));
   }
 }
 
@@ -73,7 +73,7 @@ int list(const Build& build, const Options& options) {
 
 void add_list(CLI::App& app, Session& session) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("list", "Names cases, methods and rungs, and which suite runs what.");
+  CLI::App* command = app.add_subcommand("list", "Names cases, methods and levels, and which suite runs what.");
   command->footer("Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json");
   add_patterns(*command, options->patterns);
   add_suite(*command, options->suite);

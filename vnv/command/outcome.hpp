@@ -2,7 +2,7 @@
 /// What came of a method: by its record, and by how its program ended.
 
 #include "vnv/programs/programs.hpp"
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <string>
 #include <vector>

@@ -37,18 +37,18 @@ std::vector<std::string> matches(const std::string& pattern, const std::vector<s
 
 std::vector<std::string> chosen_by(const std::vector<std::string>& patterns, const std::vector<std::string>& names) {
   if (patterns.empty()) return names;
-  std::set<std::string> wanted;
+  std::set<std::string> expected;
   for (const std::string& pattern : patterns) {
     const std::vector<std::string> found = matches(pattern, names);
     if (found.empty())
       throw std::invalid_argument(fmt::format(
-          "no method fits '{}'; wanted a case, CASE.METHOD, a glob or a part of one, as `vnv list` shows them",
+          "no method fits '{}'; expected a case, CASE.METHOD, a glob or a part of one, as `vnv list` shows them",
           pattern));
-    wanted.insert(found.begin(), found.end());
+    expected.insert(found.begin(), found.end());
   }
   std::vector<std::string> chosen;
   std::ranges::copy_if(names, std::back_inserter(chosen),
-                       [&](const std::string& name) { return wanted.contains(name); });
+                       [&](const std::string& name) { return expected.contains(name); });
   return chosen;
 }
 

@@ -22,7 +22,7 @@ std::string seconds(const std::optional<double>& cpu) { return cpu ? fmt::format
 
 void print_json(const std::vector<Task>& tasks, const std::string& suite) {
   for (const Task& task : tasks) {
-    nlohmann::ordered_json line = {{"name", task.name},       {"suite", suite},      {"rung", task.rung},
+    nlohmann::ordered_json line = {{"name", task.name},       {"suite", suite},      {"level", task.level},
                                    {"spacing", task.spacing}, {"until", task.until}, {"timed", task.timed}};
     line["cpu"] = task.cpu ? nlohmann::ordered_json(*task.cpu) : nlohmann::ordered_json(nullptr);
     fmt::print("{}\n", line.dump());
@@ -30,15 +30,15 @@ void print_json(const std::vector<Task>& tasks, const std::string& suite) {
 }
 
 void print_for_people(const std::vector<Task>& tasks, int at_once) {
-  std::size_t wide = 0, rungs_wide = 0;
+  std::size_t wide = 0, levels_wide = 0;
   for (const Task& task : tasks) {
     wide = std::max(wide, task.name.size());
-    rungs_wide = std::max(rungs_wide, task.rung.size());
+    levels_wide = std::max(levels_wide, task.level.size());
   }
-  fmt::print("{:<{}}  {:<{}}  {:>11}  {:>9}  {:>8}\n", "method", wide, "rung", rungs_wide, "spacing [m]", "until [s]",
+  fmt::print("{:<{}}  {:<{}}  {:>11}  {:>9}  {:>8}\n", "method", wide, "level", levels_wide, "spacing [m]", "until [s]",
              "CPU [s]");
   for (const Task& task : tasks)
-    fmt::print("{:<{}}  {:<{}}  {:>11.4g}  {:>9.4g}  {:>8}\n", task.name, wide, task.rung, rungs_wide, task.spacing,
+    fmt::print("{:<{}}  {:<{}}  {:>11.4g}  {:>9.4g}  {:>8}\n", task.name, wide, task.level, levels_wide, task.spacing,
                task.until, seconds(task.cpu));
   const Estimate all = estimate(tasks, at_once);
   fmt::print("{} tasks, {:.3g} CPU s", tasks.size(), all.cpu);
@@ -62,7 +62,7 @@ int plan(const Build& build, const Options& options) {
 void add_plan(CLI::App& app, Session& session) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("plan", "Tells each method and rung of a suite, and what it cost by the last records.");
+      app.add_subcommand("plan", "Tells each method and level of a suite, and what it cost by the last records.");
   command->footer("Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json");
   add_patterns(*command, options->patterns);
   add_suite(*command, options->suite)->capture_default_str();

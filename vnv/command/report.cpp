@@ -40,7 +40,7 @@ std::string known_failures_of(const Build& build, const Options& options) {
 /// Of a build in its sources, what came of the seeded faults there.
 std::string faults_of(const Build& build, const Options& options) {
   if (!options.faults.empty()) return options.faults;
-  const fs::path file = fs::path(configured(build, "CMAKE_HOME_DIRECTORY")) / "vnv/faults/trials.csv";
+  const fs::path file = fs::path(configured(build, "CMAKE_HOME_DIRECTORY")) / "vnv/trials/faults/trials.csv";
   return fs::exists(file) ? file.string() : "";
 }
 
@@ -74,7 +74,7 @@ void add_report(CLI::App& app, Session& session) {
   command->add_option("--known-failures", options->known_failures,
                       "claims that are known to fail; else known_failures.csv of the data");
   command->add_option("--faults", options->faults,
-                      "what came of seeded faults; else vnv/faults/trials.csv of the sources, if it is there");
+                      "what came of seeded faults; else vnv/trials/faults/trials.csv of the sources, if it is there");
   set_todo(*command, session, report, options);
 }
 

@@ -56,8 +56,8 @@ TEST_F(AReport, KnowsWhichClaimsAreKnownToFail) {
 TEST_F(AReport, ShowsWhatCameOfSeededFaults) {
   fs::remove(root() + "/data/known_failures.csv");
   EXPECT_EQ(asked_by("records site --faults mine.csv"), "records site --faults mine.csv");
-  put("vnv/faults/trials.csv", "");
-  EXPECT_EQ(asked_by("records site"), "records site --faults " + root() + "/vnv/faults/trials.csv");
+  put("vnv/trials/faults/trials.csv", "");
+  EXPECT_EQ(asked_by("records site"), "records site --faults " + root() + "/vnv/trials/faults/trials.csv");
 }
 
 TEST_F(AReport, LetsOnlyTheNightsOfABuildJoinItsHistory) {

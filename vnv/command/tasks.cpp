@@ -1,7 +1,7 @@
 #include "vnv/command/tasks.hpp"
 
 #include "vnv/command/inputs.hpp"
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,11 +9,11 @@
 namespace touchstone::vnv::command {
 namespace {
 
-std::map<std::string, double> costs_of_rungs(const std::filesystem::path& file) {
+std::map<std::string, double> costs_of_levels(const std::filesystem::path& file) {
   std::map<std::string, double> costs;
   if (!std::filesystem::exists(file)) return costs;
   for (const RunSummary& run : read_record(file).runs)
-    costs[run.rung] += run.cost.cpu * static_cast<double>(run.cost.repeats);
+    costs[run.level] += run.cost.cpu * static_cast<double>(run.cost.repeats);
   return costs;
 }
 
@@ -23,12 +23,12 @@ std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string
                            const std::filesystem::path& records) {
   std::vector<Task> tasks;
   for (const Chosen& one : methods) {
-    const std::map<std::string, double> costs = costs_of_rungs(record_file(records, one.name()));
-    for (const RungDescription& rung : one.method->rungs) {
-      const auto until = rung.until.find(suite);
-      if (until == rung.until.end()) continue;
-      const auto cost = costs.find(rung.name);
-      tasks.push_back({one.name(), rung.name, rung.spacing, until->second,
+    const std::map<std::string, double> costs = costs_of_levels(record_file(records, one.name()));
+    for (const LevelDescription& level : one.method->levels) {
+      const auto until = level.until.find(suite);
+      if (until == level.until.end()) continue;
+      const auto cost = costs.find(level.name);
+      tasks.push_back({one.name(), level.name, level.spacing, until->second,
                        cost == costs.end() ? std::nullopt : std::optional(cost->second), one.of->timed});
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a suite has to do, rung by rung, and what it cost last time.
+/// What a suite has to do, level by level, and what it cost last time.
 
 #include "vnv/command/catalogue.hpp"
 
@@ -10,17 +10,17 @@
 
 namespace touchstone::vnv::command {
 
-/// One method on one rung.
+/// One method on one level.
 struct Task {
   std::string name;           // "poiseuille.mpm"
-  std::string rung;           // "M2"
+  std::string level;          // "M2"
   double spacing = 0;         // m
   double until = 0;           // s  of flow
   std::optional<double> cpu;  // s  of all its repeats, if a record tells
   bool timed = false;         // nothing else runs beside it
 };
 
-/// The rungs of methods that a suite runs, with their cost by the records of the folder, where there are any. Throws
+/// The levels of methods that a suite runs, with their cost by the records of the folder, where there are any. Throws
 /// std::runtime_error for a record that cannot be read.
 std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string& suite,
                            const std::filesystem::path& records);
@@ -28,7 +28,7 @@ std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string
 struct Estimate {
   double cpu = 0;            // s  of the tasks whose cost is known
   long unknown = 0;          // tasks
-  double longest = 0;        // s  of one method, whose rungs run one after the other
+  double longest = 0;        // s  of one method, whose levels run one after the other
   double shortest_wall = 0;  // s  with so many methods at once, each on a processor of its own
 };
 Estimate estimate(const std::vector<Task>& tasks, int at_once);

@@ -1,7 +1,7 @@
 #include "vnv/command/tasks.hpp"
 
 #include "vnv/programs/scratch_folder.hpp"
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@ class APlan : public testing::Test {
     described_.methods.resize(1);
     MethodDescription& method = described_.methods.front();
     method.name = "mpm";
-    method.rungs.resize(3);
-    method.rungs[0] = {.name = "M1", .spacing = 1, .until = {{"acceptance", 0.1}, {"nightly", 1}}};
-    method.rungs[1] = {.name = "M2", .spacing = 0.5, .until = {{"nightly", 1}}};
-    method.rungs[2] = {.name = "M3", .spacing = 0.25, .until = {{"report", 1}}};
+    method.levels.resize(3);
+    method.levels[0] = {.name = "M1", .spacing = 1, .until = {{"acceptance", 0.1}, {"nightly", 1}}};
+    method.levels[1] = {.name = "M2", .spacing = 0.5, .until = {{"nightly", 1}}};
+    method.levels[2] = {.name = "M3", .spacing = 0.25, .until = {{"report", 1}}};
   }
 
   std::vector<Task> tasks(const std::string& suite) const {
@@ -33,14 +33,14 @@ TEST_F(APlan, HasTheRungsOfItsSuite) {
   const std::vector<Task> nightly = tasks("nightly");
   ASSERT_EQ(nightly.size(), 2u);
   EXPECT_EQ(nightly[1].name, "small.mpm");
-  EXPECT_EQ(nightly[1].rung, "M2");
+  EXPECT_EQ(nightly[1].level, "M2");
   EXPECT_EQ(nightly[1].until, 1);
   EXPECT_EQ(nightly[1].cpu, std::nullopt);
 }
 
 TEST_F(APlan, TakesCostsWithAllRepeatsFromTheLastRecords) {
   Record record;
-  record.runs = {{.rung = "M1", .cost = {.repeats = 3, .cpu = 2}}};
+  record.runs = {{.level = "M1", .cost = {.repeats = 3, .cpu = 2}}};
   write(record, scratch_.path() / "small.mpm.json");
   const std::vector<Task> nightly = tasks("nightly");
   EXPECT_EQ(nightly.at(0).cpu, 6);

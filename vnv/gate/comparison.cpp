@@ -64,12 +64,12 @@ class Comparison {
   void compare_runs(const Record& before, const Record& after) {
     const auto place = [&](const RunSummary& run) {
       Difference d = of_method(before, Kind::run, "run");
-      d.rung = run.rung;
+      d.level = run.level;
       d.time = run.end_time;
       return d;
     };
     match(
-        before.runs, after.runs, [](const RunSummary& a, const RunSummary& b) { return a.rung == b.rung; },
+        before.runs, after.runs, [](const RunSummary& a, const RunSummary& b) { return a.level == b.level; },
         [&](const RunSummary& was, const RunSummary* is) {
           tell(place(was), is ? compare_ends(was, *is) : Reason{Change::worse, gone});
         },
@@ -89,7 +89,7 @@ class Comparison {
   void compare_errors(const Record& before, const Record& after) {
     const auto place = [&](const Error& error) {
       Difference d = of_method(before, meaning_of(error.quantity).kind, error.quantity);
-      d.rung = error.rung;
+      d.level = error.level;
       d.time = error.time;
       return d;
     };
@@ -143,7 +143,7 @@ class Comparison {
   static double explained_by_tolerance(const ObservedOrder& order, const Record& record) {
     double share = 0;
     for (std::size_t k = 0; k < order.errors.size(); ++k) {
-      const Error place{order.rungs.at(k), order.spacings.at(k), order.time, order.quantity};
+      const Error place{order.levels.at(k), order.spacings.at(k), order.time, order.quantity};
       const double scale = std::abs(order.errors[k]);
       const double room = room_of(place, record).value_or(allowed_by_default * scale);
       share = std::max(share, std::min(room / scale, noticed));
@@ -159,7 +159,7 @@ class Comparison {
 
     bool is_same(const Claimed& other) const {
       return author == other.author && verdict->quantity == other.verdict->quantity &&
-             verdict->rung == other.verdict->rung && same_time(verdict->time, other.verdict->time);
+             verdict->level == other.verdict->level && same_time(verdict->time, other.verdict->time);
     }
   };
 
@@ -177,7 +177,7 @@ class Comparison {
     const auto place = [&](const Claimed& claim) {
       const Verdict& v = *claim.verdict;
       Difference d = of_method(before, Kind::claim, fmt::format("claim on {} ({})", v.quantity, v.author));
-      d.rung = v.rung;
+      d.level = v.level;
       d.time = v.time;
       d.before = v.value;
       return d;
@@ -205,11 +205,11 @@ void require_one_of_each(const Records& records) {
     for (std::size_t k = 0; k < i; ++k)
       if (are_of_one_method(records[i], records[k]))
         throw std::invalid_argument(
-            fmt::format("{}.{}: two records, wanted one", records[i].case_name, records[i].method));
+            fmt::format("{}.{}: two records, expected one", records[i].case_name, records[i].method));
 }
 
 bool are_at_one_place(const Difference& a, const Difference& b) {
-  return a.case_name == b.case_name && a.method == b.method && a.kind == b.kind && a.rung == b.rung &&
+  return a.case_name == b.case_name && a.method == b.method && a.kind == b.kind && a.level == b.level &&
          a.quantity == b.quantity && same_time(a.time, b.time);
 }
 

@@ -13,11 +13,11 @@ using vnv::Error, vnv::ObservedOrder, vnv::Outcome, vnv::Record, vnv::RunSummary
 
 constexpr double steps_limit = 5.6;  // us
 
-Verdict verdict(std::string rung, std::string quantity, double value, std::optional<double> lower,
+Verdict verdict(std::string level, std::string quantity, double value, std::optional<double> lower,
                 std::optional<double> upper, std::string author) {
   return {.case_name = "poiseuille",
           .method = "mpm",
-          .rung = std::move(rung),
+          .level = std::move(level),
           .time = 1,
           .quantity = std::move(quantity),
           .unit = "%",
@@ -35,8 +35,8 @@ Record plain() {
   record.case_name = "poiseuille";
   record.method = "mpm";
   record.suite = "acceptance";
-  for (const std::string rung : {"M1", "M2"})
-    record.runs.push_back({.rung = rung, .end_time = 1, .finished = true, .outcome = "finished"});
+  for (const std::string level : {"M1", "M2"})
+    record.runs.push_back({.level = level, .end_time = 1, .finished = true, .outcome = "finished"});
   record.errors = {{"M1", 2e-5, 1, "L2 v_x [%]", 0.4},
                    {"M2", 1e-5, 1, "L2 v_x [%]", 0.1},
                    {"M2", 1e-5, 1, "period, less the exact [%]", -0.2},
@@ -49,7 +49,7 @@ Record plain() {
   order.time = 1;
   order.order = 2;
   order.half_width = 0.4;
-  order.rungs = {"M1", "M2"};
+  order.levels = {"M1", "M2"};
   order.spacings = {2e-5, 1e-5};
   order.errors = {0.4, 0.1};
   record.orders = {order};
@@ -152,7 +152,7 @@ TEST(Comparison, FindsWhatIsNoNumberAnyMoreWorse) {
 
 TEST(Comparison, FindsARunThatVanishedOrDivergedWorse) {
   const auto vanished = changes_by([](Record& r) { r.runs.pop_back(); });
-  EXPECT_EQ(vanished.front().rung, "M2");
+  EXPECT_EQ(vanished.front().level, "M2");
   EXPECT_EQ(vanished.front().change, Change::worse);
   const auto diverged = changes_by([](Record& r) {
     r.runs[0].finished = false;

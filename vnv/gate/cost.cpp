@@ -53,7 +53,7 @@ void conclude(CostChange& cost, bool is_slower, bool is_faster) {
     cost.change = Change::better;
   else
     cost.change = is_harmless(ratio) ? Change::same : Change::inconclusive;
-  if (ratio.pairs < least_pairs) cost.why += fmt::format(", wanted at least {}", least_pairs);
+  if (ratio.pairs < least_pairs) cost.why += fmt::format(", expected at least {}", least_pairs);
 }
 
 std::vector<double> negated(std::vector<double> values) {

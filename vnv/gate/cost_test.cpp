@@ -128,7 +128,7 @@ TEST(Cost, SaysTheSameOfOnePerCent) {
 TEST(Cost, OfTooFewRunsIsInconclusive) {
   const auto found = judge_costs({Machine(1, 0).pairs("mpm", 1, 1, 5)});
   EXPECT_EQ(found.front().change, Change::inconclusive);
-  EXPECT_NE(found.front().why.find("5 pairs of runs, wanted at least 6"), std::string::npos);
+  EXPECT_NE(found.front().why.find("5 pairs of runs, expected at least 6"), std::string::npos);
 }
 
 TEST(Cost, OfAMachineTooNoisyIsInconclusive) {

@@ -18,11 +18,11 @@ std::string_view name_of(Change change) {
 }
 
 std::string sentence_of(const Difference& d) {
-  const std::string rung = d.rung.empty() ? "" : " " + d.rung;
+  const std::string level = d.level.empty() ? "" : " " + d.level;
   const std::string time = std::isnan(d.time) ? "" : fmt::format(" at {:.4g} s", d.time);
   const bool has_values = d.kind != Kind::run && d.kind != Kind::claim;
   const std::string values = has_values ? fmt::format(": {:.6g} before, {:.6g} after", d.before, d.after) : "";
-  return fmt::format("{}.{}{}: {}{}{}: {}: {}", d.case_name, d.method, rung, d.quantity, time, values,
+  return fmt::format("{}.{}{}: {}{}{}: {}: {}", d.case_name, d.method, level, d.quantity, time, values,
                      name_of(d.change), d.why);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Difference: one thing that two builds were compared in, and which way it went.
 
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <string>
 #include <string_view>
@@ -17,9 +17,9 @@ enum class Change { unjudged, same, better, inconclusive, worse };  // a gate ri
 std::string_view name_of(Change change);
 
 struct Difference {
-  std::string case_name, method, rung;  // the rung may be empty where a thing belongs to a whole ladder
-  double time = vnv::not_a_number;      // s  not a number where it belongs to no time
-  std::string quantity;                 // "L2 v_x, row means [%]"
+  std::string case_name, method, level;  // the level may be empty where a thing belongs to a whole ladder
+  double time = vnv::not_a_number;       // s  not a number where it belongs to no time
+  std::string quantity;                  // "L2 v_x, row means [%]"
   Kind kind = Kind::other;
   double before = vnv::not_a_number, after = vnv::not_a_number;  // in the unit of the quantity
   Change change = Change::unjudged;

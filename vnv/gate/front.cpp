@@ -2,7 +2,7 @@
 
 #include "vnv/gate/compare_values.hpp"
 #include "vnv/gate/meaning.hpp"
-#include "vnv/work_precision.hpp"
+#include "vnv/record/work_precision.hpp"
 
 #include <fmt/format.h>
 
@@ -24,20 +24,20 @@ std::string error_drawn(const Records& records, const std::string& case_name) {
   return "";
 }
 
-double last_value(const Record& record, const std::string& rung, const std::string& quantity) {
+double last_value(const Record& record, const std::string& level, const std::string& quantity) {
   double value = vnv::not_a_number;
   for (const Error& error : record.errors)  // in the order of time
-    if (error.rung == rung && error.quantity == quantity) value = error.value;
+    if (error.level == level && error.quantity == quantity) value = error.value;
   return value;
 }
 
 /// Over all runs of the program [s].
-double median_cpu(const std::vector<Records>& runs, const Record& method, const std::string& rung) {
+double median_cpu(const std::vector<Records>& runs, const Record& method, const std::string& level) {
   std::vector<double> times;
   for (const Records& records : runs)
     for (const Record& record : records)
       for (const RunSummary& run : record.runs)
-        if (record.case_name == method.case_name && record.method == method.method && run.rung == rung)
+        if (record.case_name == method.case_name && record.method == method.method && run.level == level)
           times.push_back(run.cost.cpu);
   std::ranges::sort(times);
   return (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
@@ -48,9 +48,9 @@ vnv::Curve curve_of(const Record& record, const std::vector<Records>& runs, cons
   std::vector<WorkPoint> points;
   for (const RunSummary& run : record.runs)
     if (run.finished)
-      points.push_back({.run = run.rung,
-                        .error = last_value(record, run.rung, quantity),
-                        .cpu = median_cpu(runs, record, run.rung)});
+      points.push_back({.run = run.level,
+                        .error = last_value(record, run.level, quantity),
+                        .cpu = median_cpu(runs, record, run.level)});
   vnv::Curve curve{record.case_name, fmt::format("{}, {}", record.method, side), vnv::Role::ours, {}, {}};
   for (const WorkPoint& point : vnv::pareto_front(points)) {
     curve.x.push_back(point.cpu);

@@ -104,8 +104,8 @@ Turns compare_builds(const Build& before, const Build& after, const GateRequest&
 Turns compare_records(Source& before, Source& after, Findings& found) try {
   found.suite = before.records.front().suite;
   if (after.records.front().suite != found.suite)
-    throw BadInput(fmt::format("{}: suite '{}', {}: suite '{}', wanted records of one suite", before.name, found.suite,
-                               after.name, after.records.front().suite));
+    throw BadInput(fmt::format("{}: suite '{}', {}: suite '{}', expected records of one suite", before.name,
+                               found.suite, after.name, after.records.front().suite));
   found.differences = compare(before.records, after.records);
   return {{std::move(before.records)}, {std::move(after.records)}};
 } catch (const std::invalid_argument& error) {
@@ -119,9 +119,9 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 }
 
 void require_sense(const GateRequest& request) {
-  if (request.repeats < 0) throw BadInput(fmt::format("repeats = {}, wanted none or more", request.repeats));
+  if (request.repeats < 0) throw BadInput(fmt::format("repeats = {}, expected none or more", request.repeats));
   if (request.suite != "acceptance" && request.suite != "report" && request.suite != "nightly")
-    throw BadInput(fmt::format("suite '{}', wanted acceptance, report or nightly", request.suite));
+    throw BadInput(fmt::format("suite '{}', expected acceptance, report or nightly", request.suite));
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ Status gate(const GateRequest& request, std::ostream& told, std::ostream& progre
   const Choice choice{request.suite, request.cases, request.only};
   Source before = open_source(request.before, choice, progress), after = open_source(request.after, choice, progress);
   if (before.build.has_value() != after.build.has_value())
-    throw BadInput(fmt::format("{} is a {} and {} is none, wanted two of a kind",
+    throw BadInput(fmt::format("{} is a {} and {} is none, expected two of a kind",
                                before.build ? before.name : after.name, "build",
                                before.build ? after.name : before.name));
   Findings found{request.before, request.after, {}, {}, {}};

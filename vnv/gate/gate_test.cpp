@@ -1,7 +1,7 @@
 #include "vnv/gate/gate.hpp"
 
 #include "vnv/gate/source.hpp"
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ vnv::Record plain() {
   record.case_name = "flow";
   record.method = "mpm";
   record.suite = "acceptance";
-  record.runs = {{.rung = "M1", .end_time = 1, .finished = true, .outcome = "finished", .cost = {.cpu = 1}}};
+  record.runs = {{.level = "M1", .end_time = 1, .finished = true, .outcome = "finished", .cost = {.cpu = 1}}};
   record.errors = {{"M1", 1e-5, 1, "L2 v_x [%]", 0.4}};
   return record;
 }
@@ -164,7 +164,7 @@ TEST_F(Gate, RefusesWhatCannotBeCompared) {
   const std::string good = record_file("good.json", plain());
   vnv::Record nightly = plain();
   nightly.suite = "nightly";
-  EXPECT_NE(refusal(good, record_file("other.json", nightly)).find("suite 'nightly', wanted records of one suite"),
+  EXPECT_NE(refusal(good, record_file("other.json", nightly)).find("suite 'nightly', expected records of one suite"),
             std::string::npos);
   vnv::Record future = plain();
   future.schema = 999;
@@ -176,9 +176,9 @@ TEST_F(Gate, RefusesWhatCannotBeCompared) {
   EXPECT_NE(refusal(good, folder() / "empty").find("no records"), std::string::npos);
   EXPECT_NE(refusal(good, "no_such_revision").find("nor a git revision"), std::string::npos);
   EXPECT_NE(refusal(good, "--upload-pack=x").find("nor a git revision"), std::string::npos);
-  EXPECT_NE(refusal(good, build("build", 1, 1)).find("wanted two of a kind"), std::string::npos);
+  EXPECT_NE(refusal(good, build("build", 1, 1)).find("expected two of a kind"), std::string::npos);
   request_.only = "[";
-  EXPECT_NE(refusal(good, good).find("wanted a regular expression"), std::string::npos);
+  EXPECT_NE(refusal(good, good).find("expected a regular expression"), std::string::npos);
   request_.only = "couette";
   EXPECT_NE(refusal(good, good).find("none of a chosen method"), std::string::npos);
 }

@@ -1,6 +1,6 @@
 #include "vnv/gate/meaning.hpp"
 
-#include "vnv/quantity.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 /// noise that strikes both sides alike: if nothing changed, each logarithm is as likely to be positive as negative. A
 /// neighbour who slows some runs by a lot moves their ranks, and those by no more than others'.
 
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "vnv/gate/places.hpp"
 
-#include "vnv/quantity.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ bool same_time(double a, double b) {
 
 const vnv::Error* find_error(const vnv::Record& record, const vnv::Error& other) {
   const auto found = std::ranges::find_if(record.errors, [&](const vnv::Error& error) {
-    return error.rung == other.rung && error.quantity == other.quantity && same_time(error.time, other.time);
+    return error.level == other.level && error.quantity == other.quantity && same_time(error.time, other.time);
   });
   return found == record.errors.end() ? nullptr : &*found;
 }
@@ -24,7 +24,7 @@ std::optional<double> room_of(const vnv::Error& error, const vnv::Record& record
   std::optional<double> room;
   for (const vnv::Verdict& v : record.verdicts) {
     if (!v.author.starts_with("baseline") || !v.lower || !v.upper || !std::isfinite(*v.upper - *v.lower)) continue;
-    if (v.rung != error.rung || v.quantity != name || !same_time(v.time, error.time)) continue;
+    if (v.level != error.level || v.quantity != name || !same_time(v.time, error.time)) continue;
     const double half = (*v.upper - *v.lower) / 2;
     if (!room || half < *room) room = half;
   }

@@ -1,7 +1,7 @@
 #pragma once
 /// Where in a record a value stands, and how far it may move there.
 
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <optional>
 #include <string>

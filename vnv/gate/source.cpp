@@ -50,7 +50,7 @@ Build build_in(const fs::path& folder, const Choice& choice) {
   }
   std::ranges::sort(build.programs, {}, &Program::case_name);
   if (build.programs.empty())
-    throw BadInput(fmt::format("{}: no program of a chosen case with a method that {} runs; wanted one built in {}",
+    throw BadInput(fmt::format("{}: no program of a chosen case with a method that {} runs; expected one built in {}",
                                folder.string(), choice.suite, (folder / "vnv").string()));
   return build;
 }
@@ -62,7 +62,7 @@ vnv::Record read(const fs::path& file) try { return vnv::read_record(file); } ca
 void require_one_suite(const Records& records, const std::string& name) {
   for (const vnv::Record& record : records)
     if (record.suite != records.front().suite)
-      throw BadInput(fmt::format("{}: records of suites '{}' and '{}', wanted those of one", name,
+      throw BadInput(fmt::format("{}: records of suites '{}' and '{}', expected those of one", name,
                                  records.front().suite, record.suite));
 }
 
@@ -73,7 +73,7 @@ Records records_in(const fs::path& path, const Choice& choice) {
     for (const fs::directory_entry& entry : fs::directory_iterator(path))
       if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::ranges::sort(files);
-  if (files.empty()) throw BadInput(fmt::format("{}: no records, wanted at least one *.json", path.string()));
+  if (files.empty()) throw BadInput(fmt::format("{}: no records, expected at least one *.json", path.string()));
   Records records;
   for (const fs::path& file : files) {
     vnv::Record record = read(file);
@@ -81,7 +81,7 @@ Records records_in(const fs::path& path, const Choice& choice) {
   }
   if (records.empty())
     throw BadInput(
-        fmt::format("{}: {} records and none of a chosen method, wanted at least one", path.string(), files.size()));
+        fmt::format("{}: {} records and none of a chosen method, expected at least one", path.string(), files.size()));
   require_one_suite(records, path.string());
   return records;
 }
@@ -91,8 +91,8 @@ std::string commit_of(const std::string& name) {
   if (name.empty() || name.front() == '-') return "";
   const programs::ScratchFolder scratch;
   const fs::path output = scratch.path() / "commit";
-  const std::string wanted = name + "^{commit}";
-  if (!programs::run_into(output, {"git", "rev-parse", "--verify", "--quiet", wanted}).well()) return "";
+  const std::string expected = name + "^{commit}";
+  if (!programs::run_into(output, {"git", "rev-parse", "--verify", "--quiet", expected}).well()) return "";
   return programs::last_lines(output, 1);
 }
 
@@ -105,7 +105,7 @@ bool Choice::wants_case(const std::string& name) const {
 bool Choice::wants(const std::string& case_name, const std::string& method) const try {
   return wants_case(case_name) && (only.empty() || std::regex_search(case_name + "." + method, std::regex(only)));
 } catch (const std::regex_error& error) {
-  throw BadInput(fmt::format("only '{}': {}, wanted a regular expression", only, error.what()));
+  throw BadInput(fmt::format("only '{}': {}, expected a regular expression", only, error.what()));
 }
 
 BuiltRevision::BuiltRevision(const fs::path& repository, const std::string& commit, const Choice& choice,

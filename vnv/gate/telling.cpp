@@ -153,7 +153,7 @@ std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
     const bool is_no_worse = change < Change::inconclusive;
     return vnv::Verdict{.case_name = "gate",
                         .method = "gate",
-                        .rung = "",
+                        .level = "",
                         .quantity = quantity,
                         .unit = "",
                         .value = is_no_worse ? 1.0 : 0.0,
@@ -195,7 +195,7 @@ std::string json_of(const Findings& findings) {
   for (const Difference& d : findings.differences)
     json["differences"].push_back({{"case", d.case_name},
                                    {"method", d.method},
-                                   {"rung", d.rung},
+                                   {"level", d.level},
                                    {"time", number(d.time)},
                                    {"quantity", d.quantity},
                                    {"kind", name_of(d.kind)},

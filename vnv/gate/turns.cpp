@@ -33,8 +33,8 @@ const vnv::Record* record_in(const Records& records, const Contest& contest) {
   return found == records.end() ? nullptr : &*found;
 }
 
-const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string& rung) {
-  const auto found = std::ranges::find(record.runs, rung, &vnv::RunSummary::rung);
+const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string& level) {
+  const auto found = std::ranges::find(record.runs, level, &vnv::RunSummary::level);
   return found == record.runs.end() || !found->finished ? nullptr : &*found;
 }
 
@@ -63,7 +63,7 @@ Timing timing_of(const Contest& contest, const Turns& turns) {
     if (!before || !after) continue;
     double was = 0, is = 0;
     for (const vnv::RunSummary& run : before->runs) {
-      const vnv::RunSummary* other = finished_run(*after, run.rung);
+      const vnv::RunSummary* other = finished_run(*after, run.level);
       if (!run.finished || !other) continue;
       was += run.cost.cpu;
       is += other->cost.cpu;

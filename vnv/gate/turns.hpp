@@ -21,7 +21,7 @@ struct Turns {
 /// methods before the next pair of any. A program that judges time is run once. Says what it does.
 Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& told);
 
-/// The user CPU time of a method in each of its pairs: that of all rungs that ended in both.
+/// The user CPU time of a method in each of its pairs: that of all levels that ended in both.
 Timing timing_of(const Contest& contest, const Turns& turns);
 
 }  // namespace touchstone::gate

@@ -3,9 +3,9 @@
 
 #include "solvers/quadratic_fit.hpp"
 #include "vnv/case.hpp"
+#include "vnv/files/tables.hpp"
+#include "vnv/judge/norms.hpp"
 #include "vnv/measures/profile.hpp"
-#include "vnv/norms.hpp"
-#include "vnv/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -84,14 +84,14 @@ struct Cavity {
   }
 
   /// L2 and Linf of a line at the end of a run, in per cent of the lid's speed: "L2 v_x, vertical centreline [%]".
-  std::vector<Error> compare(const Rung& rung, const Run& run, const Centreline& line) const {
+  std::vector<Error> compare(const Level& level, const Run& run, const Centreline& line) const {
     if (!run.summary.finished) return {};
     // Norms are relative to the truth: with one that is the lid's speed everywhere they are relative to it.
-    std::vector<double> found = along(run.samples.back(), line, rung.spacing);
+    std::vector<double> found = along(run.samples.back(), line, level.spacing);
     const std::vector<double> lid(found.size(), 1), equal = lid;
     for (std::size_t k = 0; k < found.size(); ++k) found[k] += lid[k] - line.velocity[k];
     const auto error = [&](const char* norm, double value) {
-      return Error{rung.name, rung.spacing, run.summary.end_time, fmt::format("{} {} [%]", norm, line.field()),
+      return Error{level.name, level.spacing, run.summary.end_time, fmt::format("{} {} [%]", norm, line.field()),
                    100 * value};
     };
     return {error("L2", relative_l2(found, lid, equal)), error("Linf", relative_linf(found, lid))};

@@ -46,7 +46,7 @@ Centreline published(Centreline::Direction direction, double sign) {
   return line;
 }
 
-const Rung rung{.name = "M1", .spacing = spacing};
+const Level level{.name = "M1", .spacing = spacing};
 
 TEST(FittedAt, IsExactForAFieldOfSecondDegreeAlsoAtAWall) {
   const Samples s = scattered(bowl);
@@ -68,13 +68,13 @@ TEST(FittedAt, WhereThereAreNoParticlesIsNotANumber) {
 TEST(CentrelineErrors, OfWhatWasPublishedAreNone) {
   const vnv::Run run = ended_with(scattered(bowl));
   for (const Centreline& line : {published(Centreline::vertical, 1), published(Centreline::horizontal, -1)})
-    for (const Error& e : cavity.compare(rung, run, line)) EXPECT_NEAR(e.value, 0, 1e-8) << e.quantity;
+    for (const Error& e : cavity.compare(level, run, line)) EXPECT_NEAR(e.value, 0, 1e-8) << e.quantity;
 }
 
 TEST(CentrelineErrors, AreInPerCentOfTheSpeedOfTheLid) {
   Centreline line = published(Centreline::vertical, 1);
   line.velocity[1] += 0.03;
-  const std::vector<Error> errors = cavity.compare(rung, ended_with(scattered(bowl)), line);
+  const std::vector<Error> errors = cavity.compare(level, ended_with(scattered(bowl)), line);
   ASSERT_EQ(errors.size(), 2u);
   EXPECT_EQ(errors[0].quantity, "L2 v_x, vertical centreline [%]");
   EXPECT_NEAR(errors[0].value, 3 / std::sqrt(3), 1e-8);
@@ -85,14 +85,14 @@ TEST(CentrelineErrors, AreInPerCentOfTheSpeedOfTheLid) {
 TEST(CentrelineErrors, OfWhatIsNoNumberAreNoNumbers) {
   Samples s = scattered(bowl);
   s.v.row(1).setConstant(not_a_number);
-  for (const Error& e : cavity.compare(rung, ended_with(s), published(Centreline::horizontal, -1)))
+  for (const Error& e : cavity.compare(level, ended_with(s), published(Centreline::horizontal, -1)))
     EXPECT_TRUE(std::isnan(e.value)) << e.quantity;
 }
 
 TEST(CentrelineErrors, OfARunThatDivergedAreNotTold) {
   vnv::Run run = ended_with(scattered(bowl));
   run.summary.finished = false;
-  EXPECT_TRUE(cavity.compare(rung, run, published(Centreline::vertical, 1)).empty());
+  EXPECT_TRUE(cavity.compare(level, run, published(Centreline::vertical, 1)).empty());
 }
 
 TEST(GhiasCentrelines, HaveTheirWallsAndDoubtfulEntriesLeftOut) {

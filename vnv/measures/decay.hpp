@@ -18,10 +18,10 @@ inline double kinetic_energy(const Samples& samples) {
 
 /// Kinetic energy at each time of a run, over `unit` [J/m], as that quantity.
 inline Measurement kinetic_energy_over(double unit, const std::string& quantity) {
-  return [=](const Rung& rung, const Run& run) {
+  return [=](const Level& level, const Run& run) {
     std::vector<Error> found;
     for (const Samples& s : run.samples)
-      found.push_back({rung.name, rung.spacing, s.time, quantity, kinetic_energy(s) / unit});
+      found.push_back({level.name, level.spacing, s.time, quantity, kinetic_energy(s) / unit});
     return found;
   };
 }
@@ -40,12 +40,12 @@ inline double rate_of_decay(const std::vector<double>& times, const std::vector<
 /// "decay rate of energy, less the exact [%]", of the kinetic energy that a run was watched for in `column`.
 inline const std::string decay_error = "decay rate of energy, less the exact [%]";
 inline Measurement decay_of_energy(std::size_t column, double exact_rate) {
-  return [=](const Rung& rung, const Run& run) -> std::vector<Error> {
+  return [=](const Level& level, const Run& run) -> std::vector<Error> {
     if (!run.summary.finished) return {};
     std::vector<double> energy;
     for (const std::vector<double>& seen : run.history.seen) energy.push_back(seen[column]);
     const double rate = rate_of_decay(run.history.time, energy);
-    return {{rung.name, rung.spacing, run.summary.end_time, decay_error, 100 * (rate / exact_rate - 1)}};
+    return {{level.name, level.spacing, run.summary.end_time, decay_error, 100 * (rate / exact_rate - 1)}};
   };
 }
 

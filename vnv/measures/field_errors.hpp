@@ -2,7 +2,7 @@
 /// Errors of a flow in the plane, particle by particle.
 
 #include "vnv/case.hpp"
-#include "vnv/norms.hpp"
+#include "vnv/judge/norms.hpp"
 
 #include <functional>
 #include <string>
@@ -45,11 +45,11 @@ inline double relative_linf_of_velocity(const Samples& samples, const VelocityTr
 
 /// Both norms of the velocity, in per cent, at every time of a run.
 inline Measurement velocity_errors(VelocityTruth truth) {
-  return [truth = std::move(truth)](const Rung& rung, const Run& run) {
+  return [truth = std::move(truth)](const Level& level, const Run& run) {
     std::vector<Error> errors;
     for (const Samples& s : run.samples) {
-      errors.push_back({rung.name, rung.spacing, s.time, l2_velocity, 100 * relative_l2_of_velocity(s, truth)});
-      errors.push_back({rung.name, rung.spacing, s.time, linf_velocity, 100 * relative_linf_of_velocity(s, truth)});
+      errors.push_back({level.name, level.spacing, s.time, l2_velocity, 100 * relative_l2_of_velocity(s, truth)});
+      errors.push_back({level.name, level.spacing, s.time, linf_velocity, 100 * relative_linf_of_velocity(s, truth)});
     }
     return errors;
   };
@@ -58,7 +58,7 @@ inline Measurement velocity_errors(VelocityTruth truth) {
 /// The L2 norm of the pressure, in per cent, at every time of a run. In a fluid without a free surface only differences
 /// of pressure move anything: the volume means of both are taken off.
 inline Measurement pressure_errors(PressureTruth truth) {
-  return [truth = std::move(truth)](const Rung& rung, const Run& run) {
+  return [truth = std::move(truth)](const Level& level, const Run& run) {
     std::vector<Error> errors;
     for (const Samples& s : run.samples) {
       const Scalars volumes = s.volumes();
@@ -72,7 +72,7 @@ inline Measurement pressure_errors(PressureTruth truth) {
         return Values(field.data(), static_cast<std::size_t>(field.size()));
       };
       errors.push_back(
-          {rung.name, rung.spacing, s.time, l2_pressure, 100 * relative_l2(values(n), values(e), values(volumes))});
+          {level.name, level.spacing, s.time, l2_pressure, 100 * relative_l2(values(n), values(e), values(volumes))});
     }
     return errors;
   };

@@ -30,11 +30,11 @@ double value_of(const std::vector<Error>& errors, const std::string& quantity) {
   return not_a_number;
 }
 
-const Rung rung{.name = "M1", .spacing = 1};
+const Level level{.name = "M1", .spacing = 1};
 
 TEST(VelocityErrors, OfTheTruthAreNone) {
   const vnv::Run run{.samples = {turning_samples(0.5)}};
-  const auto errors = velocity_errors(turning)(rung, run);
+  const auto errors = velocity_errors(turning)(level, run);
   EXPECT_EQ(value_of(errors, l2_velocity), 0);
   EXPECT_EQ(value_of(errors, linf_velocity), 0);
 }
@@ -42,7 +42,7 @@ TEST(VelocityErrors, OfTheTruthAreNone) {
 TEST(VelocityErrors, CountEachParticleByItsVolume) {
   Samples s = turning_samples(0);
   s.v.col(8) += Vec2(0.3, -0.4);  // the truth there is of length sqrt(2)
-  const auto errors = velocity_errors(turning)(rung, vnv::Run{.samples = {s}});
+  const auto errors = velocity_errors(turning)(level, vnv::Run{.samples = {s}});
   EXPECT_NEAR(value_of(errors, l2_velocity), 100 * std::sqrt(3 * 0.25 / (4 * 1 + 3 * 2 + 3 * 2)), 1e-12);
   EXPECT_NEAR(value_of(errors, linf_velocity), 100 * 0.5 / std::sqrt(2), 1e-12);
 }
@@ -50,7 +50,7 @@ TEST(VelocityErrors, CountEachParticleByItsVolume) {
 TEST(VelocityErrors, OfWhatIsNoNumberAreNoNumbers) {
   Samples s = turning_samples(0);
   s.v(0, 4) = not_a_number;
-  const auto errors = velocity_errors(turning)(rung, vnv::Run{.samples = {s}});
+  const auto errors = velocity_errors(turning)(level, vnv::Run{.samples = {s}});
   EXPECT_TRUE(std::isnan(value_of(errors, l2_velocity)));
   EXPECT_TRUE(std::isnan(value_of(errors, linf_velocity)));
 }
@@ -58,13 +58,13 @@ TEST(VelocityErrors, OfWhatIsNoNumberAreNoNumbers) {
 TEST(PressureErrors, DoNotSeeAPressureThatIsTheSameEverywhere) {
   Samples s = turning_samples(0.5);
   s.pressure += 1e3;
-  EXPECT_NEAR(value_of(pressure_errors(rising)(rung, vnv::Run{.samples = {s}}), l2_pressure), 0, 1e-11);
+  EXPECT_NEAR(value_of(pressure_errors(rising)(level, vnv::Run{.samples = {s}}), l2_pressure), 0, 1e-11);
 }
 
 TEST(PressureErrors, SeeAPressureThatIsTwiceTheTruth) {
   Samples s = turning_samples(0);
   s.pressure *= 2;
-  EXPECT_NEAR(value_of(pressure_errors(rising)(rung, vnv::Run{.samples = {s}}), l2_pressure), 100, 1e-10);
+  EXPECT_NEAR(value_of(pressure_errors(rising)(level, vnv::Run{.samples = {s}}), l2_pressure), 100, 1e-10);
 }
 
 TEST(KineticEnergy, IsHalfTheMassTimesTheSpeedSquared) {
@@ -87,13 +87,13 @@ TEST(RateOfDecay, OfWhatDoesNotDecayExponentiallyIsNotANumber) {
 TEST(DecayOfEnergy, IsComparedWithTheExactRate) {
   vnv::Run run{.summary = {.end_time = 1, .finished = true}};
   run.history = {{0, 0.5, 1}, {{7, 1}, {7, std::exp(-1.1)}, {7, std::exp(-2.2)}}};
-  EXPECT_NEAR(value_of(decay_of_energy(1, 2)(rung, run), decay_error), 10, 1e-10);
+  EXPECT_NEAR(value_of(decay_of_energy(1, 2)(level, run), decay_error), 10, 1e-10);
 }
 
 TEST(DecayOfEnergy, OfARunThatDivergedIsNotTold) {
   vnv::Run run{.summary = {.end_time = 0.5, .finished = false}};
   run.history = {{0, 0.5}, {{1}, {2}}};
-  EXPECT_TRUE(decay_of_energy(0, 2)(rung, run).empty());
+  EXPECT_TRUE(decay_of_energy(0, 2)(level, run).empty());
 }
 
 }  // namespace

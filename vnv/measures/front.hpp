@@ -4,7 +4,7 @@
 /// finite number, it gives not a number.
 
 #include "solvers/samples.hpp"
-#include "vnv/record.hpp"
+#include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
 
@@ -60,10 +60,10 @@ inline double farthest_particle(const Samples& samples) {
 /// Throws std::invalid_argument unless 0 < share <= 1.
 inline double percentile_front(const Samples& samples, double share = 0.995) {
   if (!(share > 0 && share <= 1))
-    throw std::invalid_argument(fmt::format("percentile_front: share = {}, wanted above 0 and at most 1", share));
+    throw std::invalid_argument(fmt::format("percentile_front: share = {}, expected above 0 and at most 1", share));
   if (!fronts::known(samples)) return not_a_number;
   const Scalars x = samples.x.row(0), volumes = samples.volumes();
-  const double wanted = (1 - 1e-12) * share * volumes.sum();  // less what the rounding of sums may do
+  const double expected = (1 - 1e-12) * share * volumes.sum();  // less what the rounding of sums may do
 
   // Only in the slice where the share is reached do the particles have to be put in order.
   constexpr int slices = 256;
@@ -73,13 +73,13 @@ inline double percentile_front(const Samples& samples, double share = 0.995) {
   for (Eigen::Index p = 0; p < x.size(); ++p) volume_in[slice(p)] += volumes(p);
   int here = 0;
   double behind = 0;
-  while (here < slices - 1 && behind + volume_in[here] < wanted) behind += volume_in[here++];
+  while (here < slices - 1 && behind + volume_in[here] < expected) behind += volume_in[here++];
   std::vector<std::pair<double, double>> in_order;
   for (Eigen::Index p = 0; p < x.size(); ++p)
     if (slice(p) == here) in_order.emplace_back(x(p), volumes(p));
   std::ranges::sort(in_order);
   for (const auto& [place, volume] : in_order)
-    if ((behind += volume) >= wanted) return place;
+    if ((behind += volume) >= expected) return place;
   return x.maxCoeff();  // the sums differ by rounding
 }
 
@@ -93,7 +93,7 @@ inline double percentile_front(const Samples& samples, double share = 0.995) {
 /// `cell` and the height `floor` in m. Throws std::invalid_argument for a cell that is not positive.
 inline double half_full_slab(const Samples& samples, double cell, double floor = 0) {
   if (!(cell > 0))
-    throw std::invalid_argument(fmt::format("half_full_slab: cell = {} m, wanted a positive length", cell));
+    throw std::invalid_argument(fmt::format("half_full_slab: cell = {} m, expected a positive length", cell));
   if (!fronts::known(samples)) return not_a_number;
   const double half = cell * cell / 2;
   double volume = 0, rate = 0, rear = 0;  // while the slab is ahead of all fluid, its rear may be anywhere

@@ -1,7 +1,7 @@
 #pragma once
 #include "vnv/case.hpp"
+#include "vnv/judge/norms.hpp"
 #include "vnv/measures/profile.hpp"
-#include "vnv/norms.hpp"
 
 #include <string>
 #include <vector>
@@ -12,16 +12,17 @@ namespace touchstone::vnv {
 using Truth = std::function<double(double y, double t)>;
 
 /// L2 (34) and Linf (35) of a measured profile against the truth, in per cent, at every time of a run. `what` names
-/// field and measure: "v_x, row means" gives "L2 v_x, row means [%]". The measure may depend on the rung.
-inline Measurement norms_of(std::string what, std::function<Measure(const Rung&)> measure, Truth truth) {
-  return [=](const Rung& rung, const Run& run) {
+/// field and measure: "v_x, row means" gives "L2 v_x, row means [%]". The measure may depend on the level.
+inline Measurement norms_of(std::string what, std::function<Measure(const Level&)> measure, Truth truth) {
+  return [=](const Level& level, const Run& run) {
     std::vector<Error> errors;
     for (const Samples& samples : run.samples) {
-      const Profile profile = measure(rung)(samples);
+      const Profile profile = measure(level)(samples);
       std::vector<double> exact;
       for (const double y : profile.at) exact.push_back(truth(y, samples.time));
       const auto add = [&](const char* norm, double value) {
-        errors.push_back({rung.name, rung.spacing, samples.time, std::string(norm) + " " + what + " [%]", 100 * value});
+        errors.push_back(
+            {level.name, level.spacing, samples.time, std::string(norm) + " " + what + " [%]", 100 * value});
       };
       add("L2", relative_l2(profile.value, exact, profile.weight));
       add("Linf", relative_linf(profile.value, exact));

@@ -60,12 +60,12 @@ inline double roughness(const Samples& samples, const Field& field, double radiu
 /// all.
 inline Measurement roughness_of(std::string name, Field field, std::string scale_name, double scale,
                                 std::vector<double> times = {}) {
-  return [=](const Rung& rung, const Run& run) {
+  return [=](const Level& level, const Run& run) {
     std::vector<Error> errors;
     const auto tell = [&](const Samples& samples) {
-      errors.push_back({rung.name, rung.spacing, samples.time,
+      errors.push_back({level.name, level.spacing, samples.time,
                         fmt::format("roughness of {} over {} [%]", name, scale_name),
-                        100 * roughness(samples, field, 2.5 * rung.spacing) / scale});
+                        100 * roughness(samples, field, 2.5 * level.spacing) / scale});
     };
     if (times.empty()) std::ranges::for_each(run.samples, tell);
     for (const double time : times)

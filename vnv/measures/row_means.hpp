@@ -49,7 +49,7 @@ inline Profile means(const Rows& rows) {
 inline Measure row_means(Field field, double row_height, double low = 0) {
   if (!(row_height > 0 && std::isfinite(row_height)))
     throw std::invalid_argument(
-        fmt::format("row_means: row height = {} m, wanted a positive finite height", row_height));
+        fmt::format("row_means: row height = {} m, expected a positive finite height", row_height));
   return [field = std::move(field), row_height, low](const Samples& samples) {
     rows::Rows rows;
     for (Eigen::Index p = 0; p < samples.size(); ++p) {

@@ -19,7 +19,7 @@ inline Finding unsteadiness(std::size_t column, double span) {
           times.push_back(run.history.time[k]);
           energies.push_back(run.history.seen[k][column]);
         }
-      found.push_back({run.summary.rung, run.summary.spacing, run.summary.end_time, change_of_energy,
+      found.push_back({run.summary.level, run.summary.spacing, run.summary.end_time, change_of_energy,
                        100 * std::abs(rate_of_decay(times, energies))});
     }
     return found;

@@ -9,7 +9,7 @@ namespace {
 
 /// A run of 10 s whose energy, in the second column, rises fast at first and by 2 % per second in the end.
 vnv::Run slowing() {
-  vnv::Run run{.summary = {.rung = "M1", .spacing = 0.1, .end_time = 10, .finished = true}};
+  vnv::Run run{.summary = {.level = "M1", .spacing = 0.1, .end_time = 10, .finished = true}};
   for (int k = 0; k <= 20; ++k) {
     const double t = 0.5 * k;
     run.history.time.push_back(t);
@@ -26,7 +26,7 @@ std::vector<Error> found_in(const vnv::Run& run, double span) {
 TEST(Unsteadiness, IsTheChangeOfEnergyAtTheEnd) {
   const std::vector<Error> found = found_in(slowing(), 2);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].rung, "M1");
+  EXPECT_EQ(found[0].level, "M1");
   EXPECT_EQ(found[0].time, 10);
   EXPECT_NEAR(found[0].value, 2, 1e-10);
   EXPECT_GT(found_in(slowing(), 6)[0].value, 5);

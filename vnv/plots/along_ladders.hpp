@@ -18,7 +18,7 @@ using Pick = std::function<std::optional<double>(const Record&, const Run&)>;
 inline Pick error_of(std::string quantity, double time) {
   return [=](const Record& record, const Run& run) -> std::optional<double> {
     for (const Error& e : record.errors)
-      if (e.rung == run.summary.rung && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time)
+      if (e.level == run.summary.level && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time)
         return e.value;
     return std::nullopt;
   };
@@ -54,8 +54,8 @@ inline Plot along_ladders(Figure frame, std::vector<std::string> ladders, Pick x
       for (const Ordinate& ordinate : ordinates) {
         const std::string which = drawn.size() == 1 ? "" : ", " + ladder.name;
         Curve curve{frame.id, results.method.name + ordinate.suffix + which, Role::ours, {}, {}, false};
-        for (const std::string& rung : ladder.rungs) {
-          const Run* run = results.run(rung);
+        for (const std::string& level : ladder.levels) {
+          const Run* run = results.run(level);
           if (!run || !run->summary.finished) continue;
           const std::optional<double> across = x(record, *run), up = ordinate.pick(record, *run);
           if (!across || !up) continue;

@@ -3,14 +3,14 @@
 
 namespace touchstone::vnv {
 
-/// Velocity along a centreline at the end of a rung, as a line through the published points. It ends a spacing and a
+/// Velocity along a centreline at the end of a level, as a line through the published points. It ends a spacing and a
 /// half from the walls, nearer to which a fit of second degree has too few rows of particles.
-inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string rung) {
+inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string level) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
     record.curves.push_back(
         {frame.id, "Ghia, Ghia & Shin 1982", Role::published, published.at, published.velocity, true});
-    const Run* run = results.run(rung);
+    const Run* run = results.run(level);
     if (!run || !run->summary.finished) return;
     Curve ours{frame.id, results.method.name, Role::ours, {}, {}, false};
     const double nearest = 1.5 * run->summary.spacing / cavity.side;

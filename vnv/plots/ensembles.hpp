@@ -1,5 +1,5 @@
 #pragma once
-#include "vnv/ensemble.hpp"
+#include "vnv/studies/ensemble.hpp"
 
 #include <fmt/format.h>
 

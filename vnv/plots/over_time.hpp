@@ -7,14 +7,14 @@
 
 namespace touchstone::vnv {
 
-/// What the watch saw in its `column` over time, one curve per rung named (those that were run).
-inline Plot over_time(Figure frame, std::size_t column, std::vector<std::string> rungs) {
+/// What the watch saw in its `column` over time, one curve per level named (those that were run).
+inline Plot over_time(Figure frame, std::size_t column, std::vector<std::string> levels) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
-    for (const std::string& rung : rungs) {
-      const Run* run = results.run(rung);
+    for (const std::string& level : levels) {
+      const Run* run = results.run(level);
       if (!run) continue;
-      Curve curve{frame.id, results.method.name + " " + rung, Role::ours, run->history.time, {}, false};
+      Curve curve{frame.id, results.method.name + " " + level, Role::ours, run->history.time, {}, false};
       for (const std::vector<double>& seen : run->history.seen) curve.y.push_back(seen[column]);
       record.curves.push_back(std::move(curve));
     }

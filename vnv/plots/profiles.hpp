@@ -5,17 +5,17 @@
 
 namespace touchstone::vnv {
 
-/// A measured profile at each time of the rungs named, as points over the exact lines.
-inline Plot profiles(Figure frame, std::function<Measure(const Rung&)> measure, Truth truth, double height,
-                     std::vector<std::string> rungs) {
+/// A measured profile at each time of the levels named, as points over the exact lines.
+inline Plot profiles(Figure frame, std::function<Measure(const Level&)> measure, Truth truth, double height,
+                     std::vector<std::string> levels) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
-    for (const Rung& rung : results.method.rungs) {
-      const Run* run = results.run(rung.name);
-      if (!run || std::ranges::find(rungs, rung.name) == rungs.end()) continue;
-      Curve ours{frame.id, results.method.name + " " + rung.name, Role::ours, {}, {}, true};
+    for (const Level& level : results.method.levels) {
+      const Run* run = results.run(level.name);
+      if (!run || std::ranges::find(levels, level.name) == levels.end()) continue;
+      Curve ours{frame.id, results.method.name + " " + level.name, Role::ours, {}, {}, true};
       for (const Samples& samples : run->samples) {
-        const Profile profile = measure(rung)(samples);
+        const Profile profile = measure(level)(samples);
         ours.x.insert(ours.x.end(), profile.at.begin(), profile.at.end());
         ours.y.insert(ours.y.end(), profile.value.begin(), profile.value.end());
         Curve exact{frame.id, fmt::format("exact, t = {:.3g} s", samples.time), Role::exact, {}, {}, false};

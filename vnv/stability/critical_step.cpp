@@ -1,6 +1,6 @@
 #include "vnv/stability/critical_step.hpp"
 
-#include "solvers/diverged.hpp"
+#include "solvers/stepping/diverged.hpp"
 
 #include <fmt/format.h>
 
@@ -46,10 +46,11 @@ bool is_stable(Simulation simulation, const StepSearch& search, long& steps) {
 CriticalStep critical_step(const SolverWith& solver_with, const StepSearch& search) {
   CriticalStep bracket{search.low, search.high};
   if (!is_stable(solver_with(search.low), search, bracket.steps))
-    throw std::invalid_argument(fmt::format("critical step: {} s is unstable, wanted a stable lower end", search.low));
+    throw std::invalid_argument(
+        fmt::format("critical step: {} s is unstable, expected a stable lower end", search.low));
   if (is_stable(solver_with(search.high), search, bracket.steps))
     throw std::invalid_argument(
-        fmt::format("critical step: {} s is stable, wanted an unstable upper end", search.high));
+        fmt::format("critical step: {} s is stable, expected an unstable upper end", search.high));
   while (bracket.high > bracket.low * (1 + search.tolerance)) {
     const double middle = std::sqrt(bracket.low * bracket.high);
     (is_stable(solver_with(middle), search, bracket.steps) ? bracket.low : bracket.high) = middle;
@@ -97,12 +98,12 @@ Run search_critical_step(const SolverWith& solver_with, const StepSearch& search
   return run;
 }
 
-Plot limits_table(std::string title, std::string caption, std::string rungs, std::vector<LimitColumn> columns) {
+Plot limits_table(std::string title, std::string caption, std::string levels, std::vector<LimitColumn> columns) {
   return [=](const Results& results, Record& record) {
-    Table table{"limits", title, caption, {"method", rungs}, {}};
+    Table table{"limits", title, caption, {"method", levels}, {}};
     for (const LimitColumn& column : columns) table.columns.push_back(column.heading);
     for (const Run& run : results.runs) {
-      std::vector<Cell> row = {results.method.name, run.summary.rung};
+      std::vector<Cell> row = {results.method.name, run.summary.level};
       for (const LimitColumn& column : columns) {
         const double value = run.value_of(column.quantity);
         row.push_back(std::isnan(value) ? Cell("–") : Cell(value));  // a growth too fast to be told, say

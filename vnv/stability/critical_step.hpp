@@ -61,8 +61,8 @@ struct LimitColumn {
   std::string heading, quantity;
 };
 
-/// A table of what each run found; `rungs` heads the column of their names.
-Plot limits_table(std::string title, std::string caption, std::string rungs, std::vector<LimitColumn> columns);
+/// A table of what each run found; `levels` heads the column of their names.
+Plot limits_table(std::string title, std::string caption, std::string levels, std::vector<LimitColumn> columns);
 
 /// What most such tables have to say.
 inline const std::string words_of_limits =

@@ -18,7 +18,7 @@ Run meet(const Extreme& extreme, const Schedule& when) {
   Ending ending = Ending::diverged;
   double error = not_a_number;
   try {
-    run = record(extreme.make, {.times = {extreme.end}, .watch = {}, .name = when.name}, extreme.stepping);
+    run = simulate(extreme.make, {.times = {extreme.end}, .watch = {}, .name = when.name}, extreme.stepping);
     if (run.summary.finished) {
       if (extreme.error) error = extreme.error(run.samples.back());
       ending = error <= extreme.accurate_within ? Ending::accurate : Ending::stable;
@@ -50,14 +50,14 @@ Method meeting(Method method, std::vector<Extreme> extremes) {
   method.claims = {at_least(ends_as_declared, 1, theory("what a method is made for says how a scene has to end"))};
   method.tolerance = {1.0, "how far off a run is that need not be right"};
   for (const Extreme& extreme : extremes)
-    method.rungs.push_back({.name = extreme.name,
-                            .spacing = 1,
-                            .acceptance = extreme.in_acceptance ? extreme.end : 0,
-                            .nightly = extreme.end,
-                            .may_diverge = true});
-  method.run = [extremes = std::move(extremes)](const Rung& rung, const Schedule& when) {
-    const auto named = std::ranges::find(extremes, rung.name, &Extreme::name);
-    if (named == extremes.end()) throw std::invalid_argument(fmt::format("no scene '{}'", rung.name));
+    method.levels.push_back({.name = extreme.name,
+                             .spacing = 1,
+                             .acceptance = extreme.in_acceptance ? extreme.end : 0,
+                             .nightly = extreme.end,
+                             .may_diverge = true});
+  method.run = [extremes = std::move(extremes)](const Level& level, const Schedule& when) {
+    const auto named = std::ranges::find(extremes, level.name, &Extreme::name);
+    if (named == extremes.end()) throw std::invalid_argument(fmt::format("no scene '{}'", level.name));
     return meet(*named, when);
   };
   return method;
@@ -72,7 +72,7 @@ Plot endings(std::vector<std::string> drawn) {
                 {}};
     for (const Run& run : results.runs) {
       const double error = run.value_of(error_at_end);
-      table.rows.push_back({run.summary.rung, results.method.name, words_of(run.value_of(ending_declared)),
+      table.rows.push_back({run.summary.level, results.method.name, words_of(run.value_of(ending_declared)),
                             words_of(run.value_of(ending_met)), std::isfinite(error) ? Cell(error) : Cell("–"),
                             run.summary.outcome});
     }

@@ -27,7 +27,7 @@ struct Extreme {
 
 inline const std::string ends_as_declared = "ends as declared [-]";
 
-/// A method and what it is to meet: each scene a rung, the claim that it ends as declared, a table of endings and
+/// A method and what it is to meet: each scene a level, the claim that it ends as declared, a table of endings and
 /// pictures of those that are drawn.
 Method meeting(Method method, std::vector<Extreme> extremes);
 

@@ -1,15 +1,15 @@
 #include "vnv/stability/methods_on_lattice.hpp"
 
-#include "vnv/channel.hpp"
-#include "vnv/free_surface_methods.hpp"
+#include "vnv/flows/channel.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 
 #include <stdexcept>
 
 namespace touchstone::vnv {
 namespace {
 
-constexpr double whole = 1;   // s
-constexpr int restores = 30;  // steps  between two restorations of density in printed SPH
+constexpr double output_interval = 1;  // s
+constexpr int restores = 30;           // steps  between two restorations of density in printed SPH
 
 /// A method of methods.hpp or free_surface_methods.hpp; the latter are compiled for scenes with a force.
 template <class Make>
@@ -30,8 +30,8 @@ OnLattice of_channel(const std::string& name, const std::string& words, double s
     const Scene<Newtonian> scene = lattice.scene(start);
     return simulating(
         {.name = name, .description = words, .tolerance = stretched, .relative_cost = 2},
-        [=](const Rung& rung, double time_step) { return solver(scene, rung, time_step); },
-        by_spacings(scene, share, whole));
+        [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
+        by_spacings(scene, share, output_interval));
   };
 }
 
@@ -55,10 +55,10 @@ struct WholeArtificialViscosity : sph::ArtificialViscosity {};
 /// Printed SPH with one of the pressure terms and one of the artificial viscosities.
 template <class PressureTerm, class Artificial>
 OnLattice printed_with(const std::string& name, const std::string& words) {
-  return of_channel(name, words, 0.25, [](const Scene<Newtonian>& scene, const Rung& rung, double time_step) {
-    const double h = rung.smoothing_or(1.2 * rung.spacing);
+  return of_channel(name, words, 0.25, [](const Scene<Newtonian>& scene, const Level& level, double time_step) {
+    const double h = level.smoothing_or(1.2 * level.spacing);
     return sph::printed<sph::CubicSpline>(
-        scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+        scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
         sph::momentum(PressureTerm{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
                       Artificial{{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}}));
   });
@@ -74,12 +74,12 @@ std::vector<LatticeMethod> methods_on_lattice() {
   using Still = Scene<Newtonian>;
   using Forced = Scene<Newtonian, Uniform>;
   std::vector<LatticeMethod> all = {
-      {Family::mpm, plain([](const Still& s) { return mpm_as_printed(s, whole); })},
-      {Family::mpm, plain([](const Still& s) { return mpm_affine(s, whole); })},
-      {Family::mpm, forced([](const Forced& s) { return mpm_apic(s, whole); })},
-      {Family::mpm, forced([](const Forced& s) { return mpm_xpic(s, whole); })},
-      {Family::mpm, plain([](const Still& s) { return mpm_least_squares(s, whole); }), true},
-      {Family::sph, plain([](const Still& s) { return sph_as_printed(s, whole); }), false, restores,
+      {Family::mpm, plain([](const Still& s) { return mpm_as_printed(s, output_interval); })},
+      {Family::mpm, plain([](const Still& s) { return mpm_affine(s, output_interval); })},
+      {Family::mpm, forced([](const Forced& s) { return mpm_apic(s, output_interval); })},
+      {Family::mpm, forced([](const Forced& s) { return mpm_xpic(s, output_interval); })},
+      {Family::mpm, plain([](const Still& s) { return mpm_least_squares(s, output_interval); }), true},
+      {Family::sph, plain([](const Still& s) { return sph_as_printed(s, output_interval); }), false, restores,
        linear_printed<sph::Pressure>()},
       {Family::sph,
        printed_with<sph::PressureDifference, WholeArtificialViscosity>(
@@ -87,21 +87,21 @@ std::vector<LatticeMethod> methods_on_lattice() {
        false, restores, linear_printed<sph::PressureDifference>()},
       {.family = Family::sph,
        .on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
-                        [](const Still& s, const Rung& rung, double time_step) {
-                          return channel::transport_solver(s, rung, time_step);
+                        [](const Still& s, const Level& level, double time_step) {
+                          return channel::transport_solver(s, level, time_step);
                         }),
        .one_kernel = true},
       {.family = Family::sph,
        .on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
-                        [](const Still& s, const Rung& rung, double time_step) {
-                          return channel::transport_solver<AdamsBashforth>(s, rung, time_step);
+                        [](const Still& s, const Level& level, double time_step) {
+                          return channel::transport_solver<AdamsBashforth>(s, level, time_step);
                         }),
        .one_kernel = true},
-      {Family::sph, plain([](const Still& s) { return sph_transport_velocity(s, whole); })},
-      {Family::sph, plain([](const Still& s) { return sph_second_order(s, whole); })},
-      {Family::sph, forced([](const Forced& s) { return sph_delta(s, whole); })},
-      {Family::sph, forced([](const Forced& s) { return sph_corrected(s, whole); })},
-      {Family::sph, plain([](const Still& s) { return sph_shifted(s, whole); })},
+      {Family::sph, plain([](const Still& s) { return sph_transport_velocity(s, output_interval); })},
+      {Family::sph, plain([](const Still& s) { return sph_second_order(s, output_interval); })},
+      {Family::sph, forced([](const Forced& s) { return sph_delta(s, output_interval); })},
+      {Family::sph, forced([](const Forced& s) { return sph_corrected(s, output_interval); })},
+      {Family::sph, plain([](const Still& s) { return sph_shifted(s, output_interval); })},
   };
   // A grid is at rest, and so is what the drift of the transport velocity carries.
   for (LatticeMethod& method : all) {
@@ -119,20 +119,20 @@ std::vector<LatticeMethod> methods_in_single_precision() {
     const Still scene = lattice.scene(start);
     return simulating(
         {.name = "mpm_float", .description = channel::mpm_words + channel::float_words, .tolerance = stretched},
-        [=](const Rung& rung, double time_step) {
-          return channel::mpm_solver<mpm::PrescribedMotion, float>(scene, rung, time_step);
+        [=](const Level& level, double time_step) {
+          return channel::mpm_solver<mpm::PrescribedMotion, float>(scene, level, time_step);
         },
-        by_cells(scene, 0.5, whole));
+        by_cells(scene, 0.5, output_interval));
   };
   return {{.family = Family::mpm,
            .on = mpm,
-           .linear = plain([](const Still& s) { return mpm_as_printed(s, whole); }),
+           .linear = plain([](const Still& s) { return mpm_as_printed(s, output_interval); }),
            .at_night_only = true},
           {.family = Family::sph,
            .on = of_channel("sph_regularised_float",
                             channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
-                            [](const Still& s, const Rung& rung, double time_step) {
-                              return channel::transport_solver<KickDriftKick, float>(s, rung, time_step);
+                            [](const Still& s, const Level& level, double time_step) {
+                              return channel::transport_solver<KickDriftKick, float>(s, level, time_step);
                             }),
            .linear = method_on_lattice("sph_regularised").on,
            .one_kernel = true,

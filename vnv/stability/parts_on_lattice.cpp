@@ -3,22 +3,22 @@
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/integrators/drift_kick_drift.hpp"
 #include "solvers/integrators/symplectic.hpp"
+#include "solvers/mpm/composed/transfers/blend.hpp"
+#include "solvers/mpm/composed/transfers/flip.hpp"
+#include "solvers/mpm/composed/transfers/pic.hpp"
+#include "solvers/mpm/composed/updates/stress_first.hpp"
+#include "solvers/mpm/composed/updates/stress_last.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/mpm/transfers/blend.hpp"
-#include "solvers/mpm/transfers/flip.hpp"
-#include "solvers/mpm/transfers/pic.hpp"
-#include "solvers/mpm/updates/stress_first.hpp"
-#include "solvers/mpm/updates/stress_last.hpp"
-#include "solvers/sph/diffusion/molteni_colagrossi.hpp"
-#include "solvers/sph/gradients/oger.hpp"
+#include "solvers/sph/free_surface/diffusion/molteni_colagrossi.hpp"
+#include "solvers/sph/free_surface/gradients/oger.hpp"
 #include "solvers/sph/kernels/wendland_c4.hpp"
-#include "vnv/free_surface_methods.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
 
 namespace touchstone::vnv {
 namespace {
 
-constexpr double whole = 1;  // s
+constexpr double output_interval = 1;  // s
 
 template <class Shape, class Transfer, class UpdateOrder, class Density = mpm::CarriedDensity>
 LatticeMethod mpm_with(const std::string& name, const std::string& part) {
@@ -29,11 +29,11 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
          .description =
              "Material point method with linear hats, FLIP, MUSL and carried densities, but for " + part + ".",
          .relative_cost = 2},
-        [=](const Rung& rung, double time_step) {
+        [=](const Level& level, double time_step) {
           return mpm::composed<Shape, Transfer, UpdateOrder, Density>(
-              scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+              scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
-        by_cells(scene, 0.4, whole));
+        by_cells(scene, 0.4, output_interval));
   };
   return {.family = Family::mpm, .on = method, .at_night_only = true};
 }
@@ -49,13 +49,13 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
                                     "but for {}; h = {:g} spacings.",
                                     part, ratio),
          .relative_cost = 2},
-        [=](const Rung& rung, double time_step) {
-          const double h = rung.smoothing_or(ratio * rung.spacing);
+        [=](const Level& level, double time_step) {
+          const double h = level.smoothing_or(ratio * level.spacing);
           return sph::free_surface<Kernel, Integrator>(
-              scene, {.spacing = rung.spacing, .smoothing_length = h, .time_step = time_step},
+              scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
               detail::viscosity_of(scene.fluid, 0, h), parts(scene.fluid, h));
         },
-        by_spacings(scene, 0.3, whole));
+        by_spacings(scene, 0.3, output_interval));
   };
   return {.family = Family::sph, .on = method, .at_night_only = true};
 }

@@ -23,8 +23,8 @@ struct RestingLattice {
   double side() const { return cells * unit(); }    // m
   int across() const { return cells * points; }     // particles along a side
   long particles() const { return static_cast<long>(across()) * across(); }
-  /// As a rung: its spacing and its cell or smoothing length [m].
-  Rung rung() const {
+  /// As a level: its spacing and its cell or smoothing length [m].
+  Level level() const {
     return {.spacing = spacing, .cell = unit(), .smoothing_length = smoothing > 0 ? smoothing * spacing : not_a_number};
   }
   /// The scene that starts so; `start.places` moves particles from their lattice, shifted already.
@@ -54,7 +54,7 @@ using OnLattice = std::function<Method(const RestingLattice&, const Start&)>;
 
 /// A simulation of it, in steps in which sound travels `courant` unit cells.
 inline Simulation simulate(const OnLattice& method, const RestingLattice& lattice, const Start& start, double courant) {
-  return method(lattice, start).solver(lattice.rung(), courant * lattice.unit() / RestingLattice::sound_speed);
+  return method(lattice, start).solver(lattice.level(), courant * lattice.unit() / RestingLattice::sound_speed);
 }
 
 }  // namespace touchstone::vnv

@@ -1,7 +1,7 @@
 #include "vnv/stability/spectrum.hpp"
 
 #include <fmt/format.h>
-#include "solvers/diverged.hpp"
+#include "solvers/stepping/diverged.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
@@ -147,10 +147,10 @@ Spectrum spectrum(const OnLattice& method, const RestingLattice& lattice, double
 double critical_courant(const OnLattice& method, const RestingLattice& lattice, int every, double low, double high) {
   const auto grows = [&](double courant) { return spectrum(method, lattice, courant, every).radius > growing; };
   if (grows(low))
-    throw std::invalid_argument(fmt::format("linear stability: Courant number {:g}, wanted a stable lower end", low));
+    throw std::invalid_argument(fmt::format("linear stability: Courant number {:g}, expected a stable lower end", low));
   if (!grows(high))
     throw std::invalid_argument(
-        fmt::format("linear stability: Courant number {:g}, wanted an unstable upper end", high));
+        fmt::format("linear stability: Courant number {:g}, expected an unstable upper end", high));
   while (high > 1.002 * low) {
     const double middle = std::sqrt(low * high);
     (grows(middle) ? high : low) = middle;

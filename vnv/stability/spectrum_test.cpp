@@ -1,6 +1,6 @@
 #include "vnv/stability/spectrum.hpp"
 
-#include "solvers/mpm/mpm.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
 #include "vnv/stability/critical_step.hpp"
 #include "vnv/stability/lattice_noise.hpp"
 
@@ -56,8 +56,8 @@ struct Diffusing {
 OnLattice diffusing(double rate) {
   return [=](const RestingLattice& lattice, const Start& start) {
     return simulating(
-        {.name = "diffusing"}, [=](const Rung&, double) { return Diffusing(lattice, start, rate); },
-        [](const Rung&) { return 1.0; });
+        {.name = "diffusing"}, [=](const Level&, double) { return Diffusing(lattice, start, rate); },
+        [](const Level&) { return 1.0; });
   };
 }
 
@@ -65,11 +65,11 @@ OnLattice linear_hats() {
   return [](const RestingLattice& lattice, const Start& start) {
     return simulating(
         {.name = "mpm"},
-        [scene = lattice.scene(start)](const Rung& rung, double time_step) {
+        [scene = lattice.scene(start)](const Level& level, double time_step) {
           return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-              scene, {.cell = rung.cell, .spacing = rung.spacing, .time_step = time_step});
+              scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
-        [](const Rung&) { return 1e-3; });
+        [](const Level&) { return 1e-3; });
   };
 }
 

@@ -95,8 +95,8 @@ using AlongAxis = typename LaidAlong<Shape>::type;
 template <class Shape>
 constexpr bool obeys_laws_along(const Axis& axis, double tolerance) {
   const AlongAxis<Shape> along(axis);
-  const auto off = [=](double value, double wanted) {
-    return !(value - wanted <= tolerance && wanted - value <= tolerance);
+  const auto off = [=](double value, double expected) {
+    return !(value - expected <= tolerance && expected - value <= tolerance);
   };
   constexpr int places_per_cell = 16;
   for (int k = 0; k <= places_per_cell * axis.cells; ++k) {

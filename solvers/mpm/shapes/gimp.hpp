@@ -20,8 +20,9 @@ struct Gimp {
     /// Throws std::invalid_argument for particles that are points or larger than a cell.
     constexpr explicit Along(const Axis& axis) : axis_(axis) {
       if (!(axis.reach > 0 && axis.reach <= 0.5))
-        throw std::invalid_argument("mpm: GIMP with particles larger than a cell, wanted a spacing of at most a cell");
-      if (axis.cells < 2) throw std::invalid_argument("mpm: GIMP on one cell, wanted at least two along each axis");
+        throw std::invalid_argument(
+            "mpm: GIMP with particles larger than a cell, expected a spacing of at most a cell");
+      if (axis.cells < 2) throw std::invalid_argument("mpm: GIMP on one cell, expected at least two along each axis");
     }
 
     constexpr int nodes() const { return axis_.periodic ? axis_.cells : axis_.cells + 1; }

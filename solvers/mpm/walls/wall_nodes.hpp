@@ -1,5 +1,5 @@
 #pragma once
-#include "solvers/mpm/nodes.hpp"
+#include "solvers/mpm/printed/nodes.hpp"
 #include "solvers/mpm/walls/node_at_wall.hpp"
 #include "solvers/scene.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "solvers/sph/surroundings.hpp"
+#include "solvers/sph/free_surface/surroundings.hpp"
 
 namespace touchstone::sph {
 

@@ -27,7 +27,7 @@ void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls,
   sum_over_neighbours<6>(near.fluid_near_ghost, near.seen, share, [&](Index g, const std::array<double, 6>& sums) {
     if (!(sums[0] > 0)) {  // what the lists hold is beyond the kernel
       near.seen[g].move(0, 0);
-      near.seen[g].be(fluid.density, 0);
+      near.seen[g].set_state(fluid.density, 0);
       return;
     }
     const BoundaryLayout::Ghost& ghost = near.boundary.ghosts[g - first];
@@ -37,7 +37,7 @@ void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls,
     double p = per * sums[3];
     if constexpr (is_present<Force>) p += per * body_force(ghost.x, time).dot(Vec2(sums[4], sums[5]));
     near.seen[g].move(v.x(), v.y());
-    near.seen[g].be(fluid.density_at(p), p);
+    near.seen[g].set_state(fluid.density_at(p), p);
   });
   near.images.refresh_boundary(near.all, near.seen);
 }

@@ -27,7 +27,7 @@ void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>&
     const BoundaryLayout::Ghost& ghost = near.boundary.ghosts[g - first];
     if (!(sums[0] > 0)) {  // what the lists hold is beyond the kernel
       near.seen[g].move(0, 0);
-      near.seen[g].be(fluid.density, 0);
+      near.seen[g].set_state(fluid.density, 0);
       return;
     }
     const Vec2 way(sums[4] / sums[0], sums[5] / sums[0]), from = ghost.x + way;
@@ -41,7 +41,7 @@ void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>&
     }
     if constexpr (is_present<Force>) p -= fluid.density * body_force(from, time).dot(way);
     near.seen[g].move(v.x(), v.y());
-    near.seen[g].be(fluid.density_at(p), p);
+    near.seen[g].set_state(fluid.density_at(p), p);
   });
   near.images.refresh_boundary(near.all, near.seen);
 }

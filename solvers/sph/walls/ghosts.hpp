@@ -27,7 +27,7 @@ inline BoundaryLayout lay_out_ghosts(const Domain& domain, const std::vector<Wal
   for (const Wall& wall : walls) {
     const double face = (wall.inward > 0 ? domain.box.low : domain.box.high)[wall.axis];
     if (std::abs(wall.position - face) > 1e-9 * domain.box.size()[wall.axis])
-      throw std::invalid_argument(fmt::format("sph: wall at {} = {} m, wanted on the face of the domain at {} m",
+      throw std::invalid_argument(fmt::format("sph: wall at {} = {} m, expected on the face of the domain at {} m",
                                               "xy"[wall.axis], wall.position, face));
     (wall.inward > 0 ? before : beyond)[wall.axis] = layers;
   }
@@ -80,7 +80,7 @@ void fill_ghosts(std::vector<Record>& seen, const NeighbourLists<width>& fluid_n
     if (!alone)
       for (const int w : ghosts[g - fluid].behind) v = 2 * walls[w].at_wall(v, time) - v;
     seen[g].move(v.x(), v.y());
-    seen[g].be(alone ? density : sums[3] * per, sums[4] * per);
+    seen[g].set_state(alone ? density : sums[3] * per, sums[4] * per);
   });
 }
 

@@ -1,0 +1,162 @@
+#include "reports/figures/axes.hpp"
+#include "reports/figures/look.hpp"
+#include "reports/figures/plot.hpp"
+#include "reports/text/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace touchstone::reports {
+namespace {
+
+using vnv::Role;
+
+constexpr int plot_height = 440;         // px
+constexpr std::size_t few_points = 24;   // up to here a line shows its points too
+constexpr std::size_t many_points = 60;  // from here on points are drawn smaller
+
+// One curve, and its place among those that look alike: the curves of one method share a colour.
+struct Series {
+  const vnv::Curve* curve;
+  std::string family;
+  std::size_t colour = 0, member = 0;
+};
+
+Look look(const Series& s) {
+  const std::size_t turn = s.member + s.colour / palette.size();  // a second round of colours takes other marks
+  switch (s.curve->role) {
+    case Role::exact:
+      return {"#000000", 2, pick(dashes, s.member), 1.1, 0.7};
+    case Role::experiment:
+      return {"#000000", pick(hollow_marks, s.member), "1", 1.2, 0.9};
+    case Role::published:
+      return {pick(palette, palette.size() - 1 - s.colour % palette.size()), pick(hollow_marks, turn), "(7,5)", 1.5,
+              0.9};
+    case Role::guide:
+      return {"#8A8A8A", 1, pick(dashes, s.member + 1), 1.2, 0.7};
+    case Role::best:
+      return {"#000000", 6, "1", 2, 1.3};
+    case Role::ours:
+      break;
+  }
+  return look_of_method(s.colour, s.member);
+}
+
+std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& records) {
+  std::vector<Series> all;
+  std::set<std::string> labels;
+  for (const auto& record : records.records)
+    for (const auto& curve : record.curves)
+      if (curve.figure == figure.id && labels.insert(curve.label).second)
+        all.push_back({&curve, curve.role == Role::ours ? record.method : ""});
+  return all;
+}
+
+// Colours and members of one role, in order of appearance.
+void number_series(std::vector<Series>& all, Role role) {
+  std::vector<std::string> families;
+  std::vector<std::size_t> members;
+  for (auto& series : all) {
+    if (series.curve->role != role) continue;
+    series.colour = std::find(families.begin(), families.end(), series.family) - families.begin();
+    if (series.colour == families.size()) {
+      families.push_back(series.family);
+      members.push_back(0);
+    }
+    series.member = members[series.colour]++;
+  }
+  if (families.size() > 1) return;
+  for (auto& series : all)  // a family alone can spend the colours on its members
+    if (series.curve->role == role) series.colour = series.member;
+}
+
+// Back to front: a thin exact line stays visible upon a thick one of ours.
+constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Role::experiment, Role::exact, Role::best};
+
+std::vector<Series> series_of(const vnv::Figure& figure, const CaseRecords& records) {
+  std::vector<Series> all = find_series(figure, records);
+  for (const Role role : back_to_front) number_series(all, role);
+  const auto depth = [](const Series& s) {
+    return std::find(back_to_front.begin(), back_to_front.end(), s.curve->role);
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return depth(a) < depth(b); });
+  return all;
+}
+
+long drawable_points(const vnv::Curve& curve, const vnv::Figure& figure) {
+  long count = 0;
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    count += is_drawable(curve.x[i], figure.x) && is_drawable(curve.y[i], figure.y);
+  return count;
+}
+
+std::string style(const vnv::Curve& curve, const Look& l) {
+  const bool is_line = curve.role == Role::exact || curve.role == Role::guide || curve.x.size() > few_points;
+  const double size = curve.x.size() < many_points ? l.size : 0.6 * l.size;
+  const std::string line = fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", l.dash, l.width, l.colour);
+  const std::string points = fmt::format("pointtype {} pointsize {:.3g}", l.mark, size);
+  if (curve.points) return fmt::format("points {} linewidth {} linecolor rgb '{}'", points, l.width * 0.6, l.colour);
+  return is_line ? "lines " + line : fmt::format("linespoints {} {}", line, points);
+}
+
+// `first` is the row of the data at which the curve starts.
+std::string element(const Series& series, const vnv::Figure& figure, std::size_t first) {
+  const vnv::Curve& curve = *series.curve;
+  const std::string with = style(curve, look(series)), label = shortened(curve.label);
+  if (drawable_points(curve, figure) == 0)
+    return fmt::format("NaN with {} title {}", with, gnuplot_string(label + " (no finite value)"));
+  return fmt::format("'{}.csv' skip 1 every ::{}::{} using 2:3 with {} title {}", figure.id, first,
+                     first + curve.x.size() - 1, with, gnuplot_string(label));
+}
+
+std::vector<std::string> labels_of(const std::vector<Series>& all) {
+  std::vector<std::string> labels;
+  for (const auto& series : all) labels.push_back(series.curve->label);
+  return labels;
+}
+
+std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figure) {
+  std::string elements;
+  std::size_t row = 0;
+  for (const auto& series : all) {
+    elements += (row + elements.size() > 0 ? ", \\\n     " : "") + element(series, figure, row);
+    row += series.curve->x.size();
+  }
+  return "plot " + elements + "\n";
+}
+
+Extent extent_of(const std::vector<Series>& all, const vnv::Axis& axis, std::vector<double> vnv::Curve::*values) {
+  Extent extent(axis);
+  for (const auto& series : all) extent.add(series.curve->*values);
+  return extent;
+}
+
+std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
+  const Extent x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
+  return frame.commands(figure, x, y) + plot_command(all, figure) + "set output\n";
+}
+
+std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
+  std::string csv = csv_line({"curve", figure.x.label, figure.y.label});
+  for (const auto& series : all)
+    for (std::size_t i = 0; i < series.curve->x.size(); ++i)
+      csv += csv_line({series.curve->label, gnuplot_number(series.curve->x[i] * figure.x.scale),
+                       gnuplot_number(series.curve->y[i] * figure.y.scale)});
+  return csv;
+}
+
+}  // namespace
+
+Plot plot_curves(const vnv::Figure& figure, const CaseRecords& records) {
+  const std::vector<Series> all = series_of(figure, records);
+  const Frame frame(plot_height, labels_of(all));
+  Plot plot{figure.id + ".svg", Frame::width, frame.height(), script(all, figure, frame), data(all, figure)};
+  for (const auto& series : all)
+    plot.undrawn += static_cast<long>(series.curve->x.size()) - drawable_points(*series.curve, figure);
+  return plot;
+}
+
+}  // namespace touchstone::reports

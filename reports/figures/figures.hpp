@@ -1,0 +1,31 @@
+#pragma once
+/// Figures of a case: the image, and beside it the script and the data that redraw it.
+
+#include "reports/figures/plot.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace touchstone::reports {
+
+/// A figure that stands in its folder as <id>.svg or <id>.png, <id>.gp and <id>.csv.
+struct DrawnFigure {
+  vnv::Figure figure;
+  std::string image;
+  int width, height;  // as shown, in pixels
+  long undrawn;       // points that could not be shown
+};
+
+/// Throws as `run_gnuplot` and `save` do; then the image is not there.
+DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder);
+
+/// A plot in the frame of a figure.
+DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder);
+
+/// All figures of a case that have curves or clouds.
+std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder);
+
+/// Errors over spacing of all its methods, once for each quantity and time that its orders are compared in.
+std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder);
+
+}  // namespace touchstone::reports

@@ -1,0 +1,154 @@
+#include "reports/figures/figures.hpp"
+
+#include "reports/testing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+long count(const std::string& text, const std::string& part) {
+  long found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+Plot profile_of(const std::vector<vnv::Record>& records) {
+  return plot_curves(records.front().figures.front(), {"poiseuille", records});
+}
+
+vnv::Record cloud_record() {
+  vnv::Record record = sample_record();
+  record.figures[0].colour.label = "p [Pa]";
+  record.figures[0].equal_axes = true;
+  record.curves.clear();
+  for (const char* row : {"t = 0 s", "t = 1 s"})
+    record.clouds.push_back({"profile", "MPM", row, {0, 1, 2}, {0, 1, 0}, {1, 2, 3}});
+  return record;
+}
+
+TEST(Curves, OfEqualLabelAreDrawnOnce) {
+  const Plot plot = profile_of({sample_record("mpm"), sample_record("sph")});
+  EXPECT_EQ(count(plot.script, "title 'exact'"), 1);
+  EXPECT_EQ(count(plot.data, "\nexact,"), 3);
+  EXPECT_EQ(count(plot.script, "title 'sph'"), 1);
+}
+
+TEST(Curves, OfTwoMethodsDifferInColour) {
+  const std::string script = profile_of({sample_record("mpm"), sample_record("sph")}).script;
+  const auto colour_before = [&](const std::string& title) {
+    const auto end = script.find(title);
+    return script.substr(script.rfind("rgb '", end), 13);
+  };
+  EXPECT_NE(colour_before("title 'mpm'"), colour_before("title 'sph'"));
+  EXPECT_EQ(colour_before("title 'exact'"), "rgb '#000000'");
+}
+
+TEST(Curves, AreWrittenInTheUnitOfTheAxis) {
+  const Plot plot = profile_of({sample_record()});
+  EXPECT_TRUE(plot.data.starts_with("curve,y [mm],v_x [mm/s]\n")) << plot.data;
+  EXPECT_TRUE(contains(plot.data, "\nmpm,0.5,1\n")) << plot.data;
+}
+
+TEST(Curves, SayHowManyPointsNoAxisCanShow) {
+  vnv::Record record = sample_record();
+  record.curves[0].y[1] = vnv::not_a_number;
+  EXPECT_EQ(profile_of({record}).undrawn, 1);
+  record.figures[0].y.logarithmic = true;
+  EXPECT_EQ(profile_of({record}).undrawn, 5);  // and the four zeros of both curves
+}
+
+TEST(Curves, ReachTheDataOfTheirOwn) {
+  const std::string script = profile_of({sample_record()}).script;
+  EXPECT_TRUE(contains(script, "every ::0::2 using 2:3")) << script;
+  EXPECT_TRUE(contains(script, "every ::3::5 using 2:3")) << script;
+}
+
+TEST(Labels, BecomeNoCommands) {
+  EXPECT_EQ(gnuplot_string("it's\n`rm`"), "'it''s `rm`'");
+  vnv::Record record = sample_record();
+  record.curves[0].label = "mpm' with lines; system 'touch owned";
+  const ScratchFolder folder;
+  draw(record.figures[0], {"poiseuille", {record}}, folder.path());
+  EXPECT_FALSE(fs::exists(folder / "owned"));
+}
+
+TEST(Labels, OfAxesShowSymbolsAndKeepOtherUnderscores) {
+  EXPECT_EQ(gnuplot_label("v_x [mm/s]"), "{/:Italic v}_{x} [mm/s]");
+  EXPECT_EQ(gnuplot_label("10^-3 of mpm_reset"), "10^{−3} of mpm\\_reset");
+}
+
+TEST(Figure, SameRecordsGiveTheSameBytes) {
+  const ScratchFolder first, second;
+  const vnv::Record record = sample_record(), cloud = cloud_record();
+  for (const auto* folder : {&first, &second}) {
+    draw(record.figures[0], {"poiseuille", {record}}, folder->path());
+    vnv::Figure panels = cloud.figures[0];
+    draw(panels, {"poiseuille", {cloud}}, folder->path());
+  }
+  for (const char* name : {"profile.svg", "profile.png", "profile.gp", "profile.csv"}) {
+    EXPECT_FALSE(text_of_file(first / name).empty()) << name;
+    EXPECT_EQ(text_of_file(first / name), text_of_file(second / name)) << name;
+  }
+}
+
+TEST(Figure, IsRedrawnByItsScript) {
+  const ScratchFolder folder;
+  const vnv::Record record = sample_record();
+  draw(record.figures[0], {"poiseuille", {record}}, folder.path());
+  const std::string drawn = text_of_file(folder / "profile.svg");
+  fs::remove(folder / "profile.svg");
+  ASSERT_EQ(std::system(("cd " + folder.path().string() + " && gnuplot profile.gp").c_str()), 0);
+  EXPECT_EQ(text_of_file(folder / "profile.svg"), drawn);
+}
+
+TEST(Figure, OfNothingFiniteIsStillDrawnAndSaysSo) {
+  const ScratchFolder folder;
+  vnv::Record record = sample_record();
+  record.curves.resize(1);
+  std::fill(record.curves[0].y.begin(), record.curves[0].y.end(), vnv::not_a_number);
+  const DrawnFigure drawn = draw(record.figures[0], {"poiseuille", {record}}, folder.path());
+  EXPECT_EQ(drawn.undrawn, 3);
+  EXPECT_TRUE(contains(text_of_file(folder / "profile.svg"), "no finite value"));
+}
+
+TEST(Figure, OfOnePointIsDrawn) {
+  const ScratchFolder folder;
+  vnv::Record record = sample_record();
+  for (const bool logarithmic : {false, true}) {
+    record.curves = {sample_curve("mpm")};
+    record.curves[0].x = record.curves[0].y = {1e-3};
+    record.figures[0].y.logarithmic = logarithmic;
+    EXPECT_NO_THROW(draw(record.figures[0], {"poiseuille", {record}}, folder.path()));
+  }
+}
+
+TEST(Clouds, StandInRowsUnderOneBar) {
+  const vnv::Record record = cloud_record();
+  const Plot plot = plot_clouds(record.figures[0], {"poiseuille", {record}});
+  EXPECT_EQ(plot.image, "profile.png");
+  EXPECT_EQ(count(plot.script, "\nplot "), 2);
+  EXPECT_EQ(count(plot.script, "\nset colorbox"), 1);
+  EXPECT_EQ(count(plot.script, "unset colorbox"), 1);
+}
+
+TEST(Clouds, OfEqualPlaceAreDrawnOnce) {
+  const vnv::Record record = cloud_record();
+  const Plot plot = plot_clouds(record.figures[0], {"poiseuille", {record, record}});
+  EXPECT_EQ(count(plot.script, "\nplot "), 2);
+  EXPECT_EQ(count(plot.data, "\n"), 7);
+}
+
+TEST(Clouds, WithParticlesThatAreNotANumberAreDrawn) {
+  const ScratchFolder folder;
+  vnv::Record record = cloud_record();
+  record.clouds[1].x = record.clouds[1].y = record.clouds[1].colour = std::vector(3, vnv::not_a_number);
+  EXPECT_EQ(draw(record.figures[0], {"poiseuille", {record}}, folder.path()).undrawn, 3);
+}
+
+}  // namespace
+}  // namespace touchstone::reports

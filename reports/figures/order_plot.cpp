@@ -1,0 +1,203 @@
+#include "reports/figures/order_plot.hpp"
+
+#include "reports/figures/look.hpp"
+#include "reports/figures/slope_guides.hpp"
+#include "reports/text/csv.hpp"
+#include "reports/text/numbers.hpp"
+#include "vnv/record/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace touchstone::reports {
+namespace {
+
+constexpr int plot_height = 500;   // px
+constexpr double widest_band = 1;  // half-width of an order; beyond, a band would cover what it is to explain
+
+/// A line of the comparison, and where its rows stand in the data.
+struct Series {
+  std::string label;
+  Look look;
+  std::size_t first;
+  const vnv::ObservedOrder* order;
+
+  std::size_t last() const { return first + order->spacings.size() - 1; }
+  bool has_band() const { return order->half_width <= widest_band; }
+  bool has_floor() const { return !std::isnan(order->floor); }
+};
+
+/// "order 2.02 ± 0.12".
+std::string order_words(const vnv::ObservedOrder& order) {
+  if (std::isnan(order.order)) return "no order";
+  return fmt::format("order {}{}", with_interval(order.order, order.half_width),
+                     order.spacings.size() == 2 ? " of two spacings" : "");
+}
+
+/// As in other figures, but with a mark of its own for each method: many lines meet here.
+Look look(const OrderLine& line, std::size_t member) {
+  Look look = look_of_method(line.place, member);
+  look.mark = pick(member == 0 ? filled_marks : hollow_marks, line.place);
+  look.width = 1.6;
+  look.size = 0.8;
+  return look;
+}
+
+std::vector<Series> series_of(const OrderComparison& comparison) {
+  std::vector<Series> all;
+  std::map<std::string, std::size_t> members;  // so far, of each method
+  std::size_t row = 0;
+  for (const auto& line : comparison.lines) {
+    all.push_back({fmt::format("{}: {}", comparison.name_of(line), order_words(line.order)),
+                   look(line, members[line.method]++), row, &line.order});
+    row += line.order.spacings.size();
+  }
+  return all;
+}
+
+double mean_log(const std::vector<double>& values) {
+  const auto add_log = [](double sum, double value) { return sum + std::log(value); };
+  return std::accumulate(values.begin(), values.end(), 0.0, add_log) / static_cast<double>(values.size());
+}
+
+/// A power law of some order through the centre of the data, about which the least-squares line turns; not a number
+/// where the interval knows no bounds.
+double on_line(const vnv::ObservedOrder& data, double order, double spacing) {
+  if (!std::isfinite(order)) return vnv::not_a_number;
+  return std::exp(mean_log(data.errors) + order * (std::log(spacing) - mean_log(data.spacings)));
+}
+
+std::string rows(const Series& series, const vnv::Figure& figure) {
+  const vnv::ObservedOrder& o = *series.order;
+  std::string csv;
+  for (std::size_t i = 0; i < o.spacings.size(); ++i) {
+    const double h = o.spacings[i];
+    csv += csv_line({series.label, gnuplot_number(h * figure.x.scale), gnuplot_number(o.errors[i]),
+                     gnuplot_number(on_line(o, o.order, h)), gnuplot_number(on_line(o, o.order - o.half_width, h)),
+                     gnuplot_number(on_line(o, o.order + o.half_width, h)), gnuplot_number(o.floor)});
+  }
+  return csv;
+}
+
+std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
+  std::string csv = csv_line({"ladder", figure.x.label, figure.y.label, "least-squares line",
+                              "line of the lowest order", "line of the highest order", "floor"});
+  for (const auto& series : all) csv += rows(series, figure);
+  return csv;
+}
+
+std::string source(const Series& series, const std::string& id) {
+  return fmt::format("'{}.csv' skip 1 every ::{}::{} using ", id, series.first, series.last());
+}
+
+long drawable_points(const Series& series, const vnv::Figure& figure) {
+  return std::ranges::count_if(series.order->errors, [&](double error) { return is_drawable(error, figure.y); });
+}
+
+std::string line_element(const Series& series, const vnv::Figure& figure) {
+  const Look& l = series.look;
+  const std::string with =
+      fmt::format("linespoints dashtype {} linewidth {} linecolor rgb '{}' pointtype {} pointsize {:.3g}", l.dash,
+                  l.width, l.colour, l.mark, l.size);
+  const std::string label = gnuplot_string(shortened(series.label));
+  if (drawable_points(series, figure) == 0) return fmt::format("NaN with {} title {}", with, label);
+  return fmt::format("{}2:3 with {} title {}", source(series, figure.id), with, label);
+}
+
+// Bands lie below all lines, so that none hides a point.
+std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figure) {
+  std::string elements;
+  const auto add = [&](const std::string& element) { elements += (elements.empty() ? "" : ", \\\n     ") + element; };
+  for (const auto& s : all)
+    if (s.has_band())
+      add(source(s, figure.id) +
+          fmt::format("2:5:6 with filledcurves fillstyle transparent solid 0.18 noborder linecolor rgb '{}' notitle",
+                      s.look.colour));
+  for (const auto& s : all)
+    if (s.has_floor())
+      add(source(s, figure.id) +
+          fmt::format("2:7 with lines dashtype (8,5) linewidth 1.1 linecolor rgb '{}' notitle", s.look.colour));
+  for (const auto& s : all) add(line_element(s, figure));
+  return "plot " + elements + "\n";
+}
+
+std::vector<DrawnLine> drawn_lines(const std::vector<Series>& all, const vnv::Figure& figure) {
+  std::vector<DrawnLine> lines;
+  for (const auto& series : all) {
+    DrawnLine points, floor;
+    for (std::size_t i = 0; i < series.order->spacings.size(); ++i) {
+      const double x = series.order->spacings[i] * figure.x.scale;
+      points.emplace_back(x, series.order->errors[i]);
+      floor.emplace_back(x, series.order->floor);
+    }
+    lines.insert(lines.end(), {points, floor});
+  }
+  return lines;
+}
+
+std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
+  Extent x(figure.x), y(figure.y);
+  for (const auto& series : all) {
+    x.add(series.order->spacings);
+    y.add(series.order->errors);
+    y.add({series.order->floor});
+  }
+  return frame.commands(figure, x, y) + slope_guides(x.range(), y.range(), drawn_lines(all, figure)) +
+         plot_command(all, figure) + "set output\n";
+}
+
+/// "mpm along grid; sph along spacing", where not all have the same ladder.
+std::string ladders(const OrderComparison& comparison) {
+  std::vector<std::string> names;
+  std::vector<std::string> methods;  // of each
+  for (const auto& line : comparison.lines) {
+    const auto found = std::ranges::find(names, line.order.ladder) - names.begin();
+    if (found == std::ssize(names)) {
+      names.push_back(line.order.ladder);
+      methods.emplace_back();
+    }
+    methods[found] += (methods[found].empty() ? "" : ", ") + line.method;
+  }
+  if (names.size() == 1) return fmt::format("Along the ladder “{}”.", names.front());
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += fmt::format("{}{} along “{}”", i == 0 ? "" : "; ", methods[i], names[i]);
+  return words + ".";
+}
+
+}  // namespace
+
+vnv::Figure order_figure(const OrderComparison& comparison) {
+  const std::vector<Series> all = series_of(comparison);
+  std::string caption = fmt::format("{} over the spacing of the particles. {} ",
+                                    vnv::name_and_unit(comparison.subject.quantity).first, ladders(comparison));
+  if (std::ranges::any_of(all, &Series::has_band))
+    caption += "Bands: the least-squares lines of all orders within the 95 % interval";
+  if (std::ranges::any_of(all, &Series::has_band) && !std::ranges::all_of(all, &Series::has_band))
+    caption += fmt::format(", where that is no wider than ± {:g}", widest_band);
+  if (std::ranges::any_of(all, &Series::has_band)) caption += ". ";
+  if (std::ranges::any_of(all, &Series::has_floor))
+    caption += "Dashed: the floor that the errors of a method fall to. ";
+  return {.id = comparison.id(),
+          .title = fmt::format("Observed orders at {:.4g} s", comparison.subject.time),
+          .caption = caption + "Grey: slopes 1 and 2.",
+          .x = {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
+          .y = {.label = comparison.subject.quantity, .logarithmic = true}};
+}
+
+Plot plot_orders(const OrderComparison& comparison) {
+  const vnv::Figure figure = order_figure(comparison);
+  const std::vector<Series> all = series_of(comparison);
+  std::vector<std::string> labels;
+  for (const auto& series : all) labels.push_back(series.label);
+  const Frame frame(plot_height, labels);
+  Plot plot{figure.id + ".svg", Frame::width, frame.height(), script(all, figure, frame), data(all, figure)};
+  for (const auto& series : all) plot.undrawn += std::ssize(series.order->errors) - drawable_points(series, figure);
+  return plot;
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,98 @@
+#include "reports/pages/case_page.hpp"
+
+#include "reports/pages/case_tables.hpp"
+#include "reports/pages/order_matrix.hpp"
+#include "reports/pages/verdicts.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::reports {
+namespace {
+
+std::string section(const std::string& title, const std::string& body) {
+  return body.empty() ? "" : fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", title, body);
+}
+
+std::string unfinished_runs(const CaseRecords& records) {
+  std::string items;
+  for (const auto& record : records.records)
+    for (const auto& run : record.runs)
+      if (!run.finished)
+        items += fmt::format("<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level),
+                             escape(run.outcome));
+  return items.empty() ? "" : fmt::format("<ul class=\"fails\">\n{}</ul>\n", items);
+}
+
+std::string head(const CaseRecords& records) {
+  const auto verdicts = verdicts_of(records);
+  const Tally sum = tally(verdicts);
+  const std::string why = sum.total() == 0 ? " A page without a claim shows, but proves nothing." : "";
+  return fmt::format(
+      "<header>\n<p class=\"path\"><a href=\"../index.html\">Touchstone</a> / {}</p>\n<h1>{}</h1>\n"
+      "<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n",
+      escape(records.name), escape(records.title()), word(sum.worst()), sentence(sum), why, unfinished_runs(records),
+      complaints(verdicts));
+}
+
+std::string figure_html(const DrawnFigure& drawn) {
+  const std::string undrawn =
+      drawn.undrawn == 0 ? ""
+                         : fmt::format(" <span class=\"nan\">Not drawn, since no axis can show them: {} points.</span>",
+                                       printed(drawn.undrawn));
+  return fmt::format(
+      "<figure id=\"{0}\">\n<div class=\"scroll\" tabindex=\"0\"><img src=\"{1}\" alt=\"{2}\" width=\"{3}\" "
+      "height=\"{4}\"></div>\n"
+      "<figcaption><b>{2}.</b> {5}{6} <span class=\"files\"><a href=\"{0}.csv\">data</a> "
+      "<a href=\"{0}.gp\">gnuplot script</a></span></figcaption>\n</figure>\n",
+      drawn.figure.id, drawn.image, escape(drawn.figure.title), drawn.width, drawn.height,
+      typeset(drawn.figure.caption), undrawn);
+}
+
+std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
+  std::string html;
+  for (const auto& drawn : figures) html += figure_html(drawn);
+  for (const auto& declared : figures_of(records)) {
+    const auto is_it = [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; };
+    if (std::none_of(figures.begin(), figures.end(), is_it))
+      html += fmt::format("<p class=\"nan\">No record brings data for the figure “{}”.</p>\n", escape(declared.title));
+  }
+  return html;
+}
+
+std::string orders_section(const CaseRecords& records, const std::vector<DrawnFigure>& order_plots) {
+  std::string html;
+  for (const auto& drawn : order_plots) html += figure_html(drawn);
+  if (is_in_matrix(records))
+    html += "<p class=\"files\">Beside other flows: <a href=\"../orders.html\">orders of convergence</a></p>\n";
+  return html + orders_html(records);
+}
+
+std::string methods_html(const CaseRecords& records) {
+  std::string html;
+  for (const auto& record : records.records)
+    html += fmt::format("<dt>{}</dt>\n<dd>{}</dd>\n", escape(record.method), paragraphs(record.method_description));
+  return "<dl>\n" + html + "</dl>\n";
+}
+
+std::string claims_html(const CaseRecords& records) {
+  const auto verdicts = verdicts_of(records);
+  return verdicts.empty() ? "" : verdict_table(verdicts);
+}
+
+}  // namespace
+
+std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
+                      const std::vector<DrawnFigure>& order_plots) {
+  const std::string body = head(records) + paragraphs(records.records.front().description) +
+                           section("Figures", figures_html(records, figures)) +
+                           section("Tables", tables_html(records)) + section("Claims", claims_html(records)) +
+                           section("Errors", errors_html(records)) +
+                           section("Orders", orders_section(records, order_plots)) +
+                           section("Cost", cost_html(records)) + section("Methods", methods_html(records));
+  return html_page(records.title(), "../", "<main>\n" + body + "</main>\n");
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,216 @@
+#include "reports/pages/case_tables.hpp"
+
+#include "reports/text/html.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/text/trend_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace touchstone::reports {
+namespace {
+
+using Row = std::vector<HtmlCell>;
+
+// Equal rows appear once: methods of a case may each bring the same reference values.
+void add_once(std::vector<Row>& rows, Row row, std::set<std::string>& known) {
+  std::string text;
+  for (const auto& cell : row) text += cell.html + "\n";
+  if (known.insert(text).second) rows.push_back(std::move(row));
+}
+
+HtmlCell cell_html(const vnv::Cell& cell, const std::string& kind) {
+  if (const double* value = std::get_if<double>(&cell)) return number_cell(*value);
+  return {typeset(std::get<std::string>(cell)), kind};
+}
+
+bool is_number(const vnv::Cell& cell) { return std::holds_alternative<double>(cell); }
+
+Row table_head(const vnv::Table& table) {
+  Row columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool numbers =
+        std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
+    columns.push_back({typeset(table.columns[i]), numbers ? "number" : ""});
+  }
+  return columns;
+}
+
+std::string table_html(const vnv::Table& table) {
+  HtmlTable html{escape(table.title) + ".", typeset(table.caption), table_head(table), {}};
+  std::set<std::string> known;
+  for (const auto& cells : table.rows) {
+    Row row;
+    for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(cell_html(cells[i], html.columns[i].kind));
+    add_once(html.rows, std::move(row), known);
+  }
+  return to_html(html);
+}
+
+// One column per quantity and time, one row per run.
+using Column = std::pair<std::string, std::string>;
+
+/// The time is empty for what belongs to a whole run.
+Column column_of(const vnv::Error& error) {
+  return {error.quantity, std::isnan(error.time) ? "" : printed(error.time) + "\u202fs"};
+}
+
+std::vector<Column> error_columns(const CaseRecords& records) {
+  std::vector<Column> columns;
+  for (const auto& record : records.records)
+    for (const auto& error : record.errors)
+      if (const Column column = column_of(error); std::find(columns.begin(), columns.end(), column) == columns.end())
+        columns.push_back(column);
+  std::stable_sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return a.first < b.first; });
+  return columns;
+}
+
+Row error_head(const std::vector<Column>& columns) {
+  Row head{{"method"}, {"level"}, {"spacing [mm]", "number"}};
+  for (const auto& [quantity, time] : columns)
+    head.push_back({fmt::format("{}<br><small>{}</small>", typeset(quantity), time), "number"});
+  return head;
+}
+
+std::vector<Row> error_rows(const vnv::Record& record, const std::vector<Column>& columns) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> row_of;
+  for (const auto& error : record.errors) {
+    const auto [found, is_new] = row_of.try_emplace(error.level, rows.size());
+    if (is_new) {
+      rows.push_back({{escape(record.method)}, {escape(error.level)}, number_cell(error.spacing * 1e3)});
+      rows.back().resize(3 + columns.size());
+    }
+    const auto column = std::find(columns.begin(), columns.end(), column_of(error)) - columns.begin();
+    rows[found->second][3 + column] = number_cell(error.value);
+  }
+  return rows;
+}
+
+std::string pairwise(const vnv::ObservedOrder& order) {
+  std::string html;
+  for (std::size_t i = 0; i < order.pairwise.size(); ++i) {
+    const bool named = i + 1 < order.levels.size();
+    html += fmt::format(
+        "{}{}{}", i == 0 ? "" : ", ", printed(order.pairwise[i]),
+        named ? fmt::format(" <small>{}–{}</small>", escape(order.levels[i]), escape(order.levels[i + 1])) : "");
+  }
+  return html;
+}
+
+/// "stalled", and whether the ladder is long enough to show it.
+HtmlCell trend_cell(const vnv::ObservedOrder& order) {
+  return {sign_and_word(order.trend) + (order.asymptotic ? "" : " <small>not asymptotic</small>"), word(order.trend)};
+}
+
+std::string floor_words(const vnv::ObservedOrder& order) {
+  if (std::isnan(order.floor)) return "none found";
+  return fmt::format("{} ± {} <small>order {} ± {} towards it</small>", printed(order.floor),
+                     printed(order.floor_half_width), printed(order.order_to_floor),
+                     printed(order.order_to_floor_half_width));
+}
+
+Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
+  return {{escape(record.method)},
+          {escape(order.ladder), "words"},
+          {typeset(order.quantity)},
+          number_cell(order.time),
+          {fmt::format("{} ± {}", printed(order.order), printed(order.half_width)),
+           order.order < 0 ? "number fails" : "number"},
+          trend_cell(order),
+          {floor_words(order), "words"},
+          {pairwise(order), "words"}};
+}
+
+/// In per cent; blank for a run that timed itself.
+HtmlCell share_cell(double share) { return std::isnan(share) ? HtmlCell{"", "number"} : number_cell(100 * share); }
+
+/// The median, and the lowest and highest where there were several.
+std::string cpu_with_span(const vnv::Cost& c) {
+  if (c.repeats == 1) return printed(c.cpu);
+  return fmt::format("{} <small>{}–{}</small>", printed(c.cpu), printed(c.cpu_lowest), printed(c.cpu_highest));
+}
+
+Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
+  const vnv::Cost& c = run.cost;
+  return {{escape(record.method)},
+          {escape(run.level)},
+          number_cell(run.spacing * 1e3),
+          number_cell(run.time_step * 1e6),
+          number_cell(run.end_time),
+          number_cell(c.particles),
+          number_cell(c.boundary_particles),
+          number_cell(c.steps),
+          {cpu_with_span(c), "number"},
+          number_cell(c.repeats),
+          number_cell(c.wall),
+          share_cell(c.harness_share()),
+          number_cell(c.peak_memory / 1e6),
+          number_cell(c.per_particle_step() * 1e9),
+          number_cell(c.particle_steps_per_second() / 1e6),
+          {escape(run.outcome), run.finished ? "words" : "words fails"}};
+}
+
+}  // namespace
+
+std::string tables_html(const CaseRecords& records) {
+  std::string html;
+  for (const auto& table : tables_of(records)) html += table_html(table);
+  return html;
+}
+
+std::string errors_html(const CaseRecords& records) {
+  const auto columns = error_columns(records);
+  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", error_head(columns), {}};
+  for (const auto& record : records.records) {
+    auto rows = error_rows(record, columns);
+    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
+  }
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+std::string orders_html(const CaseRecords& records) {
+  HtmlTable table{
+      "Observed orders.",
+      "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
+      "is that between two neighbouring levels. A floor is told where errors that fall to it scatter less than those of a "
+      "power law, beyond chance; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
+      "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
+      {{"method"},
+       {"ladder"},
+       {"quantity"},
+       {"time [s]", "number"},
+       {"order", "number"},
+       {"trend"},
+       {"floor"},
+       {"pairwise"}},
+      {}};
+  for (const auto& record : records.records)
+    for (const auto& order : record.orders) table.rows.push_back(order_row(record, order));
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+std::string cost_html(const CaseRecords& records) {
+  HtmlTable table{
+      "Cost.",
+      "User time of the steps, the median where a run was made several times, with the lowest and highest. "
+      "Memory is that of the run's own process. Harness: looking, sampling, measuring and the process, as a "
+      "share of the wall time.",
+      {},
+      {}};
+  table.columns = {{"method"}, {"level"}};
+  for (const char* heading :
+       {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps", "CPU [s]", "runs",
+        "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s"})
+    table.columns.push_back({heading, "number"});
+  table.columns.push_back({"outcome"});
+  for (const auto& record : records.records)
+    for (const auto& run : record.runs) table.rows.push_back(cost_row(record, run));
+  return table.rows.empty() ? "" : to_html(table);
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,16 @@
+#pragma once
+/// The page of the project's own detection power: which tests notice which seeded fault, and by how much.
+
+#include "reports/read/fault_trials.hpp"
+
+#include <string>
+
+namespace touchstone::reports {
+
+/// Stands beside the index, and the table faults.csv beside it.
+std::string fault_page(const FaultTrials& trials);
+
+/// "holds" if all is noticed, "known" if it is known why not, else "fails".
+std::string kind_of(const FaultTrials& trials);
+
+}  // namespace touchstone::reports

@@ -1,0 +1,316 @@
+#include "reports/pages/history_page.hpp"
+
+#include "reports/figures/sparkline.hpp"
+#include "reports/pages/verdicts.hpp"
+#include "reports/text/csv.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/text/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <string_view>
+#include <tuple>
+
+namespace touchstone::reports {
+namespace {
+
+/// A step, and the series it is in.
+struct Change {
+  const Series* series;
+  Step step;
+};
+
+/// Changes of a method in one night, but for costs that are told apart; the first went furthest.
+using Group = std::vector<Change>;
+
+bool belong_together(const Change& a, const Change& b) {
+  const auto place = [](const Change& c) {
+    const Series& s = *c.series;
+    return std::tuple(c.step.night, s.kind == Series::Kind::cost, std::string_view(s.case_name),
+                      std::string_view(s.method));
+  };
+  return place(a) == place(b);
+}
+
+/// In the order of their first ones.
+std::vector<Group> grouped(const std::vector<Change>& changes) {
+  std::vector<Group> groups;
+  for (const Change& change : changes) {
+    const auto found = std::ranges::find_if(groups, [&](const Group& g) { return belong_together(g.front(), change); });
+    if (found == groups.end())
+      groups.push_back({change});
+    else
+      found->push_back(change);
+  }
+  return groups;
+}
+
+/// The newest first; those of one night by how far they went.
+std::vector<Change> changes_of(const std::vector<Series>& all) {
+  std::vector<Change> changes;
+  for (const Series& series : all)
+    for (const Step& step : series.steps) changes.push_back({&series, step});
+  const auto distance = [](const Step& s) {  // as a factor; what has none comes first
+    const double factor = std::abs(std::log(s.after / s.before));
+    return std::isnan(factor) ? INFINITY : factor;
+  };
+  std::ranges::stable_sort(changes, [&](const Change& a, const Change& b) {
+    if (a.step.night != b.step.night) return a.step.night > b.step.night;
+    return distance(a.step) > distance(b.step);
+  });
+  return changes;
+}
+
+std::string date(const Night& night) { return night.finished_at.substr(0, 10); }
+
+/// "L2 v_x [%]" -> "L2 v_x, M2, 1 s".
+std::string subject(const Series& s) {
+  std::string text = typeset(s.quantity);
+  if (!s.level.empty()) text += ", " + escape(s.level);
+  if (!std::isnan(s.time)) text += fmt::format(", {}\u202fs", printed(s.time));
+  return text;
+}
+
+std::string case_link(const std::string& name, const std::vector<CaseRecords>& tonight) {
+  const auto found = std::ranges::find(tonight, name, &CaseRecords::name);
+  if (found == tonight.end()) return escape(name);
+  return fmt::format("<a href=\"{}/index.html\">{}</a>", name, escape(found->title()));
+}
+
+std::vector<HtmlCell> change_row(const Group& group, const History& history) {
+  const auto& [series, step] = group.front();
+  const std::string more = group.size() == 1 ? "" : fmt::format(" <small>and {} more</small>", group.size() - 1);
+  const Night& night = history.nights[step.night];
+  const double ratio = step.after / step.before;
+  const bool fails = std::ranges::any_of(group, [](const Change& c) { return c.series->points[c.step.night].fails; });
+  return {{date(night)},
+          {"<code>" + escape(night.revision) + "</code>"},
+          {escape(series->case_name)},
+          {escape(series->method)},
+          {subject(*series) + more, "words"},
+          number_cell(step.before),
+          {printed(step.after), fails ? "number fails" : "number"},
+          std::isfinite(ratio) ? number_cell(ratio) : HtmlCell{"–", "number"}};
+}
+
+std::string changes_html(const std::vector<Change>& changes, const History& history) {
+  if (changes.empty()) return "<p>Nothing has changed over these nights.</p>\n";
+  HtmlTable table{"What changed.",
+                  "Newest first, a line per method and night: the value that went furthest, its level before, its "
+                  "first value after it, and their ratio; in red where a claim fails.",
+                  {{"night"},
+                   {"revision"},
+                   {"case"},
+                   {"method"},
+                   {"quantity"},
+                   {"before", "number"},
+                   {"after", "number"},
+                   {"ratio", "number"}},
+                  {}};
+  const auto groups = grouped(changes);
+  for (const Group& group : groups | std::views::take(most_changes_listed))
+    table.rows.push_back(change_row(group, history));
+  const std::string more =
+      groups.size() > most_changes_listed
+          ? fmt::format(
+                "<p class=\"notes\">{} older lines are left out; <a href=\"trend_steps.csv\">the table of steps</a> "
+                "has every value.</p>\n",
+                groups.size() - most_changes_listed)
+          : "";
+  return to_html(table) + more;
+}
+
+std::string summary(const std::vector<Change>& changes, const History& history) {
+  const std::size_t last = history.nights.size() - 1;
+  const auto is_new = [&](const Change& c) { return c.step.night == last; };
+  const auto changed = std::ranges::count_if(changes, is_new);
+  const bool fails =
+      std::ranges::any_of(changes, [&](const Change& c) { return is_new(c) && c.series->points[c.step.night].fails; });
+  const std::string nights = last == 0 ? "One night, " + date(history.nights[0]) + ":"
+                                       : fmt::format("{} nights, {} to {}:", last + 1, date(history.nights.front()),
+                                                     date(history.nights.back()));
+  const std::string what = last == 0      ? "nothing to compare it with yet."
+                           : changed == 0 ? "the last one changed nothing."
+                           : changed == 1 ? "the last one changed one value."
+                                          : fmt::format("the last one changed {} values.", changed);
+  return fmt::format("<p class=\"sum {}\">{} {}</p>\n",
+                     fails         ? "fails"
+                     : changed > 0 ? "inconclusive"
+                                   : "holds",
+                     nights, what);
+}
+
+std::string refusals(const History& history) {
+  std::string items;
+  for (const auto& refusal : history.refused) items += fmt::format("<li>Left out: {}</li>\n", escape(refusal));
+  return items.empty() ? "" : fmt::format("<ul class=\"fails\">\n{}</ul>\n", items);
+}
+
+/// The values of all nights, for the script that shows them: "1.5,,nan".
+std::string values(const Series& series) {
+  std::string list;
+  for (const auto& point : series.points) list += (point.is_there ? plain(point.value) : "") + ",";
+  list.pop_back();
+  return list;
+}
+
+/// The last value, coloured where it fails.
+std::string last_value(const Series& series) {
+  const SeriesPoint& last = series.points.back();
+  if (!last.is_there) return "<b>not run</b>";
+  return fmt::format("<b{}>{}</b>", last.fails ? " class=\"fails\"" : "", printed(last.value));
+}
+
+/// Lowest and highest over the nights, between which the curve is drawn; nothing for one that stays.
+std::string range_words(const Series& series) {
+  double low = INFINITY, high = -INFINITY;
+  for (const auto& point : series.points)
+    if (point.is_there && std::isfinite(point.value)) {
+      low = std::min(low, point.value);
+      high = std::max(high, point.value);
+    }
+  if (!(low < high) || plain(low) == plain(high)) return "";
+  return fmt::format("<span>of {} to {}</span>", printed(low), printed(high));
+}
+
+std::string limit_words(const Series& series) {
+  if (series.author.empty()) return "";
+  vnv::Verdict claim;
+  claim.lower = series.lower;
+  claim.upper = series.upper;
+  return fmt::format("<span title=\"{}\">expected {}</span>", escape(series.author),
+                     replaced(replaced(limit(claim), "<=", "≤"), ">=", "≥"));
+}
+
+/// The revision that made the last step stands beside the curve.
+std::string last_step(const Series& series, const History& history) {
+  if (series.steps.empty()) return "";
+  const Step& step = series.steps.back();
+  const Night& night = history.nights[step.night];
+  return fmt::format("<span class=\"step\">step {}, <code>{}</code></span>", date(night), escape(night.revision));
+}
+
+std::string multiple(const Series& series, const History& history) {
+  return fmt::format("<div class=\"trend\" data-values=\"{}\" tabindex=\"0\"><p>{}</p>{}<p>{} {} {} {}</p></div>\n",
+                     values(series), subject(series), sparkline(series), last_value(series), range_words(series),
+                     limit_words(series), last_step(series, history));
+}
+
+std::string multiples(const std::vector<const Series*>& drawn, const History& history,
+                      const std::vector<CaseRecords>& tonight) {
+  std::string html;
+  const Series* before = nullptr;
+  for (const Series* series : drawn) {
+    const bool new_case = !before || before->case_name != series->case_name;
+    if (before && (new_case || before->method != series->method)) html += "</div>\n";
+    if (new_case)
+      html += fmt::format("{}<section class=\"trends\">\n<h2>{}</h2>\n", before ? "</section>\n" : "",
+                          case_link(series->case_name, tonight));
+    if (new_case || before->method != series->method)
+      html += fmt::format("<h3>{}</h3>\n<div class=\"multiples\">\n", escape(series->method));
+    html += multiple(*series, history);
+    before = series;
+  }
+  return before ? html + "</div>\n</section>\n" : "";
+}
+
+std::vector<HtmlCell> night_row(std::size_t number, const Night& night) {
+  Tally sum;
+  for (const auto& verdict : night.verdicts) {
+    sum.holds += verdict.outcome == vnv::Outcome::holds;
+    sum.fails += verdict.outcome == vnv::Outcome::fails;
+    sum.inconclusive += verdict.outcome == vnv::Outcome::inconclusive;
+  }
+  double cpu = 0;  // s
+  for (const auto& run : night.runs) cpu += run.cpu;
+  return {number_cell(static_cast<long>(number + 1)),
+          {escape(night.finished_at)},
+          {"<code>" + escape(night.revision) + "</code>"},
+          number_cell(static_cast<long>(sum.holds)),
+          {printed(static_cast<long>(sum.fails)), sum.fails > 0 ? "number fails" : "number"},
+          number_cell(static_cast<long>(sum.inconclusive)),
+          number_cell(cpu),
+          {escape(night.compiler), "words"},
+          {escape(night.machine), "words"}};
+}
+
+/// Also tells the script which night is which.
+std::string nights_html(const History& history) {
+  HtmlTable table{"Nights.",
+                  "All that are kept, the newest first; CPU is the user time of all runs.",
+                  {{"no.", "number"},
+                   {"finished"},
+                   {"revision"},
+                   {"hold", "number"},
+                   {"fail", "number"},
+                   {"inconclusive", "number"},
+                   {"CPU [s]", "number"},
+                   {"compiler"},
+                   {"machine"}},
+                  {}};
+  for (std::size_t n = history.nights.size(); n-- > 0;) table.rows.push_back(night_row(n, history.nights[n]));
+  return to_html(table);
+}
+
+/// Names of all nights, for the script.
+std::string names_of_nights(const History& history) {
+  std::string names;
+  for (const Night& night : history.nights)
+    names += fmt::format("{}{} {}", names.empty() ? "" : ",", date(night), escape(night.revision));
+  return names;
+}
+
+std::string plain_or_empty(double value) { return std::isnan(value) ? "" : plain(value); }
+
+const char* how_to_read =
+    "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and "
+    "value. An orange line marks a step: from there on the value is further from its level, the median of the "
+    "first fifteen nights since the last step, than the tolerance of its baseline (without one a hundredth, "
+    "for costs a tenth) and than four times its scatter. A cost has to stay away for two nights, and starts "
+    "anew on another machine. Dashed: a limit, where it is near; red dots: a claim fails; crosses: not a "
+    "number. Shown are values that theory or literature judge, at their last time and finest spacing, orders, "
+    "stability limits, and the dearest run of each method; steps are sought in all values.</p>\n";
+
+}  // namespace
+
+std::string trend_page(const History& history, const std::vector<Series>& all,
+                       const std::vector<CaseRecords>& tonight) {
+  const auto changes = changes_of(all);
+  const std::string body = fmt::format(
+      "<main data-nights=\"{}\">\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / trend</p>\n"
+      "<h1>Trend over the nights</h1>\n{}{}</header>\n{}{}{}{}"
+      "<p class=\"files\">Tables for other programs: <a href=\"trend.csv\">curves</a> <a "
+      "href=\"trend_steps.csv\">steps</a></p>\n</main>\n",
+      names_of_nights(history), summary(changes, history), refusals(history), changes_html(changes, history),
+      how_to_read, multiples(worth_drawing(all), history, tonight), nights_html(history));
+  return html_page("Trend over the nights", "", body);
+}
+
+std::string steps_csv(const History& history, const std::vector<Series>& all) {
+  std::string csv = "night,revision,case,method,level,time [s],quantity,before,after\n";
+  for (const auto& [series, step] : changes_of(all)) {
+    const Night& night = history.nights[step.night];
+    csv += csv_line({night.finished_at, night.revision, series->case_name, series->method, series->level,
+                     plain_or_empty(series->time), series->quantity, plain(step.before), plain(step.after)});
+  }
+  return csv;
+}
+
+std::string trend_csv(const History& history, const std::vector<Series>& all) {
+  std::vector<std::string> heading{"case", "method", "level", "time [s]", "quantity"};
+  for (const Night& night : history.nights) heading.push_back(night.finished_at + " " + night.revision);
+  std::string csv = csv_line(heading);
+  for (const Series* series : worth_drawing(all)) {
+    std::vector<std::string> line{series->case_name, series->method, series->level, plain_or_empty(series->time),
+                                  series->quantity};
+    for (const auto& point : series->points)
+      line.push_back(!point.is_there ? "" : std::isnan(point.value) ? "nan" : fmt::format("{}", point.value));
+    csv += csv_line(line);
+  }
+  return csv;
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,158 @@
+#include "reports/pages/index.hpp"
+
+#include "reports/pages/order_matrix.hpp"
+#include "reports/pages/verdicts.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace touchstone::reports {
+namespace {
+
+std::vector<vnv::Verdict> all_verdicts(const std::vector<CaseRecords>& cases) {
+  std::vector<vnv::Verdict> all;
+  for (const auto& records : cases) {
+    const auto some = verdicts_of(records);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::string counts(const Tally& t) {
+  if (t.fails > 0) return fmt::format("{} of {} {}", t.fails, t.total(), t.fails == 1 ? "fails" : "fail");
+  if (t.inconclusive > 0) return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
+  return fmt::format("{} of {} {}", t.holds, t.total(), t.holds == 1 ? "holds" : "hold");
+}
+
+// A method of a case and how many of its claims hold, "mpm 34/34".
+std::string method_entry(const vnv::Record& record) {
+  const Tally sum = tally(record.verdicts);
+  const std::string kind = sum.total() == 0 ? "inconclusive" : std::string(word(sum.worst()));
+  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), kind, sum.holds,
+                     sum.total());
+}
+
+/// Whether all that fails in a case is known to.
+bool is_excused(const Tally& sum, const std::string& name, const Standing& standing) {
+  const auto is_its = [&](const vnv::Verdict& v) { return v.case_name == name; };
+  return sum.fails > 0 && std::ranges::none_of(standing.unknown, is_its);
+}
+
+HtmlCell counts_cell(const Tally& sum, const std::string& name, const Standing& standing) {
+  if (sum.total() == 0) return {"no claim", word(sum.worst())};
+  if (is_excused(sum, name, standing)) return {counts(sum) + ", known", "known"};
+  return {counts(sum), word(sum.worst())};
+}
+
+std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing& standing) {
+  HtmlTable table{
+      "Cases.",
+      "The smallest margin is the share of a limit that is left by the claim that is closest to its own; beside "
+      "each method, how many of its claims hold.",
+      {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
+      {}};
+  for (const auto& records : cases) {
+    const Tally sum = tally(verdicts_of(records));
+    std::string methods;
+    for (const auto& record : records.records) methods += method_entry(record);
+    const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
+    table.rows.push_back(
+        {{fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"},
+         counts_cell(sum, records.name, standing),
+         {has_margin ? margin_bar(sum.worst_margin) : ""},
+         {"<div class=\"methods\">" + methods + "</div>", "words"}});
+  }
+  return to_html(table);
+}
+
+// Records made in the same place share a line.
+using Place = std::array<std::string, 4>;
+
+std::vector<HtmlCell> place_row(const Place& place, const std::set<std::string>& times, long records) {
+  const std::string until = times.size() > 1 ? " to " + escape(*times.rbegin()) : "";
+  return {{escape(place[0]), "words"},
+          {escape(place[1]), "words"},
+          {"<code>" + escape(place[2]) + "</code>", "words"},
+          {escape(place[3]), "words"},
+          {escape(*times.begin()) + until, "words"},
+          number_cell(records)};
+}
+
+std::string environment(const std::vector<CaseRecords>& cases) {
+  std::map<Place, std::pair<std::set<std::string>, long>> finished;
+  for (const auto& records : cases)
+    for (const auto& r : records.records) {
+      auto& [times, count] = finished[{r.revision, r.compiler, r.flags, r.machine}];
+      times.insert(r.finished_at);
+      ++count;
+    }
+  HtmlTable table{"Environment.",
+                  "Where and from what the records were made.",
+                  {{"revision"}, {"compiler"}, {"flags"}, {"machine"}, {"finished"}, {"records", "number"}},
+                  {}};
+  for (const auto& [place, made] : finished) table.rows.push_back(place_row(place, made.first, made.second));
+  return to_html(table);
+}
+
+/// The colour of the whole night.
+std::string kind_of_night(const Tally& sum, const Standing& standing) {
+  if (standing.reds() > 0) return "fails";
+  return standing.known.empty() ? word(sum.worst()) : "known";
+}
+
+/// What the list of known failures has to say of the count.
+std::string known_words(const Standing& standing) {
+  std::string words;
+  if (!standing.known.empty()) words += fmt::format(" {} known to fail.", standing.known.size());
+  if (!standing.unexpected_passes.empty())
+    words += fmt::format(" {} known to fail, but passed.", standing.unexpected_passes.size());
+  return words;
+}
+
+std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
+  std::erase_if(verdicts, [](const vnv::Verdict& v) { return v.outcome != vnv::Outcome::inconclusive; });
+  return verdicts;
+}
+
+std::string orders_link(const std::vector<CaseRecords>& cases) {
+  if (std::ranges::none_of(cases, is_in_matrix)) return "";
+  return "<p>How fast the errors of each method shrink in each flow: <a href=\"orders.html\">orders of "
+         "convergence</a>.</p>\n";
+}
+
+constexpr const char* trend_link =
+    "<p>How the numbers went from night to night, and what changed last: <a href=\"trend.html\">trend</a>.</p>\n";
+
+std::string faults_link(const std::optional<FaultTrials>& faults) {
+  if (!faults) return "";
+  return fmt::format("<p>What the tests would miss: <a href=\"faults.html\">detection power</a>. {}</p>\n",
+                     faults->sentence());
+}
+
+}  // namespace
+
+std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend,
+                       const std::optional<FaultTrials>& faults) {
+  const auto verdicts = all_verdicts(cases);
+  const Tally sum = tally(verdicts);
+  const std::string body = fmt::format(
+      "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n"
+      "<p>Each claim says how far a solver may stand from an exact solution, an experiment, a published result or its "
+      "own "
+      "earlier answer, and who set that limit. A number that is not one never holds, and what cannot be told is called "
+      "inconclusive, not passed.</p>\n{}{}{}"
+      "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
+      "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
+      kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
+      complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
+      orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
+  return html_page("Touchstone", "", body);
+}
+
+}  // namespace touchstone::reports

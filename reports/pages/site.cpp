@@ -1,0 +1,108 @@
+#include "reports/pages/site.hpp"
+
+#include "reports/figures/figures.hpp"
+#include "reports/figures/gnuplot.hpp"
+#include "reports/pages/case_page.hpp"
+#include "reports/pages/fault_page.hpp"
+#include "reports/pages/history_page.hpp"
+#include "reports/pages/index.hpp"
+#include "reports/pages/order_matrix.hpp"
+#include "reports/text/csv.hpp"
+#include "reports/text/files.hpp"
+#include "reports/text/script.hpp"
+#include "reports/text/style.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Publishing removes the former site, and what is kept inside would go with it.
+void want_apart(const fs::path& kept, const char* what, const fs::path& site) {
+  const fs::path inner = fs::weakly_canonical(kept), outer = fs::weakly_canonical(site);
+  const auto [end_of_outer, _] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  if (end_of_outer == outer.end())
+    throw std::runtime_error(fmt::format("{}: holds the {}, expected a folder apart from them", site.string(), what));
+}
+
+void write_tables(const std::vector<CaseRecords>& cases, const fs::path& folder) {
+  save(folder / "verdicts.csv", verdicts_csv(cases));
+  save(folder / "orders.csv", orders_csv(cases));
+  save(folder / "cost.csv", cost_csv(cases));
+}
+
+void write_case(const CaseRecords& records, const fs::path& folder) {
+  fs::create_directory(folder);
+  save(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
+}
+
+/// The date of the night: the same records give the same pages on any day.
+std::string date_of(const std::vector<CaseRecords>& cases) {
+  std::string date;
+  for (const auto& one : cases)
+    for (const auto& record : one.records) date = std::max(date, record.finished_at);
+  return date;
+}
+
+/// Writes the trend over the history, which tells of what had to be left out.
+void write_trend(const fs::path& folder, const History& history, const std::vector<CaseRecords>& cases) {
+  for (const auto& refusal : history.refused) fmt::print(stderr, "touchstone_report: left out: {}\n", refusal);
+  const auto all = series_of(history.nights);
+  save(folder / "trend.html", trend_page(history, all, cases));
+  save(folder / "trend.csv", trend_csv(history, all));
+  save(folder / "trend_steps.csv", steps_csv(history, all));
+}
+
+void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::path& table) {
+  save(folder / "faults.html", fault_page(faults));
+  fs::copy_file(table, folder / "faults.csv");
+}
+
+}  // namespace
+
+Standing make_site(const fs::path& records, const fs::path& site, const Memory& memory) {
+  const auto cases = read_cases(records);
+  want_apart(records, "records", site);
+  const auto known =
+      memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
+  const Standing tonight = standing(cases, known, date_of(cases));
+  std::optional<FaultTrials> faults;
+  if (!memory.faults.empty()) faults = read_fault_trials(memory.faults);
+  std::optional<History> history;
+  if (!memory.history.empty()) {
+    want_apart(memory.history, "nights", site);
+    const Night night = night_of(cases);
+    write_night(night, memory.history);
+    history = read_history(memory.history, night.suite);
+  }
+  Staging staging(site);
+  write_tables(cases, staging.folder());
+  try {
+    find_gnuplot();
+  } catch (const GnuplotMissing& missing) {
+    for (const char* table : {"verdicts.csv", "orders.csv", "cost.csv"}) staging.publish_file(table);
+    throw GnuplotMissing(fmt::format("{}; wrote only verdicts.csv, orders.csv and cost.csv", missing.what()));
+  }
+  for (const auto& one : cases) {
+    staging.stop_if_told();
+    write_case(one, staging.folder() / one.name);
+  }
+  save(staging.folder() / "style.css", std::string(style));
+  save(staging.folder() / "site.js", std::string(script));
+  save(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
+  if (std::ranges::any_of(cases, is_in_matrix)) save(staging.folder() / "orders.html", order_matrix_page(cases));
+  if (history) write_trend(staging.folder(), *history, cases);
+  if (faults) write_faults(staging.folder(), *faults, memory.faults);
+  staging.publish();
+  return tonight;
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,259 @@
+#include "reports/pages/site.hpp"
+
+#include "reports/figures/gnuplot.hpp"
+#include "reports/testing.hpp"
+#include "vnv/programs/interruption.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Site : public testing::Test {
+ protected:
+  Site() {
+    fs::create_directory(records);
+    put(sample_record());
+  }
+  void put(const vnv::Record& record) const { vnv::write(record, records / (record.method + ".json")); }
+  std::string page(const std::string& name) const { return text_of_file(site / name); }
+  long entries() const { return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()); }
+
+  ScratchFolder folder;
+  const fs::path records = folder / "records", site = folder / "site";
+};
+
+TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
+  make_site(records, site);
+  for (const char* name : {"index.html", "style.css", "verdicts.csv", "orders.csv", "cost.csv", "poiseuille/index.html",
+                           "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
+    EXPECT_FALSE(page(name).empty()) << name;
+  EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
+  EXPECT_EQ(entries(), 2) << "something is left beside the site";
+}
+
+TEST_F(Site, StaysAsItWasWhereItsMakerIsToldToEnd) {
+  make_site(records, site);
+  const std::string before = page("index.html");
+  put(sample_record("sph"));
+  const programs::HeldSignals held;
+  raise(SIGTERM);
+  EXPECT_THROW(make_site(records, site), programs::Interrupted);
+  EXPECT_EQ(page("index.html"), before);
+  EXPECT_EQ(entries(), 2) << "something is left beside the site";
+}
+
+TEST_F(Site, SaysFirstWhatFails) {
+  vnv::Record record = sample_record();
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
+  put(record);
+  make_site(records, site);
+  for (const char* name : {"index.html", "poiseuille/index.html"}) {
+    EXPECT_TRUE(contains(page(name), "1 of 2 claims holds, 1 fails.")) << name;
+    EXPECT_TRUE(contains(page(name), "<p class=\"sum fails\">")) << name;
+    EXPECT_LT(page(name).find("the sentence of this verdict"), page(name).find("<table>")) << name;
+  }
+}
+
+TEST_F(Site, CallsEachVerdictWhatItIs) {
+  vnv::Record record = sample_record();
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
+  record.verdicts.push_back(sample_verdict(vnv::Outcome::inconclusive, 0));
+  put(record);
+  make_site(records, site);
+  for (const char* word : {"holds", "fails", "inconclusive"})
+    EXPECT_TRUE(contains(page("poiseuille/index.html"), fmt::format("<td class=\"{0}\">{0}</td>", word))) << word;
+}
+
+TEST_F(Site, DoesNotCallACaseWithoutClaimsGood) {
+  vnv::Record record = sample_record();
+  record.verdicts.clear();
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("index.html"), "Nothing is claimed."));
+  EXPECT_FALSE(contains(page("index.html"), "class=\"sum holds\""));
+}
+
+TEST_F(Site, SaysThatARunDidNotFinish) {
+  vnv::Record record = sample_record();
+  vnv::RunSummary run;
+  run.level = "S4";
+  run.outcome = "diverged at step 7";
+  record.runs = {run};
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
+}
+
+TEST_F(Site, SaysWhereEachLadderLeads) {
+  vnv::Record record = sample_record();
+  vnv::ObservedOrder order;
+  order.ladder = "grid";
+  order.quantity = "L2 v_x [%]";
+  order.order = 0.41;
+  order.half_width = 0.2;
+  order.trend = vnv::Trend::stalled;
+  order.floor = 0.023;
+  order.floor_half_width = 0.001;
+  order.order_to_floor = 1.97;
+  order.order_to_floor_half_width = 0.1;
+  record.orders = {order};
+  put(record);
+  make_site(records, site);
+  const std::string html = page("poiseuille/index.html");
+  for (const char* words : {"stalled", "not asymptotic", "0.023", "1.97"}) EXPECT_TRUE(contains(html, words)) << words;
+}
+
+TEST_F(Site, HasAMatrixOfOrdersLinkedToAndFro) {
+  vnv::Record record = sample_record();
+  record.orders = {sample_order()};
+  put(record);
+  make_site(records, site);
+  const std::string figure = "order_L2_v_x_at_1_s";
+  EXPECT_TRUE(contains(page("index.html"), "href=\"orders.html\""));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "href=\"../orders.html\""));
+  EXPECT_TRUE(contains(page("orders.html"), "href=\"index.html\""));
+  EXPECT_TRUE(contains(page("orders.html"), "href=\"poiseuille/index.html#" + figure + "\""));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "id=\"" + figure + "\""));
+  for (const char* kind : {".svg", ".gp", ".csv"}) EXPECT_FALSE(page("poiseuille/" + figure + kind).empty()) << kind;
+}
+
+TEST_F(Site, WithoutOrdersHasNoMatrixOfThem) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "orders.html"));
+  EXPECT_FALSE(contains(page("index.html"), "orders.html"));
+  EXPECT_FALSE(contains(page("poiseuille/index.html"), "orders.html"));
+}
+
+TEST_F(Site, ShowsEqualRowsOfATableOnce) {
+  const vnv::Table table{"norms", "Norms", "", {"level", "L2 [%]"}, {{std::string("paper M1"), 3.34}}};
+  for (const char* method : {"mpm", "sph"}) {
+    vnv::Record record = sample_record(method);
+    record.tables = {table};
+    put(record);
+  }
+  make_site(records, site);
+  const std::string html = page("poiseuille/index.html");
+  EXPECT_NE(html.find("paper M1"), std::string::npos);
+  EXPECT_EQ(html.find("paper M1"), html.rfind("paper M1"));
+}
+
+TEST_F(Site, EscapesWhatARecordSays) {
+  vnv::Record record = sample_record();
+  record.title = record.description = record.method_description = "<script>alert(1)</script>";
+  record.curves[0].label = "<script>";
+  put(record);
+  make_site(records, site);
+  for (const char* name : {"index.html", "poiseuille/index.html", "poiseuille/profile.svg"})
+    EXPECT_FALSE(contains(page(name), "<script>")) << name;
+}
+
+TEST_F(Site, IsReplacedWhole) {
+  make_site(records, site);
+  std::ofstream(site / "of_an_earlier_case.html") << "old";
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "of_an_earlier_case.html"));
+  EXPECT_TRUE(fs::exists(site / "index.html"));
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(Site, RemovesWhatOthersLeftThatWereKilled) {
+  const fs::path of_none = folder / ".site.999999999.part", of_one_that_runs = folder / ".site.1.part";
+  fs::create_directories(of_none / "poiseuille");
+  fs::create_directory(of_one_that_runs);
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(of_none));
+  EXPECT_TRUE(fs::exists(of_one_that_runs));
+}
+
+TEST_F(Site, StaysAsItWasIfAFigureCannotBeDrawn) {
+  make_site(records, site);
+  const std::string former = page("index.html");
+  vnv::Record record = sample_record();
+  record.title = "Another";
+  put(record);
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho 'no terminal' >&2\nexit 1\n";
+  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
+  const Environment path("PATH", folder.path().c_str());
+  EXPECT_THROW(make_site(records, site), std::runtime_error);
+  EXPECT_EQ(page("index.html"), former);
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(Site, WithoutGnuplotIsTheTables) {
+  const Environment path("PATH", "");
+  EXPECT_THROW(make_site(records, site), GnuplotMissing);
+  for (const char* table : {"verdicts.csv", "orders.csv", "cost.csv"}) EXPECT_FALSE(page(table).empty()) << table;
+  EXPECT_FALSE(fs::exists(site / "index.html"));
+}
+
+TEST_F(Site, DoesNotReplaceAFolderThatIsNone) {
+  fs::create_directory(site);
+  std::ofstream(site / "thesis.tex") << "years of work";
+  EXPECT_THROW(make_site(records, site), std::runtime_error);
+  EXPECT_EQ(page("thesis.tex"), "years of work");
+}
+
+TEST_F(Site, DoesNotReplaceTheFolderOfItsRecords) {
+  make_site(records, site);
+  fs::rename(records, site / "records");
+  EXPECT_THROW(make_site(site / "records", site), std::runtime_error);
+  EXPECT_TRUE(fs::exists(site / "records" / "mpm.json"));
+}
+
+TEST_F(Site, WithAHistoryHasATrendOverItsNights) {
+  vnv::Record record = sample_record();
+  record.suite = "nightly";
+  for (const char* day : {"21", "22"}) {
+    record.finished_at = fmt::format("2026-11-{}T04:00:00Z", day);
+    record.revision = fmt::format("revision{}", day);
+    record.verdicts[0].value *= 1.05;
+    put(record);
+    make_site(records, site, {.history = folder / "nights"});
+  }
+  std::ofstream(folder / "nights" / "torn.jsonl") << "{\"night\":1,";
+  make_site(records, site, {.history = folder / "nights"});
+  EXPECT_TRUE(contains(page("index.html"), "href=\"trend.html\""));
+  for (const char* words : {"2 nights, 2026-11-21 to 2026-11-22: the last one changed one value.", "revision22",
+                            "torn.jsonl:1: no whole line of JSON", "data-values=\"1.575,1.654\""})
+    EXPECT_TRUE(contains(page("trend.html"), words)) << words;
+  EXPECT_TRUE(contains(page("trend_steps.csv"), "2026-11-22T04:00:00Z,revision22,poiseuille,mpm,M2"));
+}
+
+TEST_F(Site, WithoutAHistoryHasNoTrend) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "trend.html"));
+  EXPECT_FALSE(contains(page("index.html"), "trend.html"));
+}
+
+TEST_F(Site, DoesNotReplaceTheFolderOfItsNights) {
+  EXPECT_THROW(make_site(records, site, {.history = site / "nights"}), std::runtime_error);
+}
+
+TEST_F(Site, WithTrialsOfFaultsHasAPageOfThem) {
+  std::ofstream(folder / "trials.csv") << sample_fault_keys() + fault_table(sample_fault_rows());
+  make_site(records, site, {.faults = folder / "trials.csv"});
+  EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection power</a>. 4 of 6 seeded faults"));
+  EXPECT_TRUE(contains(page("faults.html"), "href=\"index.html\""));
+  EXPECT_TRUE(contains(page("faults.html"), "href=\"faults.csv\""));
+  EXPECT_EQ(page("faults.csv"), text_of_file(folder / "trials.csv"));
+}
+
+TEST_F(Site, WithoutTrialsOfFaultsHasNoPageOfThem) {
+  make_site(records, site);
+  EXPECT_FALSE(fs::exists(site / "faults.html"));
+  EXPECT_FALSE(contains(page("index.html"), "faults.html"));
+}
+
+TEST_F(Site, WhereNothingCanBeWrittenIsRefused) {
+  std::ofstream(folder / "file") << "";
+  EXPECT_THROW(make_site(records, folder / "file" / "site"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::reports

@@ -1,0 +1,27 @@
+#pragma once
+/// Verdicts as a reader meets them: counted, listed and tabulated.
+
+#include "reports/read/cases.hpp"
+#include "reports/text/html.hpp"
+
+#include <string>
+#include <vector>
+
+namespace touchstone::reports {
+
+/// "12 of 15 claims hold, 2 fail, 1 is inconclusive."
+std::string sentence(const Tally& tally);
+
+/// A cell with the outcome as a word and a colour.
+HtmlCell outcome_cell(vnv::Outcome outcome);
+
+/// "23 %" with a bar of that share of the limit; negative and the other colour if the claim fails.
+std::string margin_bar(double margin);
+
+/// The sentences of all claims that fail, then of those that are inconclusive. Empty if all hold.
+std::string complaints(const std::vector<vnv::Verdict>& verdicts);
+
+/// Every claim with value, limit, margin and author.
+std::string verdict_table(const std::vector<vnv::Verdict>& verdicts);
+
+}  // namespace touchstone::reports

@@ -1,0 +1,79 @@
+#include "reports/text/csv.hpp"
+
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace touchstone::reports {
+namespace {
+
+std::string number(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.6g}", value); }
+std::string number_or_empty(double value) { return std::isnan(value) ? "" : number(value); }
+
+std::string verdict_line(const vnv::Verdict& v) {
+  return csv_line({v.case_name, v.method, v.level, number_or_empty(v.spacing), number_or_empty(v.time),
+                   with_unit(v.quantity, v.unit), number(v.value), limit(v), v.author, word(v.outcome)});
+}
+
+std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {
+  const bool has_levels = !o.spacings.empty() && !o.errors.empty();
+  return csv_line({record.case_name, record.method, o.ladder, o.quantity, number(o.time),
+                   std::to_string(o.errors.size()), has_levels ? number(o.spacings.back()) : "",
+                   has_levels ? number(o.errors.back()) : "", number(o.order), number(o.half_width),
+                   std::string(vnv::name_of(o.trend)), o.asymptotic ? "yes" : "no", number_or_empty(o.floor),
+                   number_or_empty(o.floor_half_width), number_or_empty(o.order_to_floor),
+                   number_or_empty(o.order_to_floor_half_width)});
+}
+
+std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
+  const vnv::Cost& c = run.cost;
+  return csv_line({record.case_name, record.method, run.level, std::to_string(c.particles), std::to_string(c.steps),
+                   number(c.cpu), number(c.cpu_lowest), number(c.cpu_highest), std::to_string(c.repeats),
+                   number(c.wall), number_or_empty(100 * c.harness_share()), number(c.peak_memory / 1e6),
+                   number(c.per_particle_step() * 1e9)});
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted;
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return fmt::format("\"{}\"", quoted);
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const auto& field : fields) line += csv_field(field) + ',';
+  if (!line.empty()) line.pop_back();
+  return line + '\n';
+}
+
+std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv = "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n";
+  for (const auto& records : cases)
+    for (const auto& verdict : verdicts_of(records)) csv += verdict_line(verdict);
+  return csv;
+}
+
+std::string orders_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv =
+      "case,method,ladder,quantity,time [s],spacings,finest spacing [m],finest error,order,half-width,trend,asymptotic,floor,half-width of floor,order to floor,half-width of order to floor\n";
+  for (const auto& records : cases)
+    for (const auto& record : records.records)
+      for (const auto& order : record.orders) csv += order_line(record, order);
+  return csv;
+}
+
+std::string cost_csv(const std::vector<CaseRecords>& cases) {
+  std::string csv =
+      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step\n";
+  for (const auto& records : cases)
+    for (const auto& record : records.records)
+      for (const auto& run : record.runs) csv += cost_line(record, run);
+  return csv;
+}
+
+}  // namespace touchstone::reports

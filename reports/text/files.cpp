@@ -1,0 +1,121 @@
+#include "reports/text/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace touchstone::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+void want(const std::error_code& cause, const fs::path& place) {
+  if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", place.string(), cause.message()));
+}
+
+fs::path neighbour(const fs::path& place, const char* kind) {
+  return place.parent_path() / fmt::format(".{}.{}.{}", place.filename().string(), getpid(), kind);
+}
+
+bool has_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+
+// ".site.123.part" is of process 123.
+void remove_what_the_killed_left(const fs::path& place) {
+  const std::string begin = fmt::format(".{}.", place.filename().string());
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(place).parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    pid_t process = 0;
+    if (!name.starts_with(begin)) continue;
+    const std::string kind = std::from_chars(name.data() + begin.size(), name.data() + name.size(), process).ptr;
+    if ((kind == ".part" || kind == ".former") && process > 0 && has_ended(process)) left.push_back(entry.path());
+  }
+  for (const fs::path& file : left) fs::remove_all(file, ignored);
+}
+
+// In one step; false where the system cannot, or one of them is not there.
+bool are_exchanged([[maybe_unused]] const fs::path& one, [[maybe_unused]] const fs::path& other) {
+#ifdef RENAME_EXCHANGE
+  return renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+#else
+  return false;
+#endif
+}
+
+// "site/" and "./site" name the same folder as "site".
+fs::path plain_path(const fs::path& site) {
+  const fs::path whole = fs::absolute(site).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+}  // namespace
+
+void save(const fs::path& file, const std::string& text) {
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+}
+
+void save_whole(const fs::path& file, const std::string& text) {
+  const fs::path part = neighbour(file, "part");
+  std::error_code cause, ignored;
+  try {
+    save(part, text);
+    fs::rename(part, file, cause);
+    want(cause, file);
+    remove_what_the_killed_left(file);
+  } catch (...) {
+    fs::remove(part, ignored);
+    throw;
+  }
+}
+
+Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(site_, "part")) {
+  const bool is_free = !fs::exists(site_) || (fs::is_directory(site_) && fs::is_empty(site_));
+  if (!is_free && !fs::exists(site_ / "verdicts.csv"))
+    throw std::runtime_error(
+        fmt::format("{}: is there and is no site, expected a new, an empty or a former one", site.string()));
+  std::error_code cause;
+  fs::create_directories(folder_, cause);
+  want(cause, site);
+}
+
+Staging::~Staging() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Staging::publish() {
+  std::error_code cause, ignored;
+  if (!are_exchanged(folder_, site_)) {
+    const fs::path former = neighbour(site_, "former");
+    fs::rename(site_, former, ignored);
+    fs::rename(folder_, site_, cause);
+    if (cause) fs::rename(former, site_, ignored);
+    want(cause, site_);
+    fs::remove_all(former, ignored);
+  }
+  remove_what_the_killed_left(site_);
+}
+
+void Staging::publish_file(const std::string& name) {
+  std::error_code cause;
+  fs::create_directories(site_, cause);
+  want(cause, site_);
+  fs::rename(folder_ / name, site_ / name, cause);
+  want(cause, site_ / name);
+}
+
+}  // namespace touchstone::reports

@@ -1,0 +1,96 @@
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::reports {
+namespace {
+
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
+std::string grouped(std::string digits) {
+  const int first = digits.starts_with('-') ? 1 : 0;
+  for (int i = static_cast<int>(digits.size()) - 3; i > first; i -= 3) digits.insert(i, "\u202f");
+  return with_minus(digits);
+}
+
+std::string with_power(const std::string& number) {
+  const auto e = number.find('e');
+  const int power = std::stoi(number.substr(e + 1));
+  return fmt::format("{}\u202f×\u202f10<sup>{}</sup>", with_minus(number.substr(0, e)),
+                     with_minus(std::to_string(power)));
+}
+
+// Narrow limits get as many digits as tell them apart.
+std::string interval(double lower, double upper) {
+  std::string from = plain(lower), to = plain(upper);
+  for (int digits = 5; from == to && lower < upper && digits <= 17; ++digits) {
+    from = fmt::format("{:.{}g}", lower, digits);
+    to = fmt::format("{:.{}g}", upper, digits);
+  }
+  return fmt::format("in [{}, {}]", from, to);
+}
+
+}  // namespace
+
+std::string plain(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
+
+std::string printed(double value) {
+  if (!std::isfinite(value)) return fmt::format("<span class=\"nan\">{}</span>", with_minus(plain(value)));
+  if (std::abs(value) >= 1e4 && std::abs(value) < 1e7) return grouped(fmt::format("{:.0f}", value));
+  const std::string number = plain(value);
+  return number.find('e') == std::string::npos ? with_minus(number) : with_power(number);
+}
+
+std::string printed(long count) {
+  return std::abs(count) < 10000 ? with_minus(std::to_string(count)) : grouped(std::to_string(count));
+}
+
+std::string valued(double value, const std::string& unit) {
+  return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
+}
+
+std::string in_percent(double share) {
+  return std::isfinite(share) ? printed(std::round(share * 100)) + "\u202f%" : printed(share);
+}
+
+HtmlCell number_cell(double value) { return {printed(value), "number"}; }
+HtmlCell number_cell(long count) { return {printed(count), "number"}; }
+
+std::string limit(const vnv::Verdict& verdict) {
+  if (verdict.lower && verdict.upper) return interval(*verdict.lower, *verdict.upper);
+  if (verdict.upper) return "<= " + plain(*verdict.upper);
+  if (verdict.lower) return ">= " + plain(*verdict.lower);
+  return "";
+}
+
+std::string with_unit(const std::string& quantity, const std::string& unit) {
+  return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
+}
+
+// Two digits after the point, or up to four so that a narrow interval is not 0.
+std::string with_interval(double value, double half_width) {
+  const bool narrow = half_width > 0 && half_width < 0.01;
+  const int digits = narrow ? std::min(4, static_cast<int>(std::ceil(-std::log10(half_width)))) : 2;
+  const std::string middle = with_minus(fmt::format("{:.{}f}", value, digits));
+  return std::isfinite(half_width) ? fmt::format("{} ± {:.{}f}", middle, half_width, digits) : middle;
+}
+
+std::string word(vnv::Outcome outcome) {
+  switch (outcome) {
+    case vnv::Outcome::holds:
+      return "holds";
+    case vnv::Outcome::fails:
+      return "fails";
+    case vnv::Outcome::inconclusive:
+      break;
+  }
+  return "inconclusive";
+}
+
+}  // namespace touchstone::reports

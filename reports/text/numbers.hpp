@@ -1,0 +1,42 @@
+#pragma once
+/// How numbers and limits are written: four significant digits, never a bare "nan" that could be overlooked.
+
+#include "reports/text/html.hpp"
+#include "vnv/record/record.hpp"
+
+#include <string>
+
+namespace touchstone::reports {
+
+/// As plain text: "0.0159", "1.2e-07", "nan".
+std::string plain(double value);
+
+/// As in print: "0.0159", "1.2 × 10^−7", "200 000"; what is not finite is marked.
+std::string printed(double value);
+
+/// "1.59 %": as in print, with its unit.
+std::string valued(double value, const std::string& unit);
+
+/// "23 %" of a share of 0.23.
+std::string in_percent(double share);
+
+/// With groups of three digits.
+std::string printed(long count);
+
+/// A right-aligned cell of a table.
+HtmlCell number_cell(double value);
+HtmlCell number_cell(long count);
+
+/// A limit as plain text: "<= 0.07", ">= 0.8", "in [1.9, 2.1]"; empty if nothing is claimed.
+std::string limit(const vnv::Verdict& verdict);
+
+/// "L2 v_x [%]"; without brackets if the unit is empty.
+std::string with_unit(const std::string& quantity, const std::string& unit);
+
+/// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
+std::string with_interval(double value, double half_width);
+
+/// "holds", "fails" or "inconclusive".
+std::string word(vnv::Outcome outcome);
+
+}  // namespace touchstone::reports

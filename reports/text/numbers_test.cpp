@@ -1,0 +1,65 @@
+#include "reports/text/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::reports {
+namespace {
+
+vnv::Verdict between(std::optional<double> lower, std::optional<double> upper) {
+  vnv::Verdict verdict;
+  verdict.lower = lower;
+  verdict.upper = upper;
+  return verdict;
+}
+
+TEST(Numbers, KeepFourSignificantDigits) {
+  EXPECT_EQ(printed(0.0159049), "0.0159");
+  EXPECT_EQ(printed(3.14159), "3.142");
+  EXPECT_EQ(printed(-2.5), "−2.5");
+}
+
+TEST(Numbers, SpellPowersOfTenAsInPrint) { EXPECT_EQ(printed(-1.25e-7), "−1.25\u202f×\u202f10<sup>−7</sup>"); }
+
+TEST(Numbers, GroupLongOnes) {
+  EXPECT_EQ(printed(200000L), "200\u202f000");
+  EXPECT_EQ(printed(14400.0), "14\u202f400");
+  EXPECT_EQ(printed(-1234567L), "−1\u202f234\u202f567");
+  EXPECT_EQ(printed(800L), "800");
+}
+
+TEST(Numbers, MarkWhatIsNotFinite) {
+  EXPECT_EQ(printed(vnv::not_a_number), "<span class=\"nan\">nan</span>");
+  EXPECT_EQ(printed(-std::numeric_limits<double>::infinity()), "<span class=\"nan\">−inf</span>");
+  EXPECT_EQ(plain(-vnv::not_a_number), "nan");
+}
+
+TEST(Numbers, WithAnIntervalShowAsManyDigitsAsItHas) {
+  EXPECT_EQ(with_interval(2.0153, 0.118), "2.02 ± 0.12");
+  EXPECT_EQ(with_interval(1.99863, 0.00086), "1.9986 ± 0.0009");
+  EXPECT_EQ(with_interval(-0.018, 0.047), "−0.02 ± 0.05");
+  EXPECT_EQ(with_interval(1.99989, 0.00002), "1.9999 ± 0.0000");
+  EXPECT_EQ(with_interval(2, 0), "2.00 ± 0.00");
+  EXPECT_EQ(with_interval(2.29, std::numeric_limits<double>::infinity()), "2.29");
+}
+
+TEST(Numbers, StandBesideTheirUnit) {
+  EXPECT_EQ(valued(0.5, "%"), "0.5\u202f%");
+  EXPECT_EQ(valued(2, ""), "2");
+}
+
+TEST(Limits, AreReadAsTheyWereClaimed) {
+  EXPECT_EQ(limit(between({}, 0.07)), "<= 0.07");
+  EXPECT_EQ(limit(between(0.8, {})), ">= 0.8");
+  EXPECT_EQ(limit(between(1.9, 2.1)), "in [1.9, 2.1]");
+  EXPECT_EQ(limit(between(1.5132, 1.5134)), "in [1.5132, 1.5134]");
+  EXPECT_EQ(limit(between(2, 2)), "in [2, 2]");
+  EXPECT_EQ(limit(between({}, {})), "");
+}
+
+TEST(Limits, StandWithTheUnitOfTheirQuantity) {
+  EXPECT_EQ(with_unit("L2 v_x", "%"), "L2 v_x [%]");
+  EXPECT_EQ(with_unit("order", ""), "order");
+}
+
+}  // namespace
+}  // namespace touchstone::reports

@@ -1,0 +1,229 @@
+#include "solvers/mpm/composed/transfers/apic.hpp"
+#include "solvers/mpm/composed/transfers/blend.hpp"
+#include "solvers/mpm/composed/transfers/flip.hpp"
+#include "solvers/mpm/composed/transfers/pic.hpp"
+#include "solvers/mpm/composed/transfers/xpic.hpp"
+
+#include "solvers/mpm/shapes/b_spline.hpp"
+#include "solvers/mpm/shapes/gimp.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::mpm {
+namespace {
+
+constexpr double cell = 0.1;                                   // m
+constexpr Tait water{.density = 1000, .bulk_modulus = 14300};  // sound travels at 10 m/s
+
+/// An uneven patch of particles in the middle of 12 x 12 cells, spinning and stretched, each with a pressure of its
+/// own.
+template <class Shape, class Transfer>
+struct Patch {
+  static constexpr double dt = 5e-3;  // s
+  const Grid grid{{.box = {.high = {1.2, 1.2}}}, cell};
+  Weights<Shape> weights{grid, Vec2(cell / 2, cell / 2)};
+  PlainNodes nodes{weights.nodes()};
+  PlainParticles particles;
+  Transfer transfer;
+
+  explicit Patch(const Mat2& gradient = Mat2{{0.3, -1.1}, {0.9, -0.2}}) {
+    constexpr int n = 60;
+    particles.mass = 1;
+    particles.x.resize(2, n);
+    particles.v.resize(2, n);
+    particles.expansion.resize(n);
+    for (int p = 0; p < n; ++p) {
+      particles.x.col(p) = Vec2(0.45 + 0.3 * fraction(0.618 * p), 0.45 + 0.3 * fraction(0.755 * p));
+      particles.v.col(p) = gradient * (particles.x.col(p) - Vec2(0.6, 0.6));
+      particles.expansion[p] = 0.02 * (fraction(0.57 * p) - 0.5);
+      particles.slopes.push_back({gradient(0, 0), gradient(1, 0), gradient(0, 1), gradient(1, 1)});
+    }
+    transfer.begin(particles);
+  }
+
+  /// From the particles to the nodes.
+  void scatter(int threads = 1) {
+    weights.find(particles.x, threads);
+    scatter_mass(weights, threads, nodes);
+    scatter_velocity(
+        weights, nodes, threads, [&](Index p, const Vec2& arm) -> Vec2 { return transfer.given(particles, p, arm); },
+        nodes.start);
+  }
+  /// And back, under the forces of their pressure.
+  void step(int threads = 1) {
+    scatter(threads);
+    scatter_forces(weights, particles, water, NoForce{}, 0, threads, nodes);
+    accelerate(dt, nodes);
+    transfer.gather(weights, nodes, threads, particles);
+    move_places(weights, nodes, dt, threads, particles);
+  }
+  void steps(int count) {
+    for (int k = 0; k < count; ++k) step();
+  }
+
+  Vec2 momentum() const { return particles.v.rowwise().sum(); }
+  /// What the particles' velocities have, and with an affine transfer what turns around each.
+  double angular_momentum(double spread = 0) const {
+    double sum = 0;
+    for (Index p = 0; p < particles.count(); ++p) {
+      const Vec2 x = particles.x.col(p), v = particles.v.col(p), at = transfer.given(particles, p, Vec2(0, 0));
+      sum += x.x() * v.y() - x.y() * v.x();
+      sum += spread * (transfer.given(particles, p, Vec2(1, 0)) - at).y() -
+             spread * (transfer.given(particles, p, Vec2(0, 1)) - at).x();
+    }
+    return sum;
+  }
+
+  static double fraction(double x) { return x - std::floor(x); }
+};
+
+template <class Combination>
+class Transfers : public testing::Test {};
+using Combinations =
+    testing::Types<Patch<LinearHat, Flip>, Patch<LinearHat, Pic>, Patch<LinearHat, Apic>, Patch<Gimp, Flip>,
+                   Patch<Gimp, Xpic<2>>, Patch<Gimp, Apic>, Patch<BSpline<2>, Flip>, Patch<BSpline<2>, Pic>,
+                   Patch<BSpline<2>, Blend<std::ratio<9, 10>>>, Patch<BSpline<2>, Apic>, Patch<BSpline<2>, Xpic<3>>,
+                   Patch<BSpline<3>, Flip>, Patch<BSpline<3>, Apic>, Patch<BSpline<3>, Xpic<5>>>;
+TYPED_TEST_SUITE(Transfers, Combinations);
+
+TYPED_TEST(Transfers, GiveTheNodesAllMassAndMomentum) {
+  TypeParam patch;
+  patch.scatter();
+  EXPECT_NEAR(patch.nodes.mass.sum(), 60, 1e-12);
+  const Vec2 of_nodes = patch.nodes.start * patch.nodes.mass.matrix();
+  EXPECT_LT((of_nodes - patch.momentum()).norm(), 1e-12);
+}
+
+TYPED_TEST(Transfers, KeepMomentumUnderForces) {
+  TypeParam patch;
+  const Vec2 start = patch.momentum();
+  const Vectors v = patch.particles.v;
+  patch.steps(20);
+  EXPECT_GT((patch.particles.v - v).norm(), 0.1);  // m/s: forces have been at work
+  EXPECT_LT((patch.momentum() - start).norm(), 1e-12);
+}
+
+TYPED_TEST(Transfers, LeaveUniformFlowAsItIs) {
+  TypeParam patch;
+  patch.particles.v.colwise() = Vec2(3, -2);
+  patch.particles.slopes.assign(60, {});
+  patch.transfer = {};
+  patch.transfer.begin(patch.particles);
+  patch.scatter();
+  accelerate(patch.dt, patch.nodes);
+  patch.transfer.gather(patch.weights, patch.nodes, 1, patch.particles);
+  EXPECT_LT((patch.particles.v.colwise() - Vec2(3, -2)).norm(), 1e-12);
+}
+
+TYPED_TEST(Transfers, GiveTheSameBitsForAnyNumberOfThreads) {
+  TypeParam one;
+  one.steps(5);
+  for (int threads : {2, 3}) {
+    TypeParam shared;
+    for (int k = 0; k < 5; ++k) shared.step(threads);
+    EXPECT_EQ(shared.particles.x, one.particles.x);
+    EXPECT_EQ(shared.particles.v, one.particles.v);
+  }
+}
+
+/// By how much the angular momentum changes in twenty steps, over what it was.
+template <class Combination>
+double lost(double spread) {
+  const Mat2 spin{{0, -1}, {1, 0}};
+  Combination patch(spin);
+  const double start = patch.angular_momentum(spread);
+  patch.steps(20);
+  return std::abs(patch.angular_momentum(spread) / start - 1);
+}
+
+TEST(Apic, KeepsAngularMomentumWithBSplinesAwayFromWalls) {
+  EXPECT_LT((lost<Patch<BSpline<2>, Apic>>(cell * cell / 4)), 1e-12);
+  EXPECT_LT((lost<Patch<BSpline<3>, Apic>>(cell * cell / 3)), 1e-12);
+}
+
+TEST(Pic, LosesAngularMomentum) {
+  EXPECT_GT((lost<Patch<BSpline<2>, Pic>>(0)), 0.1);
+  EXPECT_GT((lost<Patch<LinearHat, Pic>>(0)), 0.1);
+}
+
+/// What an affine field of velocity, given to the nodes and taken back in a corner between walls, is wrong by.
+template <class Shape>
+double wrong_in_a_corner() {
+  const Mat2 gradient{{0.3, -1.1}, {0.9, -0.2}};
+  Patch<Shape, Apic> patch(gradient);
+  for (Index p = 0; p < patch.particles.count(); ++p) {
+    patch.particles.x.col(p) -= Vec2(0.45, 0.45);
+    if (p < 4) patch.particles.x(p % 2, p) = p < 2 ? 0 : cell;  // on a wall, and where cells meet
+    patch.particles.v.col(p) = gradient * patch.particles.x.col(p);
+  }
+  const Vectors start = patch.particles.v;
+  patch.scatter();
+  accelerate(patch.dt, patch.nodes);
+  patch.transfer.gather(patch.weights, patch.nodes, 1, patch.particles);
+  double wrong = (patch.particles.v - start).norm();
+  for (Index p = 0; p < patch.particles.count(); ++p)
+    for (const Vec2& arm : {Vec2(1, 0), Vec2(0, 1)})
+      wrong = std::max(
+          wrong, (patch.transfer.given(patch.particles, p, arm) - patch.particles.v.col(p) - gradient * arm).norm());
+  return wrong;
+}
+
+TEST(Apic, CarriesAnAffineFieldThroughTheNodesUpToWalls) {
+  EXPECT_LT(wrong_in_a_corner<LinearHat>(), 1e-11);
+  EXPECT_LT(wrong_in_a_corner<Gimp>(), 1e-11);
+  EXPECT_LT(wrong_in_a_corner<BSpline<2>>(), 1e-11);
+  EXPECT_LT(wrong_in_a_corner<BSpline<3>>(), 1e-11);
+}
+
+template <class One, class Other>
+double difference() {
+  One one;
+  Other other;
+  one.steps(10);
+  other.steps(10);
+  return (one.particles.v - other.particles.v).norm() + (one.particles.x - other.particles.x).norm();
+}
+
+TEST(Xpic, OfFirstOrderIsPic) { EXPECT_EQ((difference<Patch<BSpline<2>, Xpic<1>>, Patch<BSpline<2>, Pic>>()), 0); }
+
+TEST(Xpic, DampsLessTheHigherItsOrder) {
+  const auto energy = []<class Combination>(Combination patch) {
+    patch.steps(10);
+    return patch.particles.v.squaredNorm();
+  };
+  const double first = energy(Patch<BSpline<2>, Xpic<1>>()), second = energy(Patch<BSpline<2>, Xpic<2>>()),
+               fifth = energy(Patch<BSpline<2>, Xpic<5>>()), kept = energy(Patch<BSpline<2>, Flip>());
+  EXPECT_LT(1.05 * first, second);
+  EXPECT_LT(1.01 * second, fifth);
+  EXPECT_LT(fifth, kept);
+}
+
+TEST(Xpic, FiltersVelocitiesAsItsFormulaSays) {
+  Patch<BSpline<2>, Xpic<3>> patch;
+  for (int p = 0; p < 60; ++p) patch.particles.v.col(p) = Vec2(std::sin(1.0 * p), std::cos(2.0 * p));
+  Vectors rest = patch.particles.v;
+  for (int k = 0; k < 3; ++k) {  // (I - S S⁺)³ v
+    Patch<BSpline<2>, Pic> smoothing;
+    smoothing.particles.v = rest;
+    smoothing.scatter();
+    accelerate(smoothing.dt, smoothing.nodes);
+    smoothing.transfer.gather(smoothing.weights, smoothing.nodes, 1, smoothing.particles);
+    rest -= smoothing.particles.v;
+  }
+  const Vectors filtered = patch.particles.v - rest;
+  patch.scatter();
+  accelerate(patch.dt, patch.nodes);
+  patch.transfer.gather(patch.weights, patch.nodes, 1, patch.particles);
+  EXPECT_GT(rest.norm(), 1);
+  EXPECT_LT((patch.particles.v - filtered).norm(), 1e-12);
+}
+
+TEST(Blend, ReachesFromPicToFlip) {
+  EXPECT_LT((difference<Patch<Gimp, Blend<std::ratio<0>>>, Patch<Gimp, Pic>>()), 1e-14);
+  EXPECT_LT((difference<Patch<Gimp, Blend<std::ratio<1>>>, Patch<Gimp, Flip>>()), 1e-14);
+  EXPECT_GT((difference<Patch<Gimp, Blend<std::ratio<1, 2>>>, Patch<Gimp, Flip>>()), 0.1);
+}
+
+}  // namespace
+}  // namespace touchstone::mpm

@@ -1,0 +1,153 @@
+#include "solvers/mpm/least_squares/least_squares.hpp"
+
+#include "solvers/forces/uniform.hpp"
+#include "solvers/testing.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+namespace touchstone::mpm {
+namespace {
+
+constexpr Settings coarse{.cell = 0.1, .spacing = 0.05, .time_step = 1e-3};
+
+struct LeastSquaresMethod {
+  static auto solver(const auto& scene, const Settings& settings = coarse) { return least_squares(scene, settings); }
+};
+
+Scene<Newtonian, Uniform> between_plates(const WallVelocity& low, const WallVelocity& high, const Start& start,
+                                         const Vec2& force = Vec2::Zero()) {
+  return {.domain = {.box = {.high = {1, 1}}, .periodic_x = true},
+          .fluid = oil,
+          .filled = {.high = {1, 1}},
+          .walls = {floor_at(0, low), ceiling_at(1, high)},
+          .body_force = {force},
+          .start = start};
+}
+
+/// A field of second degree on particles that stand anywhere.
+struct Scattered {
+  FluidState all;
+  static double field(double x, double y) { return 3 - x + 2 * y + 4 * x * x - x * y + 0.5 * y * y; }
+
+  Scattered() {
+    const Vectors places = lattice({.high = {1, 1}}, 0.05).places();
+    all.fluid = places.cols();
+    all.x = places.row(0).array() + 0.01 * (37 * places.row(1).array()).sin();
+    all.y = places.row(1).array() + 0.01 * (53 * places.row(0).array()).cos();
+    all.vx = Scalars::NullaryExpr(all.fluid, [&](Index i) { return field(all.x[i], all.y[i]); });
+    all.vy = -all.vx;
+    all.rho = 1000 + all.vx;
+  }
+};
+
+TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndBetweenThem) {
+  const Scattered particles;
+  FittedNodes nodes(Grid({.box = {.high = {1, 1}}}, 0.1));
+  nodes.fit(particles.all, 1000, 1);
+  for (const Vec2& x : {Vec2(0, 0), Vec2(1, 1), Vec2(0.33, 0.71), Vec2(0.05, 0.98), Vec2(0.999, 0.4)}) {
+    const auto found = nodes.joined(nodes.near(x.x(), x.y()));
+    const double exact = Scattered::field(x.x(), x.y());
+    EXPECT_NEAR(found[FittedNodes::v_x], exact, 1e-9);
+    EXPECT_NEAR(found[FittedNodes::v_y], -exact, 1e-9);
+    EXPECT_NEAR(found[FittedNodes::excess], exact, 1e-9);
+    const auto read = nodes.through_nodes(nodes.near(x.x(), x.y()),
+                                          [&](int node) { return std::array{nodes.fit(node)[FittedNodes::v_x][0]}; });
+    EXPECT_NEAR(read[0], exact, 1e-9);
+  }
+}
+
+TEST(FittedNodes, FindTheNearestNodeAcrossASeamAndInsideAWall) {
+  const FittedNodes nodes(Grid({.box = {.high = {1, 1}}, .periodic_x = true}, 0.1));
+  const NearNode across = nodes.near(1.98, 0.98);
+  EXPECT_EQ(across.column, 0);
+  EXPECT_EQ(across.row, 10);
+  EXPECT_NEAR(across.X, -0.2, 1e-12);
+  EXPECT_NEAR(across.Y, -0.2, 1e-12);
+  EXPECT_EQ(nodes.near(0.5, 1.3).row, 10);
+}
+
+TEST(LeastSquaresMpm, ARunHasTheVelocityAndThePressureOfItsScene) {
+  expect_as_in(varied_start(), after<LeastSquaresMethod>(0, endless(varied_start())), 1e-14, 1e-8);
+}
+
+TEST(LeastSquaresMpm, UniformFlowCrossesBothSeamsUnchanged) {
+  const Vec2 v(7, -5), size(0.7, 0.9);
+  const Scene<Newtonian> scene = endless(uniform_flow(v), size);
+  expect_carried(after<LeastSquaresMethod>(0, scene), after<LeastSquaresMethod>(1000, scene), v, 1, size);
+}
+
+TEST(LeastSquaresMpm, AShearWaveDecaysAsItShouldAlongBothAxes) {
+  const double exact = std::exp(-oil.kinematic_viscosity() * 4 * std::numbers::pi * std::numbers::pi);
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_wave(after<LeastSquaresMethod>(1000, endless(shear_wave(axis, 0.1))), axis) / 0.1;
+    EXPECT_NEAR(left, exact, 0.03 * exact) << axis;
+  }
+}
+
+TEST(LeastSquaresMpm, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes) {
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_sound(after<LeastSquaresMethod>(1000, endless(sound_wave(axis, 0.01)))) / 0.01;
+    EXPECT_NEAR(left, sound_left_after(1), 0.02 * sound_left_after(1)) << axis;
+  }
+}
+
+TEST(LeastSquaresMpm, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigitsThroughRemeshing) {
+  const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
+  const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));
+  EXPECT_LT((s.v.row(0).array() - (2 * s.x.row(1).array() - 1)).abs().maxCoeff(), 1e-9);
+  EXPECT_LT(s.v.row(1).array().abs().maxCoeff(), 1e-9);
+}
+
+TEST(LeastSquaresMpm, TheSteadyProfileOfAChannelIsExact) {
+  const double force = 8 * oil.kinematic_viscosity();  // 1 m/s in the middle
+  const Start parabola{.velocity = [](const Vec2& x) -> Vec2 { return {4 * x.y() * (1 - x.y()), 0}; }};
+  const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip(), no_slip(), parabola, {force, 0}));
+  EXPECT_LT((s.v.row(0).array() - 4 * s.x.row(1).array() * (1 - s.x.row(1).array())).abs().maxCoeff(), 1e-9);
+}
+
+TEST(LeastSquaresMpm, FluidBesideAWallThatStartsToMoveFeelsItAtOnce) {
+  const Samples s = after<LeastSquaresMethod>(0, between_plates(no_slip(), no_slip({1, 0}), {}));
+  EXPECT_GT(s.v.row(0).maxCoeff(), 0.5);
+  EXPECT_EQ(s.v.row(0).head(s.size() / 2).cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(LeastSquaresMpm, FluidSlidesFreelyAlongASlipperyWall) {
+  const Samples s = after<LeastSquaresMethod>(500, between_plates(free_slip(), free_slip(), uniform_flow({3, 0})));
+  EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
+}
+
+TEST(LeastSquaresMpm, ALidDrivesTheFluidInAClosedBoxAndNoneLeaves) {
+  expect_driven_by_the_lid(after<LeastSquaresMethod>(2000, under_a_lid()));
+}
+
+TEST(LeastSquaresMpm, ALidDrivesAlikeWhicheverWallItIs) {
+  expect_a_quarter_turn_on(after<LeastSquaresMethod>(100, under_a_lid()),
+                           after<LeastSquaresMethod>(100, beside_a_lid()), 20, 1e-9);
+}
+
+TEST(LeastSquaresMpm, TheMeanDensityOfAClosedBoxStaysWhatItWas) {
+  const Samples s = after<LeastSquaresMethod>(500, under_a_lid());
+  EXPECT_NEAR(s.density.mean(), oil.density, 1e-12 * oil.density);
+  EXPECT_GT((s.density - oil.density).abs().maxCoeff(), 1e-4 * oil.density);  // though it changes from place to place
+}
+
+TEST(LeastSquaresMpm, ThreadsDoNotChangeABit) {
+  const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
+  Settings settings = coarse;
+  const Samples one = after<LeastSquaresMethod>(100, endless(start), settings);
+  settings.threads = 3;
+  const Samples three = after<LeastSquaresMethod>(100, endless(start), settings);
+  EXPECT_EQ(one.x, three.x);
+  EXPECT_EQ(one.v, three.v);
+  EXPECT_EQ(one.pressure.matrix(), three.pressure.matrix());
+}
+
+TEST(LeastSquaresMpm, RefusesTooFewParticlesInACellAndWaterThatDoesNotFillTheDomain) {
+  EXPECT_THROW(least_squares(endless({}), {.cell = 0.1, .spacing = 0.1, .time_step = 1e-3}), std::invalid_argument);
+  Scene<Newtonian> scene = endless({});
+  scene.filled.high.y() = 0.5;
+  EXPECT_THROW(least_squares(scene, coarse), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchstone::mpm

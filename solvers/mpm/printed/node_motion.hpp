@@ -1,0 +1,58 @@
+#pragma once
+/// What happens on the nodes themselves, between scatter and gather.
+
+#include "solvers/forces/none.hpp"
+#include "solvers/forces/uniform.hpp"
+#include "solvers/mpm/printed/nodes.hpp"
+#include "solvers/threads.hpp"
+
+namespace touchstone::mpm {
+
+/// Calls work(node) for every register of nodes near particles.
+template <class Work>
+void for_near(const Nodes& nodes, int threads, const Work& work) {
+  share_out(threads, static_cast<Eigen::Index>(nodes.near().size()), [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) work(nodes.near()[i]);
+  });
+}
+
+/// The acceleration that is the same everywhere [m/s²].
+inline Vec2 common_acceleration(const Uniform& force) { return force.per_mass; }
+template <class Force>
+Vec2 common_acceleration(const Force&) {
+  return Vec2::Zero();
+}
+
+/// Velocity (10) and acceleration (11), and how far the nodes move (14).
+template <class Force>
+void accelerate(Nodes& nodes, const Force& force, const Vec2& cell, double dt, int threads) {
+  const Vec2 b = common_acceleration(force), cells_per_velocity = dt * cell.cwiseInverse();
+  for_near(nodes, threads, [&](int node) {
+    const Lanes m = nodes.sum(mass, node);
+    const auto moves = m > fill<Lanes>(Nodes::least_mass);
+    const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
+    store(per_mass, &nodes.per_mass[node]);
+    const auto along = [&](Given momentum, Given given_force, double everywhere, double scale, Field<double>& velocity,
+                           Field<double>& change, Field<double>& displacement) {
+      const Lanes v = per_mass * nodes.sum(momentum, node);
+      const Lanes dv = moves ? dt * (per_mass * nodes.sum(given_force, node) + everywhere) : Lanes{};
+      store(v, &velocity[node]);
+      store(dv, &change[node]);
+      store(scale * (v + dv), &displacement[node]);
+    };
+    along(momentum_x, force_x, b.x(), cells_per_velocity.x(), nodes.velocity.x, nodes.change.x, nodes.displacement.x);
+    along(momentum_y, force_y, b.y(), cells_per_velocity.y(), nodes.velocity.y, nodes.change.y, nodes.displacement.y);
+  });
+}
+
+/// Velocity (17), from (10) and what the particles have been told to change.
+inline void remap_velocity(Nodes& nodes, int threads) {
+  for_near(nodes, threads, [&](int node) {
+    const Lanes per_mass = load<Lanes>(&nodes.per_mass[node]);
+    for (auto [momentum, velocity] :
+         {std::pair(momentum_x, &nodes.velocity.x), std::pair(momentum_y, &nodes.velocity.y)})
+      store(load<Lanes>(&(*velocity)[node]) + per_mass * nodes.sum(momentum, node), &(*velocity)[node]);
+  });
+}
+
+}  // namespace touchstone::mpm

@@ -1,0 +1,363 @@
+#pragma once
+/// What goes from particles to nodes and back. A block of neighbouring cells is summed over its particles, one cell a
+/// lane, before the cells meet their corners, and its fields are laid out once for all its particles: equal, but for
+/// rounding, to a loop over particles and nodes.
+///
+/// A shape of degree one within a cell plugs in with its moments, corners and fields as `LinearHat` does. A wider one,
+/// whose cells touch more nodes, needs higher moments too: its own sums, `scatter`, `add_changes` and `gather`.
+
+#include "solvers/forces/none.hpp"
+#include "solvers/forces/uniform.hpp"
+#include "solvers/mpm/beginning.hpp"
+#include "solvers/mpm/printed/cell_sums.hpp"
+#include "solvers/mpm/printed/nodes.hpp"
+#include "solvers/threads.hpp"
+
+#include <algorithm>
+#include <concepts>
+
+namespace touchstone::mpm {
+
+/// What a row of cells gives to its nodes, block by block from left to right. The nodes between two blocks belong to
+/// both: what the one on the left gives them waits for the one on the right.
+template <Given first, Given last>
+class GivenByRow {
+ public:
+  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
+
+  template <Given what>
+  void give(int column, const std::array<Lanes, 4>& corners) {
+    Waiting& waiting = waiting_[what - first];
+    store(corners[0] + shifted(waiting.low, corners[1]), &nodes_.from_above[what][low_ + column]);
+    store(corners[2] + shifted(waiting.high, corners[3]), &nodes_.from_below[what][high_ + column]);
+    waiting = {corners[1], corners[3]};
+  }
+  /// Gives what waits to the nodes from `column` on, where no block follows; a row that ends within a block leaves
+  /// nothing to give.
+  void finish(int column) {
+    if (column == nodes_.stride)
+      waiting_.fill({});
+    else
+      with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
+  }
+  /// Adds what both images of a node on the seam were given.
+  void close_seam() {
+    with_indices<last - first + 1>([&](auto... i) {
+      (nodes_.join_images(nodes_.from_above[first + i], low_), ...);
+      (nodes_.join_images(nodes_.from_below[first + i], high_), ...);
+    });
+  }
+
+ private:
+  struct Waiting {
+    Lanes low{}, high{};
+  };
+  Nodes& nodes_;
+  int low_, high_;  // the first nodes below and above the row
+  std::array<Waiting, last - first + 1> waiting_;
+};
+
+/// Calls work(begin, end) with iterators of where rows of blocks begin, so that each thread has about as many blocks.
+template <int width, class Work>
+void share_out_rows(const CellOrder<width>& order, int threads, const Work& work) {
+  const std::vector<int>& rows = order.rows();
+  const auto row_of = [&](Eigen::Index block) { return std::lower_bound(rows.begin(), rows.end(), block); };
+  share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
+}
+
+/// Calls work(begin, end, block_at) for the blocks of each row. Rows of cells with one particle each have code of their
+/// own, in which no loop over particles takes registers.
+template <int width, class Work>
+void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
+  share_out_rows(order, threads, [&](auto row, auto rows_end) {
+    for (; row < rows_end; ++row)
+      order.with_row(row[0], row[1], [&](const auto& block_at) { work(row[0], row[1], block_at); });
+  });
+}
+
+/// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the seams.
+template <Given first, Given last, int width, class Give>
+void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
+  const auto scatter_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
+    const int row = block_at(begin).row;
+    const bool seam = nodes.at_seam(block_at(end - 1).column + width);
+    if (seam && block_at(begin).column > 0) nodes.open_seam(row);
+    GivenByRow<first, last> to(nodes, row);
+    for (int i = begin; i < end; ++i) {
+      give(i, block_at(i), to);
+      const int next = block_at(i).column + width;
+      if (i + 1 == end || block_at(i + 1).column > next) to.finish(next);
+    }
+    if (seam) to.close_seam();
+  };
+  for_rows(order, threads, scatter_row);
+  nodes.join_rows(first, last);
+}
+
+/// A force that differs from place to place is given to the nodes by the particles; the same force everywhere is added
+/// to the nodes' accelerations, which the weights leave as it is.
+template <class Force>
+concept Local = is_present<Force> && !std::same_as<Force, Uniform>;
+
+/// Sums over the particles of the cells of a block of a body force (13) [m/s²].
+template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
+Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
+                             const Force& force, double time) {
+  Momentum<Real> sums;
+  for (int lane = 0; lane < lanes_of<Number>; ++lane) {
+    Moments<Number> x, y;
+    for (int k = 0; k < block.count[lane]; ++k) {
+      const int slot = block.slot(lane, k);
+      const Number X = particles.X[slot], Y = particles.Y[slot];
+      const Vec2 b = force(grid.place(particles.order.cell(block, lane), X, Y), time);
+      x += Moments<Number>::of(static_cast<Number>(b.x()), X, Y, X * Y);
+      y += Moments<Number>::of(static_cast<Number>(b.y()), X, Y, X * Y);
+    }
+    sums.x.set(lane, x);
+    sums.y.set(lane, y);
+  }
+  return sums;
+}
+template <class Number, class FluidLaw, class Block, class Force>
+requires(!Local<Force>) NoForce
+    body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const Force&, double) {
+  return {};
+}
+
+template <class Shape>
+std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
+  return Shape::template at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
+}
+
+template <class Shape, int part, class Real>
+void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
+  const auto x = at_corners<Shape>(widened<part>(sums.x)), y = at_corners<Shape>(widened<part>(sums.y));
+  for (int corner = 0; corner < 4; ++corner) {
+    forces.x[corner] += x[corner];
+    forces.y[corner] += y[corner];
+  }
+}
+template <class Shape, int part>
+void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
+
+/// Gives the corners of a part of a block their masses, momenta and forces (12), (13).
+template <class Shape, int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
+void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
+          const Vec2& per_cell, To& to) {
+  to.template give<mass>(column, at_corners<Shape>(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
+  to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
+  to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
+  CornerForces<Lanes> forces = stress.template as_doubles<part>().template forces<Shape>(per_cell);
+  add_body_force<Shape, part>(body_force, forces);
+  to.template give<force_x>(column, forces.x);
+  to.template give<force_y>(column, forces.y);
+}
+
+/// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
+template <class Shape, class FluidLaw, class Number, class Force>
+void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
+             int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
+  constexpr int parts = lanes_of<Number> / lanes;
+  masses.resize(particles.order.blocks().size() * parts);
+  const Vec2 per_cell = grid.cell.cwiseInverse();
+  const auto give_block = [&]<class Block>(int i, const Block& block, auto& to) {
+    const auto m = mass_of(particles, block);
+    const auto v = momentum_of(particles, block);
+    const auto stress = stress_of(particles, block);
+    const auto b = body_force_of(particles, block, grid, force, time);
+    with_indices<parts>(
+        [&](auto... part) { (give<Shape, part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
+    if constexpr (!Block::is_single)
+      with_indices<parts>([&](auto... part) { ((masses[i * parts + part] = widened<part>(m)), ...); });
+  };
+  scatter_rows<mass, force_y>(particles.order, threads, nodes, give_block);
+}
+
+/// A field of the nodes within the cells right of and above `node` and those that follow.
+template <class Shape>
+typename Shape::template Within<Lanes> laid_out(const Field<double>& field, int node, int stride) {
+  const double* low = &field[node];
+  const double* high = low + stride;
+  return {load<Lanes>(low), load<Lanes>(low + 1), load<Lanes>(high), load<Lanes>(high + 1)};
+}
+
+/// Sums over the particles of a cell of q, q X, q Y and q XY, for a field q within the cell.
+template <class Within>
+Moments<Lanes> moments_of(const Within& q, const CellMass<Lanes>& m) {
+  return {m.one * q.q0 + m.X * q.qX + m.Y * q.qY + m.XY * q.qXY, m.X * q.q0 + m.XX * q.qX + m.XY * q.qY + m.XXY * q.qXY,
+          m.Y * q.q0 + m.XY * q.qX + m.YY * q.qY + m.XYY * q.qXY,
+          m.XY * q.q0 + m.XXY * q.qX + m.XYY * q.qY + m.XXYY * q.qXY};
+}
+
+template <class Real, class Within>
+Real at(const Real& X, const Real& Y, const Within& q) {
+  return q.q0 + X * q.qX + Y * (q.qY + X * q.qXY);
+}
+
+/// Gives the nodes what (16) adds to the momentum of the particles, with which it becomes that of (17):
+/// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its share of M_ij.
+/// The only particle of a cell gives its own change.
+template <class Shape, class FluidLaw, class Number>
+void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
+                     int threads, Nodes& nodes) {
+  using Real = LanesOf<Number>;
+  constexpr int parts = lanes_of<Number> / lanes;
+  const auto give_part = [&]<class Block>(int i, const Block& block, auto part, auto& to) {
+    const int column = block.column + part * lanes, node = block.row * nodes.stride + column;
+    const auto moments = [&](const auto& q) {
+      if constexpr (Block::is_single) {
+        const Lanes X = widened<part>(load<Real>(&particles.X[block.first])),
+                    Y = widened<part>(load<Real>(&particles.Y[block.first]));
+        return Moments<Lanes>::of(at(X, Y, q), X, Y, X * Y);
+      } else {
+        return moments_of(q, masses[i * parts + part]);
+      }
+    };
+    const auto along = [&](const Field<double>& change) {
+      return at_corners<Shape>(moments(laid_out<Shape>(change, node, nodes.stride)));
+    };
+    to.template give<momentum_x>(column, along(nodes.change.x));
+    to.template give<momentum_y>(column, along(nodes.change.y));
+  };
+  scatter_rows<momentum_x, momentum_y>(particles.order, threads, nodes, [&](int i, const auto& block, auto& to) {
+    with_indices<parts>([&](auto... part) { (give_part(i, block, part, to), ...); });
+  });
+}
+
+/// The same in the lanes of particles.
+template <class Shape, class Real>
+typename Shape::template Within<Real> field(const Field<double>& of, int node, int stride) {
+  using Within = typename Shape::template Within<Lanes>;
+  const auto part = [&](Lanes Within::*q) {
+    return joined<Real>([&](int lane) { return laid_out<Shape>(of, node + lane, stride).*q; });
+  };
+  typename Shape::template Within<Real> field;
+  field.q0 = part(&Within::q0);
+  field.qX = part(&Within::qX);
+  field.qY = part(&Within::qY);
+  field.qXY = part(&Within::qXY);
+  return field;
+}
+
+/// Fields of the nodes within a block of cells.
+template <class Shape, class Real>
+struct FieldPair {
+  typename Shape::template Within<Real> x, y;
+
+  FieldPair(const NodeVectors& of, int node, int stride)
+      : x(field<Shape, Real>(of.x, node, stride)), y(field<Shape, Real>(of.y, node, stride)) {}
+};
+
+/// Writes every lane.
+struct Everywhere {
+  template <class Real>
+  void operator()(const Real& value, NumberIn<Real>* to) const {
+    store(value, to);
+  }
+  template <class Truth>
+  Truth unless_absent(const Truth& truth) const {
+    return truth;
+  }
+};
+/// Writes the lanes that hold a particle.
+template <class Real>
+struct WherePresent {
+  Truth<Real> present;
+
+  void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
+  Truth<Real> unless_absent(const Truth<Real>& truth) const { return truth | ~present; }
+};
+
+/// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
+template <class Real, class Number, class FluidLaw, class Velocity, class Write>
+Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell, double dt,
+                   const FluidLaw& fluid, const Write& write) {
+  const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
+  const Real along_x = fill<Real>(per_cell.x()), along_y = fill<Real>(per_cell.y());
+  const Slopes<Real> of_v{.xx = along_x * (v.x.qX + Y * v.x.qXY),
+                          .yx = along_x * (v.y.qX + Y * v.y.qXY),
+                          .xy = along_y * (v.x.qY + X * v.x.qXY),
+                          .yy = along_y * (v.y.qY + X * v.y.qXY)};
+  const Real before = load<Real>(&particles.expansion[slot]);
+  const Real after = before + (1 + before) * (fill<Real>(dt) * of_v.divergence());
+  write(after, &particles.expansion[slot]);
+  particles.stress.template update<Real>(slot, fluid, after, of_v, write);
+  return write.unless_absent(between(1 / most_density, 1 + after, 1 / least_density));
+}
+
+/// Sets a particle going, with the stress of its density and its velocity's slopes.
+template <class FluidLaw, class Number>
+void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
+           const Vec2& /*cell*/, double /*dt*/) {
+  using Real = LanesOf<Number>;
+  particles.vx[slot] = static_cast<Number>(fluid_there.v.x());
+  particles.vy[slot] = static_cast<Number>(fluid_there.v.y());
+  particles.expansion[slot] = static_cast<Number>(fluid_there.expansion);
+  const Slopes<double>& of = fluid_there.of;
+  particles.stress.template update<Real>(slot, fluid, fill<Real>(fluid_there.expansion),
+                                         {fill<Real>(of.xx), fill<Real>(of.yx), fill<Real>(of.xy), fill<Real>(of.yy)},
+                                         FirstLane{});
+}
+
+/// Place (15) and velocity (16); true if the particles are still in their cells.
+template <class Real, class Number, class FluidLaw, class Vectors, class Write>
+Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors& displacement, const Vectors& change,
+                 const Write& write) {
+  const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
+  write(load<Real>(&particles.vx[slot]) + at(X, Y, change.x), &particles.vx[slot]);
+  write(load<Real>(&particles.vy[slot]) + at(X, Y, change.y), &particles.vy[slot]);
+  const Real new_X = X + at(X, Y, displacement.x), new_Y = Y + at(X, Y, displacement.y);
+  write(new_X, &particles.X[slot]);
+  write(new_Y, &particles.Y[slot]);
+  return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
+}
+
+/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k; true if every call
+/// yields true for every particle.
+template <class Real, class Block, class Body>
+bool for_all(const Block& block, const Body& body) {
+  constexpr int width = lanes_of<NumberIn<Real>>;
+  Truth<Real> each = Real{} == Real{};
+  for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
+  const Real count = converted<Real>(block.count.data());
+  for (int k = block.least(); k < block.most(); ++k)
+    each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
+  return all<Real>(each);
+}
+
+/// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
+/// their cells, and of a plausible density; not a number is neither.
+template <class Shape, class FluidLaw, class Number>
+void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
+            Particles<FluidLaw, Number>& particles, std::vector<char>& calm) {
+  using Real = LanesOf<Number>;
+  using Fields = FieldPair<Shape, Real>;
+  calm.resize(particles.order.blocks().size());
+  const auto gather_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
+    const FluidLaw fluid = law;  // a copy, known not to change while particles are written
+    const Vec2 per_cell = grid.cell.cwiseInverse();
+    for (int i = begin; i < end; ++i) {
+      const auto& block = block_at(i);
+      const auto fields = [&, node = block.row * nodes.stride + block.column](const NodeVectors& of) {
+        return Fields(of, node, nodes.stride);
+      };
+      if constexpr (std::remove_cvref_t<decltype(block)>::is_single) {
+        // Each field is laid out where it is needed: all three are more than the registers hold.
+        const auto dense =
+            strain<Real>(particles, block.first, fields(nodes.velocity), per_cell, dt, fluid, Everywhere{});
+        calm[i] = all<Real>(
+            dense & move<Real>(particles, block.first, fields(nodes.displacement), fields(nodes.change), Everywhere{}));
+      } else {
+        const Fields v = fields(nodes.velocity), displacement = fields(nodes.displacement),
+                     change = fields(nodes.change);
+        calm[i] = for_all<Real>(block, [&](int slot, const auto& write) {
+          const auto dense = strain<Real>(particles, slot, v, per_cell, dt, fluid, write);
+          return dense & move<Real>(particles, slot, displacement, change, write);
+        });
+      }
+    }
+  };
+  for_rows(particles.order, threads, gather_row);
+}
+
+}  // namespace touchstone::mpm

@@ -1,0 +1,372 @@
+/// Laws of the parts of methods for free surfaces, on fluid in disorder and at once: nothing moves but by shifting.
+
+#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/free_surface/diffusion/antuono.hpp"
+#include "solvers/sph/free_surface/diffusion/molteni_colagrossi.hpp"
+#include "solvers/sph/free_surface/free_surface.hpp"
+#include "solvers/sph/free_surface/gradients/bonet_lok.hpp"
+#include "solvers/sph/free_surface/gradients/oger.hpp"
+#include "solvers/sph/free_surface/shifting/tangential.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/terms/bonet_lok_pressure.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace touchstone::sph {
+namespace {
+
+constexpr double spacing = 0.05, h = 2 * spacing, c = 10, g = 9.81;
+constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
+const Box square{.high = {1, 1}};
+
+using Near = Neighbourhood<Surroundings<double>>;
+using Field = std::function<double(const Vec2&)>;
+using Motion = std::function<Vec2(const Vec2&)>;
+
+const Field even = [](const Vec2&) { return 1000.0; };
+const Motion still = [](const Vec2&) -> Vec2 { return {0, 0}; };
+
+Vectors in_disorder(const Vectors& lattice) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-0.2 * spacing, 0.2 * spacing);
+  Vectors all = lattice;
+  for (double& place : all.reshaped()) place += jitter(random);
+  return all;
+}
+
+Vectors within_a_circle(const Vectors& lattice) {
+  Vectors all(2, lattice.cols());
+  Index count = 0;
+  for (Index i = 0; i < lattice.cols(); ++i)
+    if ((lattice.col(i) - Vec2(0.5, 0.5)).norm() < 0.5) all.col(count++) = lattice.col(i);
+  return all.leftCols(count);
+}
+
+Near neighbourhood(const Scene<Tait>& scene) {
+  const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 1};
+  return Near(scene, spacing, reach_of<WendlandC2>(settings),
+              lay_out_ghosts(scene.domain, scene.walls, spacing, ghost_layers<WendlandC2>(settings)));
+}
+
+/// Writes records of the fluid with fields of its place, and lets it look around.
+void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
+  Particles& all = near.all;
+  for (Index i = 0; i < all.fluid; ++i) {
+    const Vec2 x(all.x[i], all.y[i]), v = velocity(x);
+    all.vx[i] = v.x(), all.vy[i] = v.y(), all.rho[i] = density(x);
+    near.seen[i].stand_at(x.x(), x.y());
+    near.seen[i].move(v.x(), v.y());
+    near.seen[i].set_state(density(x), pressure(x));
+  }
+  near.images.refresh_fluid(all, near.seen);
+  find_surroundings<WendlandC2>(near, h);
+}
+
+/// Fluid with nothing around it, in disorder, round: corners are not corrected in full.
+Near drop(const Motion& velocity, const Field& density, const Field& pressure) {
+  Near near = neighbourhood(
+      {.domain = {.box = {.low = {-1, -1}, .high = {2, 2}}},
+       .fluid = water,
+       .filled = square,
+       .start = {.places = [](const Vectors& lattice) { return in_disorder(within_a_circle(lattice)); }}});
+  see(near, velocity, density, pressure);
+  return near;
+}
+
+/// Water in a tank, on a lattice.
+Near tank(const WallVelocity& wall, const Motion& velocity, const Field& density, const Field& pressure) {
+  Near near = neighbourhood({.domain = {.box = {.high = {1, 1.5}}},
+                             .fluid = water,
+                             .filled = square,
+                             .walls = {floor_at(0, wall), left_at(0, wall), right_at(1, wall)}});
+  see(near, velocity, density, pressure);
+  return near;
+}
+
+template <class Parts>
+Vectors accelerations(Near& near, const Parts& parts) {
+  sum_rates<WendlandC2, false, true>(near, momentum(), parts, h);
+  Vectors a(2, near.all.fluid);
+  a.row(0) = near.all.ax;
+  a.row(1) = near.all.ay;
+  return a;
+}
+template <class Parts>
+Scalars density_rates(Near& near, const Parts& parts) {
+  sum_rates<WendlandC2, true, false>(near, momentum(), parts, h);
+  return near.all.drho;
+}
+
+/// What the sum of all forces is, of the sum of their sizes; and likewise what they turn.
+double push(const Vectors& a) { return a.rowwise().sum().norm() / a.colwise().norm().sum(); }
+double torque(const Near& near, const Vectors& a) {
+  const auto x = near.all.x.head(near.all.fluid), y = near.all.y.head(near.all.fluid);
+  const Scalars turn = x * a.row(1).transpose().array() - y * a.row(0).transpose().array();
+  return std::abs(turn.sum()) / turn.abs().sum();
+}
+
+const Vec2 slope(300, -200);  // Pa/m
+double linear(const Vec2& x) { return 500 + slope.dot(x); }
+double curved(const Vec2& x) { return 500 * std::sin(3 * x.x()) * std::cos(2 * x.y()) + 400 * x.x() * x.x(); }
+
+/// The largest error in the gradient of a linear pressure, of its size.
+template <class Parts>
+double error_of_slope(const Parts& parts) {
+  Near near = drop(still, even, linear);
+  const Vectors a = accelerations(near, parts);
+  return ((-1000 * a).colwise() - slope).colwise().norm().maxCoeff() / slope.norm();
+}
+
+TEST(Gradients, OfBonetAndLokAreExactForALinearFieldUpToTheSurface) {
+  EXPECT_LT(error_of_slope(Parts{.pressure = PressureDifference{}, .gradient = BonetLok{}}), 1e-10);
+  EXPECT_GT(error_of_slope(Parts{.pressure = PressureDifference{}}), 0.3);
+  EXPECT_GT(error_of_slope(Parts{.pressure = PressureDifference{}, .gradient = Oger{}}), 0.01);
+}
+
+TEST(Gradients, OfAUniformFieldVanishForDifferencesAndNotForSums) {
+  const auto largest = [](const auto& parts) {
+    Near near = drop(still, even, even);
+    return accelerations(near, parts).colwise().norm().maxCoeff();
+  };
+  EXPECT_EQ(largest(Parts{.pressure = PressureDifference{}}), 0);
+  EXPECT_EQ(largest(Parts{.pressure = PressureDifference{}, .gradient = BonetLok{}}), 0);
+  EXPECT_EQ(largest(Parts{.pressure = PressureDifference{}, .gradient = Oger{}}), 0);
+  EXPECT_GT(largest(Parts{}), 1);
+  EXPECT_GT(largest(Parts{.gradient = BonetLok{}}), 1);
+  EXPECT_GT(largest(Parts{.pressure = BonetLokPressure{}}), 1);
+}
+
+TEST(Gradients, KeepMomentumAndItsMomentOnlyWhereTheySaySo) {
+  Near near = drop(still, even, curved);
+  const Vectors plain = accelerations(near, Parts{}), oger = accelerations(near, Parts{.gradient = Oger{}}),
+                bonet_lok = accelerations(near, Parts{.gradient = BonetLok{}}),
+                variational = accelerations(near, Parts{.pressure = BonetLokPressure{}}),
+                difference = accelerations(near, Parts{.pressure = PressureDifference{}});
+  EXPECT_LT(push(plain), 1e-14);
+  EXPECT_LT(torque(near, plain), 1e-14);
+  EXPECT_LT(push(variational), 1e-14);
+  EXPECT_LT(torque(near, variational), 1e-14);
+  EXPECT_LT(push(oger), 1e-14);
+  EXPECT_GT(torque(near, oger), 1e-6);
+  EXPECT_GT(push(bonet_lok), 1e-4);
+  EXPECT_GT(torque(near, bonet_lok), 1e-4);
+  EXPECT_GT(push(difference), 1e-4);
+}
+
+TEST(Gradients, OfBonetAndLokMakeContinuityExactForALinearVelocity) {
+  const Motion stretching = [](const Vec2& x) -> Vec2 { return {3 * x.x() - x.y(), 2 * x.x() + x.y()}; };
+  Near near = drop(stretching, linear, even);
+  const Scalars expected = -4 * near.all.rho.head(near.all.fluid);
+  const auto error = [&](const auto& parts) { return (density_rates(near, parts) / expected - 1).abs().maxCoeff(); };
+  EXPECT_LT(error(Parts{.gradient = BonetLok{}}), 1e-10);
+  EXPECT_GT(error(Parts{}), 0.3);
+}
+
+TEST(Gradients, OfARigidRotationNeedNoCorrectionForContinuity) {
+  Near near = drop([](const Vec2& x) -> Vec2 { return {-x.y(), x.x()}; }, linear, even);
+  EXPECT_LT(density_rates(near, Parts{}).abs().maxCoeff(), 1e-10);
+}
+
+TEST(Surroundings, FindALinearRiseOfDensityUpToTheSurface) {
+  const Near near = drop(still, linear, even);
+  for (Index i = 0; i < near.all.fluid; ++i)
+    ASSERT_LT((Vec2(near.seen[i].rho_along_x, near.seen[i].rho_along_y) - slope).norm(), 1e-9 * slope.norm()) << i;
+}
+
+TEST(Surroundings, AreFullInsideAndNotAtASurface) {
+  const Near near = drop(still, even, even);
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    const double depth = 0.5 - (Vec2(near.all.x[i], near.all.y[i]) - Vec2(0.5, 0.5)).norm();
+    const auto fullness = near.seen[i].fullness;
+    ASSERT_TRUE(depth > 0.5 * spacing || fullness < TangentialShifting::surface) << depth << " m, " << fullness;
+    ASSERT_TRUE(depth < 4 * spacing || fullness > 0.9) << depth << " m, " << fullness;
+  }
+}
+
+TEST(Surroundings, OfALonelyParticleKeepItsCorrectionBounded) {
+  Near near = neighbourhood({.domain = {.box = square}, .fluid = water, .filled = {.high = {spacing, spacing}}});
+  see(near, still, even, even);
+  EXPECT_EQ(near.all.fluid, 1);
+  EXPECT_EQ(near.seen[0].l_xx, 5);
+  EXPECT_EQ(near.seen[0].l_xy, 0);
+  EXPECT_EQ(near.seen[0].l_yy, 5);
+}
+
+/// What diffusion alone does to a density.
+template <class Diffusion>
+Scalars diffusion(Near& near, const Diffusion& of) {
+  return density_rates(near, Parts{.diffusion = of});
+}
+const Antuono antuono{.sound_speed = c, .h = h};
+const MolteniColagrossi molteni_colagrossi{.sound_speed = c, .h = h};
+
+TEST(Diffusion, OfAntuonoLeavesALinearDensityAloneUpToTheSurface) {
+  Near near = drop(still, linear, even);
+  const double scale = antuono.delta * c * slope.norm();
+  EXPECT_LT(diffusion(near, antuono).abs().maxCoeff(), 1e-9 * scale);
+}
+
+TEST(Diffusion, OfMolteniAndColagrossiChangesALinearDensityNearTheSurfaceOnly) {
+  Near near = neighbourhood({.domain = {.box = {.low = {-1, -1}, .high = {2, 2}}}, .fluid = water, .filled = square});
+  // on a lattice, with volumes that differ by what the test allows
+  see(
+      near, still, [](const Vec2& x) { return 1000 + 1e-3 * slope.dot(x); }, even);
+  const Scalars rates = diffusion(near, molteni_colagrossi);
+  const double scale = molteni_colagrossi.delta * c * 1e-3 * slope.norm();
+  double inside = 0, at_surface = 0;
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    const double depth = std::min({near.all.x[i], 1 - near.all.x[i], near.all.y[i], 1 - near.all.y[i]});
+    double& worst = depth > 4 * spacing ? inside : at_surface;
+    worst = std::max(worst, std::abs(rates[i]));
+  }
+  EXPECT_LT(inside, 1e-4 * scale);
+  EXPECT_GT(at_surface, 0.1 * scale);
+}
+
+TEST(Diffusion, KeepsTheMeanAndLowersAPeak) {
+  const Vec2 peak(0.5, 0.5);
+  Near near = drop(
+      still, [&](const Vec2& x) { return 1000 + (x - peak).norm() * 10; }, even);
+  Index at = 0;
+  for (Index i = 0; i < near.all.fluid; ++i)
+    if (near.all.rho[i] < near.all.rho[at]) at = i;
+  const auto check = [&](const auto& of) {
+    const Scalars rates = diffusion(near, of), weighed = rates / near.all.rho;
+    EXPECT_LT(std::abs(weighed.sum()), 1e-12 * weighed.abs().sum());
+    EXPECT_GT(rates[at], 0);  // the peak points down
+  };
+  check(antuono);
+  check(molteni_colagrossi);
+}
+
+TEST(Walls, BalanceWaterAtRestAlsoInTheCornersAndBesideTheSurface) {
+  const auto weight = [](const Vec2& x) { return 1000 * g * (1 - x.y()); };
+  Near near = tank(free_slip(), still, even, weight);
+  balance_ghosts<WendlandC2>(near, {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())}, h,
+                             water, Uniform{{0, -g}}, 0);
+  int wet = 0, in_corners = 0;
+  for (Index k = 0; k < near.ghosts(); ++k) {
+    const auto& ghost = near.boundary.ghosts[k];
+    const Surroundings<double>& seen = near.seen[near.all.fluid + k];
+    if (seen.p == 0) continue;  // out of reach
+    ++wet;
+    in_corners += ghost.behind.size() > 1;
+    ASSERT_NEAR(seen.p, weight(ghost.x), 1e-9 * weight({0, 0})) << ghost.x.transpose();
+    ASSERT_NEAR(seen.rho, water.density_at(seen.p), 1e-9);
+  }
+  EXPECT_GT(wet, 200);
+  EXPECT_GT(in_corners, 10);
+}
+
+TEST(Walls, MirrorTheVelocityAtEachWallAGhostIsBehind) {
+  const auto of = [](const WallVelocity& wall) {
+    Near near = tank(
+        wall,
+        [](const Vec2&) -> Vec2 {
+          return {2, -3};
+        },
+        even, even);
+    balance_ghosts<WendlandC2>(near, {floor_at(0, wall), left_at(0, wall), right_at(1, wall)}, h, water, NoForce{}, 0);
+    std::array<Vec2, 3> v;  // below the floor, beside the left wall, in the corner
+    for (Index k = 0; k < near.ghosts(); ++k) {
+      const Vec2& x = near.boundary.ghosts[k].x;
+      const auto& seen = near.seen[near.all.fluid + k];
+      if ((x - Vec2(0.525, -0.025)).norm() < 1e-9) v[0] = {seen.vx, seen.vy};
+      if ((x - Vec2(-0.025, 0.525)).norm() < 1e-9) v[1] = {seen.vx, seen.vy};
+      if ((x - Vec2(-0.025, -0.025)).norm() < 1e-9) v[2] = {seen.vx, seen.vy};
+    }
+    return v;
+  };
+  const auto slips = of(free_slip()), sticks = of(no_slip());
+  EXPECT_TRUE(slips[0].isApprox(Vec2(2, 3), 1e-12));
+  EXPECT_TRUE(slips[1].isApprox(Vec2(-2, -3), 1e-12));
+  EXPECT_TRUE(slips[2].isApprox(Vec2(-2, 3), 1e-12));
+  EXPECT_TRUE(sticks[0].isApprox(Vec2(-2, 3), 1e-12));
+}
+
+TEST(Walls, CarryALinearRiseOfDensityOn) {
+  Near near = tank(free_slip(), still, even, even);
+  see(
+      near, still, [](const Vec2& x) { return 1000 + slope.dot(x); }, even);
+  for (Index i = 0; i < near.all.fluid; ++i) near.seen[i].rho_along_x = slope.x(), near.seen[i].rho_along_y = slope.y();
+  carry_rise_to_ghosts<WendlandC2>(near, h);
+  int near_fluid = 0;
+  for (Index k = 0; k < near.ghosts(); ++k) {
+    const auto& seen = near.seen[near.all.fluid + k];
+    if (seen.rho_along_x == 0) continue;
+    ++near_fluid;
+    ASSERT_LT((Vec2(seen.rho_along_x, seen.rho_along_y) - slope).norm(), 1e-9);
+  }
+  EXPECT_GT(near_fluid, 200);
+}
+
+/// The places of the fluid in the order of its numbers.
+Vectors places(const Near& near) {
+  Vectors x(2, near.all.fluid);
+  for (Index i = 0; i < near.all.fluid; ++i) x.col(near.all.number[i]) = Vec2(near.all.x[i], near.all.y[i]);
+  return x;
+}
+void shift(Near& near, double dt) { TangentialShifting().shift<WendlandC2>(near, h, spacing, dt); }
+
+const Motion passing = [](const Vec2&) -> Vec2 { return {1, 0}; };
+
+TEST(Shifting, MovesNothingInStillWater) {
+  Near near = drop(still, even, even);
+  const Vectors before = places(near);
+  shift(near, 0.01);
+  EXPECT_EQ(places(near), before);
+}
+
+TEST(Shifting, CarriesALinearVelocityAndDensityAlongExactly) {
+  const Motion stretching = [](const Vec2& x) -> Vec2 { return {3 * x.x() - x.y(), 2 * x.x() + x.y()}; };
+  Near near = drop(stretching, linear, even);
+  const Vectors before = places(near);
+  shift(near, 0.001);
+  EXPECT_GT((places(near) - before).norm(), 0.01 * spacing);
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    const Vec2 x(near.all.x[i], near.all.y[i]);
+    ASSERT_LT((Vec2(near.all.vx[i], near.all.vy[i]) - stretching(x)).norm(), 1e-10);
+    ASSERT_NEAR(near.all.rho[i], linear(x), 1e-8);
+  }
+}
+
+TEST(Shifting, GoesNoFartherThanHalfTheWayOfTheFastest) {
+  Near near = drop(passing, even, even);
+  const Vectors before = places(near);
+  shift(near, 0.01);
+  EXPECT_LT((places(near) - before).colwise().norm().maxCoeff(), 0.005 * (1 + 1e-9));
+}
+
+/// The least distance between two particles that are deep inside, in spacings.
+double least_distance(const Vectors& x) {
+  const auto inside = [&](Index i) { return (x.col(i) - Vec2(0.5, 0.5)).lpNorm<Eigen::Infinity>() < 0.3; };
+  double least = 1e9;
+  for (Index i = 0; i < x.cols(); ++i)
+    for (Index j = 0; j < i; ++j)
+      if (inside(i) && inside(j)) least = std::min(least, (x.col(i) - x.col(j)).norm());
+  return least / spacing;
+}
+
+TEST(Shifting, SpreadsParticlesEvenlyAndLeavesTheSurfaceWhereItIs) {
+  Near near = drop(passing, even, even);
+  const Vectors before = places(near);
+  for (int k = 0; k < 200; ++k) {
+    near.follow(k, 0, 0.003);
+    see(near, passing, even, even);
+    shift(near, 0.003);
+  }
+  const Vectors after = places(near);
+  EXPECT_GT(least_distance(after), least_distance(before) + 0.1);
+  for (const int axis : {0, 1}) {
+    EXPECT_NEAR(after.row(axis).minCoeff(), before.row(axis).minCoeff(), 0.3 * spacing);
+    EXPECT_NEAR(after.row(axis).maxCoeff(), before.row(axis).maxCoeff(), 0.3 * spacing);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::sph

@@ -1,0 +1,153 @@
+#include "solvers/sph/free_surface/free_surface.hpp"
+
+#include "solvers/forces/uniform.hpp"
+#include "solvers/integrators/adams_bashforth.hpp"
+#include "solvers/integrators/drift_kick_drift.hpp"
+#include "solvers/integrators/symplectic.hpp"
+#include "solvers/sph/free_surface/diffusion/antuono.hpp"
+#include "solvers/sph/free_surface/gradients/bonet_lok.hpp"
+#include "solvers/sph/free_surface/gradients/oger.hpp"
+#include "solvers/sph/free_surface/shifting/tangential.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/bonet_lok_pressure.hpp"
+#include "solvers/testing.hpp"
+#include "solvers/walls/free_slip.hpp"
+
+namespace touchstone::sph {
+namespace {
+
+constexpr double spacing = 0.05, h = 2 * spacing, c = 20, g = 9.81;
+constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
+constexpr Antuono diffusion{.sound_speed = c, .h = h};
+constexpr Parts delta{.pressure = PressureSum{}, .diffusion = diffusion};
+constexpr Parts delta_plus{
+    .pressure = PressureSum{}, .diffusion = diffusion, .gradient = PlainGradient{}, .shifting = TangentialShifting{}};
+constexpr Parts corrected{.pressure = BonetLokPressure{}, .diffusion = diffusion, .gradient = BonetLok{}};
+
+/// Water at rest under gravity.
+const Scene<Tait, Uniform> tank{
+    .domain = {.box = {.high = {1, 1.5}}},
+    .fluid = water,
+    .filled = {.high = {1, 1}},
+    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
+    .body_force = {{0, -g}},
+    .start = {.pressure = [](const Vec2& x) { return 1000 * g * (1 - x.y()); }},
+};
+
+/// A square that turns, with nothing around it.
+const Scene<Tait> patch{
+    .domain = {.box = {.low = {-1.5, -1.5}, .high = {1.5, 1.5}}},
+    .fluid = water,
+    .filled = {.low = {-0.5, -0.5}, .high = {0.5, 0.5}},
+    .start = {.velocity = [](const Vec2& x) -> Vec2 {
+                return {x.y(), -x.x()};
+              },
+              .pressure = [](const Vec2& x) { return 300 * std::cos(3 * x.x()) * std::cos(3 * x.y()); }},
+};
+
+template <class Integrator = KickDriftKick, class Real = double, class SceneOfRun, class PartsOfMethod>
+auto solver(const SceneOfRun& scene, const PartsOfMethod& parts, int threads = 1) {
+  return free_surface<WendlandC2, Integrator, Real>(
+      scene, {.spacing = spacing, .smoothing_length = h, .time_step = 0.001, .threads = threads},
+      momentum(ArtificialViscosity{.alpha = 0.02, .sound_speed = c, .h = h}), parts);
+}
+template <class Integrator = KickDriftKick, class Real = double, class SceneOfRun, class PartsOfMethod>
+Samples after(int steps, const SceneOfRun& scene, const PartsOfMethod& parts, int threads = 1) {
+  auto simulation = solver<Integrator, Real>(scene, parts, threads);
+  for (int k = 0; k < steps; ++k) simulation.step();
+  return simulation.samples();
+}
+
+Vec2 momentum_of(const Samples& s) { return s.v * s.mass.matrix(); }
+double angular_momentum_of(const Samples& s) {
+  const auto x = s.x.array().row(0), y = s.x.array().row(1), vx = s.v.array().row(0), vy = s.v.array().row(1);
+  return ((x * vy - y * vx).transpose() * s.mass).sum();
+}
+double gap(const Samples& a, const Samples& b) { return (a.v - b.v).norm() / b.v.norm(); }
+
+TEST(FreeSurface, ARunHasTheVelocityAndThePressureOfItsScene) {
+  expect_as_in(patch.start, after(0, patch, delta), 1e-14, 1e-8);
+}
+
+TEST(FreeSurface, UniformFlowCrossesBothSeamsUnchanged) {
+  const Vec2 v(7, -5);
+  const Scene<Newtonian> scene = endless(uniform_flow(v));
+  const auto check = [&](const auto& parts) {
+    expect_carried(after(0, scene, parts), after(100, scene, parts), v, 0.1, {1, 1});
+  };
+  check(delta);
+  check(corrected);
+}
+
+TEST(FreeSurface, APatchKeepsItsMomentumAndItsMomentToTheLastDigits) {
+  const auto check = [](const auto& parts) {
+    const Samples start = after(0, patch, parts), end = after(100, patch, parts);
+    const double before = angular_momentum_of(start);
+    EXPECT_LT(momentum_of(end).norm(), 1e-11 * std::abs(before));
+    EXPECT_NEAR(angular_momentum_of(end) / before, 1, 1e-11);
+    EXPECT_GT((end.x - start.x).norm(), 0.1);
+  };
+  check(delta);
+  check(corrected);
+}
+
+TEST(FreeSurface, AGradientMadeSymmetricLosesSomeOfTheMoment) {
+  constexpr Parts oger{.pressure = PressureSum{}, .diffusion = diffusion, .gradient = Oger{}};
+  const double before = angular_momentum_of(after(0, patch, oger)),
+               change = angular_momentum_of(after(100, patch, oger)) / before - 1;
+  EXPECT_GT(std::abs(change), 1e-9);
+  EXPECT_LT(std::abs(change), 0.02);
+}
+
+TEST(FreeSurface, WaterAtRestStaysAtRestInATankWithCorners) {
+  const auto check = [](const auto& parts, double slow, double raised) {
+    const Samples start = after(0, tank, parts), end = after(300, tank, parts);
+    EXPECT_LT(end.v.colwise().norm().maxCoeff(), slow * std::sqrt(g));
+    EXPECT_LT((end.x - start.x).colwise().norm().maxCoeff(), raised * spacing);
+    EXPECT_LT((end.pressure - start.pressure).matrix().norm(), 0.1 * start.pressure.matrix().norm());
+  };
+  check(delta, 0.02, 0.7);
+  check(delta_plus, 0.02, 0.7);
+  check(corrected, 0.02, 0.7);
+}
+
+TEST(FreeSurface, ThreadsDoNotChangeABit) {
+  const auto check = [](const auto& scene, const auto& parts) {
+    const Samples one = after(30, scene, parts), three = after(30, scene, parts, 3);
+    EXPECT_EQ(one.x, three.x);
+    EXPECT_EQ(one.v, three.v);
+    EXPECT_EQ(one.pressure.matrix(), three.pressure.matrix());
+  };
+  check(tank, delta_plus);
+  check(patch, corrected);
+}
+
+TEST(FreeSurface, IntegratorsAgreeOnAFlowThatTheyResolve) {
+  const Samples kicked = after(100, patch, delta);
+  EXPECT_LT(gap(after<PredictorCorrector>(100, patch, delta), kicked), 2e-3);
+  EXPECT_LT(gap(after<AdamsBashforth>(100, patch, delta), kicked), 2e-3);
+  EXPECT_LT(gap(after<DriftKickDrift>(100, patch, delta), kicked), 2e-3);
+  EXPECT_LT(gap(after<Symplectic>(100, patch, delta), kicked), 2e-3);
+}
+
+TEST(FreeSurface, SinglePrecisionStaysNearDouble) {
+  EXPECT_LT((gap(after<KickDriftKick, float>(100, patch, delta_plus), after(100, patch, delta_plus))), 1e-3);
+}
+
+TEST(FreeSurface, DiffusionQuietensThePressure) {
+  // every other particle starts too dense
+  Scene<Tait> noisy = patch;
+  noisy.start.pressure = [](const Vec2& x) {
+    const long column = std::lround(x.x() / spacing - 0.5), row = std::lround(x.y() / spacing - 0.5);
+    return (column + row) % 2 == 0 ? 100.0 : -100.0;
+  };
+  const auto noise = [&](const auto& parts) {
+    const Samples start = after(0, noisy, parts), end = after(100, noisy, parts);
+    return std::abs((start.pressure * end.pressure).mean()) / start.pressure.square().mean();
+  };
+  EXPECT_LT(noise(delta), 0.1 * noise(Parts{}));
+}
+
+}  // namespace
+}  // namespace touchstone::sph

@@ -1,0 +1,206 @@
+#pragma once
+/// Smoothed particle hydrodynamics of second order, for fluid that fills its domain. Around each particle velocities
+/// and pressure are fitted by polynomials of second degree, weighted by the kernel, and the equations of motion use
+/// their derivatives (finite particle method, Liu & Liu, Appl. Numer. Math. 56 (2006), 19-36).
+
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/integrators/adams_bashforth.hpp"
+#include "solvers/quadratic_fit.hpp"
+#include "solvers/sph/flow.hpp"
+#include "solvers/sph/walls/extrapolated_ghosts.hpp"
+#include "solvers/stepping/clock.hpp"
+#include "solvers/stepping/extremes.hpp"
+
+namespace touchstone::sph {
+
+/// Derivatives are exact for polynomials of second degree, however the particles stand. What sums over symmetric pairs
+/// conserve, momentum and its moment, is conserved to the order of the method only.
+///
+/// Particles move with the fluid and drift besides from where they are dense, so that they stay evenly spread for any
+/// length of time; on the way their velocity and density change by the slopes that the fits have found. So they do on
+/// the short way back from a wall that their inertia took them too near to, as where a lid carries them into a corner.
+/// What a fit leaves, of fourth order in the spacing, is damped: motion that the particles cannot resolve.
+///
+/// Evenly spread particles stand for equal parts of the volume that they fill, so the mean of their densities is that
+/// of the fluid's mass, and is kept. Continuity at each of them alone lets it creep, and the mean pressure with it.
+template <class Kernel, class Integrator, class Real, class FluidLaw, class Force>
+class SecondOrder : public Clock {
+ public:
+  /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
+  SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+      : Clock("sph", settings.time_step),
+        scene_(scene),
+        settings_(checked(settings)),
+        near_(scene, settings.spacing, reach_of<Kernel>(settings),
+              lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
+              settings.threads) {
+    require_filled("sph", scene.filled, scene.domain.box);
+    near_.carry(drift_fields, Integrator::past_fields);
+    mean_density_ = near_.all.rho.mean();
+  }
+
+  /// The particles drift, then one step of the integrator. `lap` is told what was done.
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    near_.follow(steps(), time(), time_step());
+    lap(SubStep::sorting);
+    drift(time_step());
+    lap(SubStep::motion);
+    integrator_.step(*this, time(), time_step(), lap);
+    near_.all.rho += mean_density_ - near_.all.rho.mean();
+    lap(SubStep::rates);
+    tick();
+  }
+
+  const Scene<FluidLaw, Force>& scene() const { return scene_; }
+  Index particles() const { return near_.all.fluid; }
+  Index boundary_particles() const { return near_.ghosts(); }
+  /// Throws Diverged when a particle is outside the domain.
+  Samples samples() const {
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
+  }
+  Extremes extremes() const { return extremes_of(near_.all); }
+
+ private:
+  friend Integrator;
+  friend PredictorCorrector;  // starts others
+
+  static constexpr double spreading = 1;          // of the speed of sound, where the neighbours' centre is off by h
+  static constexpr double least_distance = 0.25;  // spacings from a wall; half of one at the start
+  static constexpr double nearest_wall = 0.4;     // likewise, of fluid that tells ghosts its velocity as it is
+  static constexpr double damping_of_rho = 0.5;   // of what a fit leaves, while sound travels a spacing
+  static constexpr double damping_of_v =
+      8;  // likewise, while the fluid is strained by as much as it is long; no faster
+
+  /// What a particle carries from the rates to the next drift: its velocity and the slopes of what changes with it.
+  enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
+  static constexpr std::size_t drift_fields = 8;
+
+  using Fit = QuadraticFit<Lanes<Real>, 3>;  // of vx, vy and pressure
+  /// What is read of a fit, for each particle.
+  enum Derivative { rest, along_x, along_y, xx, xy, yy };
+  static constexpr std::size_t centre = 18, made = 20;  // after the derivatives of three fields
+
+  Particles& state() { return near_.all; }
+  int threads() const { return settings_.threads; }
+
+  void drift(double dt) {
+    Particles& all = near_.all;
+    share_out_fields(threads(), all.fluid, [&](Index begin, Index end) {
+      const auto part = Eigen::seqN(begin, end - begin);
+      const Scalars x = dt * all.carried[drift_x](part), y = dt * all.carried[drift_y](part);
+      const auto change = [&](DriftField slope_x, DriftField slope_y) {
+        return x * all.carried[slope_x](part) + y * all.carried[slope_y](part);
+      };
+      all.x(part) += x;
+      all.y(part) += y;
+      all.vx(part) += change(vx_along_x, vx_along_y);
+      all.vy(part) += change(vy_along_x, vy_along_y);
+      all.rho(part) += change(rho_along_x, rho_along_y);
+      for (const Wall& wall : scene_.walls)
+        for (Index i = begin; i < end; ++i) keep_off(wall, i);
+    });
+  }
+
+  /// Puts a particle back that is too near to a wall.
+  void keep_off(const Wall& wall, Index i) {
+    Particles& all = near_.all;
+    const double missing = least_distance * settings_.spacing - wall.distance({all.x[i], all.y[i]});
+    if (!(missing > 0)) return;
+    const double back = wall.inward * missing;
+    const auto change = [&](DriftField slope_x, DriftField slope_y) {
+      return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
+    };
+    (wall.axis == 0 ? all.x : all.y)[i] += back;
+    all.vx[i] += change(vx_along_x, vx_along_y);
+    all.vy[i] += change(vy_along_x, vy_along_y);
+    all.rho[i] += change(rho_along_x, rho_along_y);
+  }
+
+  template <class Laps>
+  void find_rates(double time, const Laps& lap) {
+    near_.see_fluid(scene_.fluid);
+    lap(SubStep::rates);
+    extrapolate_to_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, nearest_wall * settings_.spacing,
+                                  scene_.fluid, scene_.body_force, time);
+    lap(SubStep::boundaries);
+    fit_and_move();
+    lap(SubStep::pairs);
+    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
+    lap(SubStep::rates);
+  }
+
+  void fit_and_move() {
+    const double per_h = 1 / settings_.smoothing_length;
+    sum_over_neighbours<Fit::count>(
+        near_.fluid_near_fluid, near_.seen,
+        [per_h = static_cast<Real>(per_h)](const auto& i, const auto& j) {
+          const auto sides = apart(j, i);
+          const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
+          const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
+          const auto v_i = i.two(&Record<Real>::vx), v_j = j.two(&Record<Real>::vx);
+          const auto volume_p_i = i.two(&Record<Real>::volume), volume_p_j = j.two(&Record<Real>::volume);
+          return Fit::share(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
+        },
+        [per_h = static_cast<Real>(per_h)](const auto& sums) { return derivatives(sums, per_h); },
+        [this](Index i, const std::array<double, made>& fit) { move(i, fit); });
+    strain_rate_ = 0;
+    for (const DriftField slope : {vx_along_x, vx_along_y, vy_along_x, vy_along_y})
+      strain_rate_ = std::max(strain_rate_, near_.all.carried[slope].abs().maxCoeff());
+  }
+
+  static std::array<Lanes<Real>, made> derivatives(const typename Fit::Sums& sums, Real per_h) {
+    const auto polynomials = Fit::through_zero(sums);
+    std::array<Lanes<Real>, made> all;
+    for (std::size_t f = 0; f < 3; ++f) {
+      const auto& c = polynomials[f];
+      const std::array<Lanes<Real>, 6> of_field{
+          c[0], per_h * c[1], per_h * c[2], 2 * per_h * per_h * c[3], per_h * per_h * c[4], 2 * per_h * per_h * c[5]};
+      for (std::size_t k = 0; k < 6; ++k) all[6 * f + k] = of_field[k];
+    }
+    all[centre] = sums[1] / sums[0];
+    all[centre + 1] = sums[2] / sums[0];
+    return all;
+  }
+
+  /// The equations of motion of a Newtonian fluid at a particle, and how it will drift.
+  void move(Index i, const std::array<double, made>& fit) {
+    Particles& all = near_.all;
+    const double *const vx = fit.data(), *const vy = vx + 6, *const p = vx + 12;
+    const double rho = all.rho[i], c = scene_.fluid.sound_speed(), per_c2 = 1 / scene_.fluid.pressure_slope(rho);
+    const double of_rho = damping_of_rho * c / settings_.spacing, of_v = std::min(damping_of_v * strain_rate_, of_rho);
+    all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + of_rho * per_c2 * p[rest];
+    all.ax[i] = -p[along_x] / rho + of_v * vx[rest];
+    all.ay[i] = -p[along_y] / rho + of_v * vy[rest];
+    if constexpr (Viscous<FluidLaw>) {
+      const double nu = scene_.fluid.viscosity / rho;
+      all.ax[i] += nu * (vx[xx] + vx[yy] + (vx[xx] + vy[xy]) / 3);
+      all.ay[i] += nu * (vy[xx] + vy[yy] + (vx[xy] + vy[yy]) / 3);
+    }
+    const std::array<double, drift_fields> next{-spreading * c * fit[centre],
+                                                -spreading * c * fit[centre + 1],
+                                                vx[along_x],
+                                                vx[along_y],
+                                                vy[along_x],
+                                                vy[along_y],
+                                                per_c2 * p[along_x],
+                                                per_c2 * p[along_y]};
+    for (std::size_t k = 0; k < drift_fields; ++k) all.carried[k][i] = next[k];
+  }
+
+  Scene<FluidLaw, Force> scene_;
+  Settings settings_;
+  Neighbourhood<Record<Real>> near_;
+  Integrator integrator_;
+  double mean_density_ = 0;  // kg/m³
+  double strain_rate_ = 0;   // 1/s  the largest slope of a velocity
+};
+
+/// sph::second_order<sph::WendlandC2>(scene, {.spacing = ..., .smoothing_length = 1.3 spacings, ...}), sums in `Real`.
+template <class Kernel, class Integrator = AdamsBashforth, class Real = double, class FluidLaw, class Force>
+auto second_order(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
+  return SecondOrder<Kernel, Integrator, Real, FluidLaw, Force>(scene, settings);
+}
+
+}  // namespace touchstone::sph

@@ -1,0 +1,106 @@
+#include "solvers/sph/second_order/second_order.hpp"
+
+#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/testing.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+namespace touchstone::sph {
+namespace {
+
+constexpr double spacing = 0.05;
+
+struct SecondOrderMethod {
+  static auto solver(const auto& scene, int threads = 1) {
+    return second_order<WendlandC2>(
+        scene, {.spacing = spacing, .smoothing_length = 1.3 * spacing, .time_step = 1e-3, .threads = threads});
+  }
+};
+
+Scene<Newtonian> between_plates(const WallVelocity& low, const WallVelocity& high, const Start& start) {
+  return {.domain = {.box = {.high = {1, 1}}, .periodic_x = true},
+          .fluid = oil,
+          .filled = {.high = {1, 1}},
+          .walls = {floor_at(0, low), ceiling_at(1, high)},
+          .start = start};
+}
+
+TEST(SecondOrderSph, ARunHasTheVelocityAndThePressureOfItsScene) {
+  expect_as_in(varied_start(), after<SecondOrderMethod>(0, endless(varied_start())), 1e-14, 1e-8);
+}
+
+TEST(SecondOrderSph, UniformFlowCrossesBothSeamsUnchanged) {
+  const Vec2 v(7, -5);
+  const Scene<Newtonian> scene = endless(uniform_flow(v));
+  expect_carried(after<SecondOrderMethod>(0, scene), after<SecondOrderMethod>(400, scene), v, 0.4, {1, 1});
+}
+
+TEST(SecondOrderSph, AShearWaveDecaysAsItShouldAlongBothAxes) {
+  const double exact = std::exp(-oil.kinematic_viscosity() * 4 * std::numbers::pi * std::numbers::pi);
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_wave(after<SecondOrderMethod>(1000, endless(shear_wave(axis, 0.1))), axis) / 0.1;
+    EXPECT_NEAR(left, exact, 0.03 * exact) << axis;
+  }
+}
+
+TEST(SecondOrderSph, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes) {
+  for (const int axis : {0, 1}) {
+    const double left = amplitude_of_sound(after<SecondOrderMethod>(1000, endless(sound_wave(axis, 0.01)))) / 0.01;
+    EXPECT_NEAR(left, sound_left_after(1), 0.02 * sound_left_after(1)) << axis;
+  }
+}
+
+TEST(SecondOrderSph, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigits) {
+  const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
+  const Samples s = after<SecondOrderMethod>(500, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));
+  EXPECT_LT((s.v.row(0).array() - (2 * s.x.row(1).array() - 1)).abs().maxCoeff(), 1e-9);
+  EXPECT_LT(s.v.row(1).array().abs().maxCoeff(), 1e-9);
+}
+
+TEST(SecondOrderSph, FluidSlidesFreelyAlongASlipperyWall) {
+  const Samples s = after<SecondOrderMethod>(500, between_plates(free_slip(), free_slip(), uniform_flow({3, 0})));
+  EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
+}
+
+TEST(SecondOrderSph, AForceMovesAllAlike) {
+  const Scene<Newtonian, Uniform> scene{.domain = {.box = {.high = {1, 1}}, .periodic_x = true, .periodic_y = true},
+                                        .fluid = oil,
+                                        .filled = {.high = {1, 1}},
+                                        .body_force = {{2, -3}}};
+  const Samples s = after<SecondOrderMethod>(100, scene);
+  EXPECT_LT((s.v.colwise() - Vec2(0.2, -0.3)).norm(), 1e-9);
+}
+
+TEST(SecondOrderSph, ALidDrivesTheFluidInAClosedBoxAndNoneLeaves) {
+  expect_driven_by_the_lid(after<SecondOrderMethod>(2000, under_a_lid()));
+}
+
+TEST(SecondOrderSph, ALidDrivesAlikeWhicheverWallItIs) {
+  expect_a_quarter_turn_on(after<SecondOrderMethod>(100, under_a_lid()), after<SecondOrderMethod>(100, beside_a_lid()),
+                           20, 1e-9);
+}
+
+TEST(SecondOrderSph, TheMeanDensityOfAClosedBoxStaysWhatItWas) {
+  const Samples s = after<SecondOrderMethod>(500, under_a_lid());
+  EXPECT_NEAR(s.density.mean(), oil.density, 1e-12 * oil.density);
+  EXPECT_GT((s.density - oil.density).abs().maxCoeff(), 1e-4 * oil.density);  // though it changes from place to place
+}
+
+TEST(SecondOrderSph, ThreadsDoNotChangeABit) {
+  const Start start{.velocity = [](const Vec2& x) -> Vec2 { return {std::sin(7 * x.y()), std::cos(5 * x.x())}; }};
+  const Samples one = after<SecondOrderMethod>(60, endless(start)),
+                three = after<SecondOrderMethod>(60, endless(start), 3);
+  EXPECT_EQ(one.x, three.x);
+  EXPECT_EQ(one.v, three.v);
+  EXPECT_EQ(one.pressure.matrix(), three.pressure.matrix());
+}
+
+TEST(SecondOrderSph, RefusesWaterThatDoesNotFillTheDomain) {
+  Scene<Newtonian> scene = endless({});
+  scene.filled.high.y() = 0.5;
+  EXPECT_THROW(SecondOrderMethod::solver(scene), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchstone::sph

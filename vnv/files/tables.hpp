@@ -1,0 +1,105 @@
+#pragma once
+/// CSV files that say where their numbers come from: first lines `# key: value`, then one line of headings, then rows.
+/// Comma separated, UTF-8; a text with a comma stands in double quotes. A byte order mark and CRLF are accepted.
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// A file is not what it should be, in one line: `file:line: what; found ..., expected ...`.
+class BadData : public std::runtime_error {
+ public:
+  /// Line 0 speaks of the whole file.
+  BadData(const std::filesystem::path& file, int line, std::string_view what);
+};
+
+/// The text of a CSV file, cell by cell.
+struct Sheet {
+  struct Key {
+    std::string name, value;
+    int line;
+  };
+  struct Row {
+    std::vector<std::string> cells;
+    int line = 0;
+  };
+  std::filesystem::path file;
+  std::vector<Key> keys;
+  Row headings;
+  std::vector<Row> rows;  // at least one; each as long as the headings
+
+  /// The first line of a key; throws BadData if there is none.
+  const Key& key(std::string_view name) const;
+  /// A cell as a number; throws BadData unless all of it is one. Infinity is none; `nan` is one only if it is allowed.
+  double number(const Row& row, std::size_t column, bool may_be_nan = false) const;
+};
+
+/// Reads a file into its cells, whatever its columns mean. Throws BadData for a file that is missing, a folder, empty,
+/// without headings or rows, with a heading twice, or with a row too short or too long.
+Sheet read_sheet(const std::filesystem::path& file);
+/// The same for a text at hand; `file` is its name in messages.
+Sheet parse_sheet(const std::filesystem::path& file, std::string text);
+
+/// Throws BadData unless each expected key stands once and no other key but `note` stands at all.
+void require_keys(const Sheet& sheet, const std::vector<std::string>& expected);
+/// Throws BadData unless the headings are these, with their units, in this order.
+void require_headings(const Sheet& sheet, const std::vector<std::string>& expected);
+
+struct Quantity {
+  double value;
+  std::string unit;  // "-" for a pure number
+};
+using Quantities = std::map<std::string, Quantity, std::less<>>;
+
+/// Where the numbers of a table come from, and what they hold for. All but the notes must stand in the file.
+struct Provenance {
+  std::string title, citation;
+  std::string source;      // who read the numbers from where, and which copy was taken
+  std::string scaling;     // in words; "none" for numbers with units
+  Quantities geometry;     // SI
+  Quantities uncertainty;  // by column without its unit, "L", or by column and kind, "L.repeat"; in the column's unit
+  std::vector<std::string> notes;
+  int geometry_line = 0;
+};
+
+/// A table with units and provenance. A column whose heading has a unit, `T [-]`, holds numbers, any other holds words.
+class DataTable {
+ public:
+  /// Throws BadData for a cell that is not a number, an empty word, or a fault of the provenance.
+  explicit DataTable(const Sheet& sheet, const std::vector<std::string>& may_be_nan = {});
+
+  const std::filesystem::path& file() const { return file_; }
+  const Provenance& provenance() const { return provenance_; }
+  std::size_t rows() const { return rows_; }
+  /// A column by its whole heading; throws BadData if there is none of its kind.
+  const std::vector<double>& numbers(std::string_view heading) const;
+  const std::vector<std::string>& words(std::string_view heading) const;
+  /// The rows with this word in this column, in their order; throws BadData if there are none.
+  DataTable only(std::string_view heading, std::string_view word) const;
+
+ private:
+  std::filesystem::path file_;
+  Provenance provenance_;
+  std::size_t rows_;
+  std::map<std::string, std::vector<double>, std::less<>> numbers_;
+  std::map<std::string, std::vector<std::string>, std::less<>> words_;
+};
+
+/// Reads a table of exactly these columns. Throws BadData, also for a column that is missing, unknown, misplaced, or in
+/// another unit.
+DataTable read_table(const std::filesystem::path& file, const std::vector<std::string>& headings,
+                     const std::vector<std::string>& may_be_nan = {});
+
+/// The files that `read_table` has read so far in this process: what its numbers rest on.
+const std::set<std::filesystem::path>& tables_read();
+
+/// Refuses data that were taken in another geometry. Value and tolerance are SI. Throws BadData.
+void require_geometry(const DataTable& table, std::string_view key, double value, double tolerance);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,72 @@
+#pragma once
+/// Flows along a channel that the paper has not: its geometry and its water, six methods, each with particles across
+/// the gap for its ladder.
+
+#include "vnv/flows/channel.hpp"
+#include "vnv/methods/across.hpp"
+#include "vnv/methods/methods.hpp"
+
+namespace touchstone::vnv::channel {
+
+/// Of which every step divides the times at which these flows are looked at [s].
+inline constexpr double output_interval = 0.5e-3;
+
+template <class SceneOfChannel>
+std::vector<Method> methods_along(const SceneOfChannel& scene) {
+  return {vnv::mpm_as_printed(scene, output_interval),
+          vnv::mpm_affine(scene, output_interval),
+          vnv::mpm_least_squares(scene, output_interval),
+          vnv::sph_as_printed(scene, output_interval),
+          {.name = "sph_regularised",
+           .description = sph_regularised_words,
+           .run = sph_with_transport_velocity(scene),
+           .tolerance = stretched,
+           .relative_cost = 2},
+          vnv::sph_second_order(scene, output_interval)};
+}
+
+/// A flow along the channel with an oracle, looked at at some times [s], the last of which ends it, with so many
+/// particles across. Acceptance runs its two coarsest levels. Three methods claim to be of second order.
+template <class SceneOfChannel>
+Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, const Truth& exact,
+                const std::vector<int>& across) {
+  const double end = times.back();
+  std::vector<Across> all;
+  for (const int particles : across) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
+  const std::vector<Level> levels = levels_across(H, all);
+  Case declared{
+      .times = times,
+      .measurements = {norms_of("v_x, per particle", by_particles, exact)},
+      .methods = {},
+      .plots = {
+          profiles({"profile",
+                    "Velocity profiles",
+                    "Each particle of the runs with 40 and 80 across.",
+                    {"y [mm]", 1e3},
+                    {"v_x [mm/s]", 1e3}},
+                   by_particles, exact, H, {"40 across", "80 across"}),
+          along_ladders({"convergence",
+                         "Error over spacing",
+                         fmt::format("L2 error of the velocity, particle by particle, at t = {:g} s.", end),
+                         {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
+                         {.label = "L2 v_x [%]", .logarithmic = true}},
+                        {}, spacing(), {{"", error_of(l2, end)}}),
+          along_ladders(
+              {"cost",
+               "Error over run time",
+               fmt::format("The same over the CPU seconds from the start to t = {:g} s; lower left is better.", end),
+               {.label = "CPU time [s]", .logarithmic = true},
+               {.label = "L2 v_x [%]", .logarithmic = true}},
+              {}, cpu_time_until(end), {{"", error_of(l2, end)}})}};
+  const auto of_second_order = [&](const std::string& words) -> std::vector<Claim> {
+    return {order_at_least(ladder_across, l2, 1.8, 1.5, theory(words)).at(end).over(5)};
+  };
+  declared.methods =
+      with_ladder(levels, methods_along(scene),
+                  {{"mpm", of_second_order("linear hats, central quadrature where particles keep their rows")},
+                   {"mpm_least_squares", of_second_order("fits and differences of second order")},
+                   {"sph_second_order", of_second_order("fits of second degree")}});
+  return declared;
+}
+
+}  // namespace touchstone::vnv::channel

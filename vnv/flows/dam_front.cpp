@@ -1,0 +1,150 @@
+#include "vnv/flows/dam_front.hpp"
+
+#include "vnv/files/tables.hpp"
+
+namespace touchstone::vnv {
+namespace {
+
+constexpr Window judged_times{1, 1.5};  // of T: after the gate has risen, before the wall is met
+constexpr Window slope_times{1, 1.58};  // of T: until the measured front meets the wall
+constexpr Window shifts{
+    -0.3, 0.3};  // of T: the largest doubt about the origin of time of such an experiment (Martin & Moyce)
+
+enum Column { half_full, percentile, farthest, mass, inside };
+
+DataTable measured_by_lobovsky(const DamFront& dam) {
+  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
+                                     {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  require_geometry(table, "column_length", dam.column_length, 1e-3);
+  require_geometry(table, "column_height", dam.column_height, 1e-3);
+  require_geometry(table, "tank_length", dam.tank_length, 1e-3);
+  return table;
+}
+
+FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
+  FrontHistory front;
+  for (std::size_t k = 0; k < run.history.time.size(); ++k) {
+    front.T.push_back(dam.scaled_time(run.history.time[k]));
+    front.L.push_back(run.history.seen[k][column]);
+  }
+  return front;
+}
+
+/// T when a front comes within a slab of the far wall, between two looks, or infinity.
+double arrival(const DamFront& dam, const FrontHistory& front) {
+  const double there = (dam.tank_length - dam.slab) / dam.column_length;
+  for (std::size_t k = 1; k < front.T.size(); ++k)
+    if (front.L[k] > there)
+      return std::lerp(front.T[k - 1], front.T[k], (there - front.L[k - 1]) / (front.L[k] - front.L[k - 1]));
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The worst number over the history.
+double largest_departure(const Run& run, Column column) {
+  double worst = 0;
+  for (const std::vector<double>& seen : run.history.seen) {
+    const double departure = seen[column] - run.history.seen.front()[column];
+    if (!std::isnan(worst) && !(std::abs(departure) <= std::abs(worst))) worst = departure;
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<double> DamFront::look(const Samples& samples) const {
+  const Scalars x = samples.x.row(0), y = samples.x.row(1);
+  const auto in_tank = (x >= 0 && x <= tank_length && y >= 0 && y <= tank_height).count();
+  return {half_full_slab(samples, slab) / column_length, percentile_front(samples) / column_length,
+          farthest_particle(samples) / column_length, samples.mass.sum(), static_cast<double>(in_tank)};
+}
+
+std::vector<Error> DamFront::compare(const Level& level, const Run& run) const {
+  std::vector<Error> found;
+  const auto add = [&](std::string quantity, double value) {
+    found.push_back({level.name, level.spacing, run.summary.end_time, std::move(quantity), value});
+  };
+  if (!run.summary.finished) return found;
+  add("mass over that of the column, less 1 [-]",
+      run.history.seen.back()[mass] / (density * column_length * column_height) - 1);
+  add("particles lost or outside [-]", 0 - largest_departure(run, inside));
+
+  constexpr double end_of_data = 1.59;  // T when the measured front meets the wall
+  if (scaled_time(run.summary.end_time) < end_of_data) return found;
+  const DataTable table = measured_by_lobovsky(*this);
+  const FrontHistory measured{table.numbers("T [-]"), table.numbers("L [-]")};
+  const FrontHistory ours = history_of(*this, run, half_full);
+  const double end_of_slope = std::min(slope_times.high, arrival(*this, ours));
+  const FrontComparison judged = compare_fronts(ours, measured, judged_times, {slope_times.low, end_of_slope}, shifts);
+  const double measured_slope = slope_of("the measured", measured, slope_times);  // 1.34, as its authors give it
+  add(rms, judged.rms);
+  add("best shift of T [-]", judged.best_shift);
+  add("RMS of L over T in [1, 1.5], best shift [-]", judged.rms_at_best_shift);
+  add("slope dL/dT from T = 1 to 1.58 or the wall [-]", judged.slope);
+  add(slope_error, 100 * (judged.slope / measured_slope - 1));
+  add("slope dL/dT less the measured over the same T [%]", 100 * (judged.slope / judged.measured_slope - 1));
+  add("arrival at the far wall, T [-]", arrival(*this, ours));
+  add("RMS of L, no shift, 99.5th percentile [-]",
+      compare_fronts(history_of(*this, run, percentile), measured, judged_times, judged_times, shifts).rms);
+  add("RMS of L, no shift, farthest particle [-]",
+      compare_fronts(history_of(*this, run, farthest), measured, judged_times, judged_times, shifts).rms);
+  return found;
+}
+
+Plot DamFront::history(Figure frame, std::vector<std::string> levels) const {
+  const DataTable lobovsky = measured_by_lobovsky(*this);
+  const DataTable martin_moyce =
+      read_table(data_folder() / "experiments" / "martin_moyce_1952_front_square.csv", {"T [-]", "L [-]", "series"})
+          .only("series", "table");
+  require_geometry(martin_moyce, "column_aspect", column_height / column_length, 1e-6);
+  return [dam = *this, frame, levels, lobovsky, martin_moyce](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    for (const std::string& level : levels)
+      if (const Run* run = results.run(level)) {
+        const FrontHistory ours = history_of(dam, *run, half_full);
+        record.curves.push_back({frame.id, results.method.name + " " + level, Role::ours, ours.T, ours.L, false});
+      }
+    record.curves.push_back({frame.id, "Lobovský et al. 2014", Role::experiment, lobovsky.numbers("T [-]"),
+                             lobovsky.numbers("L [-]"), true});
+    record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
+                             martin_moyce.numbers("L [-]"), true});
+    record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
+  };
+}
+
+Plot DamFront::models() const {
+  const DataTable published = read_table(data_folder() / "papers" / "sun_table_5.csv",
+                                         {"method", "model", "cell [m]", "particles per cell [-]", "spacing [m]",
+                                          "boundary particles [-]", "particles [-]"},
+                                         {"cell [m]", "particles per cell [-]", "boundary particles [-]"});
+  return [published](const Results& results, Record& record) {
+    Table table{
+        "models",
+        "Table 5 of Sun et al. beside ours",
+        "Our walls are as high as the domain and their corners are filled, so there are more boundary particles. The "
+        "paper says that a step of SPH costs 2.6 to 4.6 times one of MPM.",
+        {"method", "model", "particles paper", "particles ours", "ratio", "boundary particles paper",
+         "boundary particles ours", "ratio", "T_p ours [ms]", "memory ours [MB]"},
+        {}};
+    const std::string method = results.method.name == "mpm" ? "MPM" : "SPH";
+    const DataTable paper = published.only("method", method);
+    for (std::size_t k = 0; k < paper.rows(); ++k) {
+      const Run* run = results.run(paper.words("model")[k]);
+      if (!run) continue;
+      const Cost& cost = run->summary.cost;
+      std::vector<Cell> row = {results.method.name, paper.words("model")[k]};
+      const auto compare = [&](double printed, double ours) {
+        if (std::isnan(printed))
+          row.insert(row.end(), {"none", ours, "none"});
+        else
+          row.insert(row.end(), {printed, ours, ours / printed});
+      };
+      compare(paper.numbers("particles [-]")[k], static_cast<double>(cost.particles));
+      compare(paper.numbers("boundary particles [-]")[k], static_cast<double>(cost.boundary_particles));
+      row.insert(row.end(), {1e3 * cost.per_step(), 1e-6 * cost.peak_memory});
+      table.rows.push_back(std::move(row));
+    }
+    record.tables.push_back(std::move(table));
+  };
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,7 @@
+#include "vnv/flows/manufactured.hpp"
+
+namespace touchstone::vnv {
+
+TOUCHSTONE_METHODS(template, Scene<Newtonian, manufactured::Sustaining>)
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,250 @@
+#include "vnv/harness/assess.hpp"
+
+#include "vnv/harness/environment.hpp"
+#include "vnv/harness/run_levels.hpp"
+#include "vnv/judge/order.hpp"
+#include "vnv/record/quantity.hpp"
+#include "vnv/studies/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::vnv {
+namespace {
+
+/// Measures each run and keeps account in the record.
+void measure_runs(const Case& declared, const Method& method, const std::vector<Run>& runs, Record& record) {
+  for (const Run& run : runs) {
+    const StopWatch measuring;
+    record.errors.insert(record.errors.end(), run.found.begin(), run.found.end());
+    record.curves.insert(record.curves.end(), run.curves.begin(), run.curves.end());
+    const auto level = std::ranges::find(method.levels, run.summary.level, &Level::name);
+    for (const Measurement& measure : declared.measurements) {
+      const std::vector<Error> errors = measure(*level, run);
+      record.errors.insert(record.errors.end(), errors.begin(), errors.end());
+    }
+    record.runs.push_back(run.summary);
+    record.runs.back().cost.harness += measuring.seconds();
+  }
+}
+
+/// The errors of one quantity and time along a ladder, as far as this suite ran it.
+ObservedOrder order_along(const Ladder& ladder, const Record& record, const std::string& quantity, double time) {
+  std::vector<std::string> levels;
+  std::vector<double> spacings, errors;
+  for (const std::string& level : ladder.levels)
+    for (const Error& e : record.errors)
+      if (e.level == level && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time) {
+        levels.push_back(level);
+        spacings.push_back(e.spacing);
+        errors.push_back(e.value);
+      }
+  ObservedOrder order = observe_order(spacings, errors);
+  order.ladder = ladder.name;
+  order.quantity = quantity;
+  order.time = time;
+  order.levels = levels;
+  return order;
+}
+
+/// Orders of the norms, at each time that at least two levels of a ladder reached.
+void observe_orders(const Method& method, Record& record) {
+  for (const Ladder& ladder : method.ladders)
+    for (const Error& e : record.errors) {
+      if (e.level != ladder.levels.front() || !(e.time > 0) || e.quantity.rfind("L", 0) != 0) continue;
+      ObservedOrder order = order_along(ladder, record, e.quantity, e.time);
+      if (order.levels.size() >= 2) record.orders.push_back(std::move(order));
+    }
+}
+
+/// Throws std::invalid_argument for a ladder that the method has not got.
+const Ladder& find_ladder(const Method& method, const std::string& name) {
+  for (const Ladder& ladder : method.ladders)
+    if (ladder.name == name) return ladder;
+  throw std::invalid_argument(fmt::format("{}: no ladder '{}'", method.name, name));
+}
+
+/// Throws std::invalid_argument for a claim or a ladder that names a level or ladder that the method has not got.
+void require_known_names(const Method& method) {
+  const auto require_level = [&](const std::string& name) {
+    if (!name.empty() && std::ranges::find(method.levels, name, &Level::name) == method.levels.end())
+      throw std::invalid_argument(fmt::format("{}: no level '{}'", method.name, name));
+  };
+  for (const Ladder& ladder : method.ladders) std::ranges::for_each(ladder.levels, require_level);
+  for (const Claim& claim : method.claims) {
+    require_level(claim.level);
+    if (!claim.ladder.empty()) find_ladder(method, claim.ladder);
+  }
+}
+
+/// Whether the suite runs a level for as long as a claim speaks of.
+bool is_run(const Claim& claim, const Method& method, Suite suite) {
+  const auto is_on = [&](const Level& level) {
+    if (claim.ladder.empty()) return claim.covers(level.name, claim.time);
+    const std::vector<std::string>& levels = find_ladder(method, claim.ladder).levels;
+    return std::ranges::find(levels, level.name) != levels.end();
+  };
+  const auto runs = std::ranges::count_if(method.levels, [&](const Level& level) {
+    return is_on(level) && level.until(suite) > 0 &&
+           (std::isnan(claim.time) || level.until(suite) >= claim.time * (1 - 1e-9));
+  });
+  return runs >= (claim.ladder.empty() ? 1 : claim.least_levels);
+}
+
+void judge_claim(const Claim& claim, const Method& method, Suite suite, const std::vector<Error>& values,
+                 Record& record) {
+  const std::size_t before = record.verdicts.size();
+  Place place{record.case_name, method.name, claim.level, not_a_number, claim.time};
+  if (!claim.ladder.empty()) {
+    for (const ObservedOrder& order : record.orders)
+      if (order.ladder == claim.ladder && order.quantity == claim.quantity && claim.covers("", order.time) &&
+          std::ssize(order.levels) >= claim.least_levels) {
+        place.time = order.time;
+        record.verdicts.push_back(judge(claim, place, order));
+      }
+  } else {
+    for (const Error& e : values)
+      if (e.quantity == claim.quantity && claim.covers(e.level, e.time))
+        record.verdicts.push_back(judge(claim, {record.case_name, method.name, e.level, e.spacing, e.time}, e.value));
+  }
+  if (record.verdicts.size() == before && is_run(claim, method, suite))
+    record.verdicts.push_back(judge(claim, place, not_a_number));  // the run ended before, or nothing measures this
+}
+
+/// What claims may speak of: the errors of the runs, and what was found over all of them.
+std::vector<Error> all_values(const Case& declared, const Results& results, const Record& record) {
+  std::vector<Error> values = record.errors;
+  for (const Finding& find : declared.findings) {
+    const std::vector<Error> found = find(results, record);
+    values.insert(values.end(), found.begin(), found.end());
+  }
+  return values;
+}
+
+constexpr std::string_view nothing_accepted = "no baseline was accepted for this yet";
+
+/// Each value keeps within the limits that were accepted with the last one.
+void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
+  for (const Error& e : record.errors) {
+    const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity);
+    const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
+    if (last)
+      record.verdicts.push_back(
+          judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
+    else if (suite == Suite::acceptance)
+      record.verdicts.push_back(
+          inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place, e.value, nothing_accepted));
+  }
+}
+
+/// What the members of an ensemble are together is of the distribution that was accepted; each alone is chance.
+void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
+  for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
+    const Claim alike = at_least(
+        name_and_unit(one.quantity).first + ", chance of an ensemble so unlike the accepted one [-]", least_chance,
+        baseline(fmt::format("{} accepted starts; Anderson & Darling's test, by random deals", one.accepted.size())));
+    const Place place{record.case_name, record.method, "", not_a_number, one.time};
+    if (!one.accepted.empty())
+      record.verdicts.push_back(judge(alike, place, one.chance));
+    else if (suite == Suite::acceptance)
+      record.verdicts.push_back(inconclusive(alike, place, one.chance, nothing_accepted));
+  }
+}
+
+/// What a baseline holds of a run must still be measured, unless it is told of the end of a run and this one went on.
+void miss_lost_values(const Baselines& baselines, Record& record) {
+  for (const Baseline& last : baselines.rows) {
+    const auto run = std::ranges::find(record.runs, last.level, &RunSummary::level);
+    if (last.method != record.method || run == record.runs.end() || last.time > run->end_time * (1 + 1e-9)) continue;
+    const bool measured = std::ranges::any_of(record.errors, [&](const Error& e) {
+      return baselines.find(record.method, e.level, e.time, e.quantity) == &last;
+    });
+    const bool told_later = std::ranges::any_of(record.errors, [&](const Error& e) {
+      return e.level == last.level && e.quantity == last.quantity && e.time > last.time;
+    });
+    if (!measured && !told_later)
+      record.verdicts.push_back(judge(between(last.quantity, last.lower, last.upper, baseline(last.basis)),
+                                      {record.case_name, record.method, last.level, run->spacing, last.time},
+                                      not_a_number));
+  }
+}
+
+const std::string end_of_run = "run to the end";
+
+/// Every run is claimed to end where it was meant to, unless that is the question.
+void judge_ends(const Method& method, Record& record) {
+  for (const RunSummary& run : record.runs) {
+    if (std::ranges::find(method.levels, run.level, &Level::name)->may_diverge) continue;
+    const Claim ends = at_least(end_of_run + " [-]", 1, theory("a stable method answers"));
+    Verdict v =
+        judge(ends, {record.case_name, record.method, run.level, run.spacing, run.end_time}, run.finished ? 1 : 0);
+    if (!run.finished)
+      v.sentence = fmt::format("{}.{} {}: {}: FAILS", record.case_name, record.method, run.level, run.outcome);
+    record.verdicts.push_back(std::move(v));
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(Suite suite) {
+  return suite == Suite::acceptance ? "acceptance" : suite == Suite::report ? "report" : "nightly";
+}
+
+const Run* Results::run(std::string_view level) const {
+  for (const Run& r : runs)
+    if (r.summary.level == level) return &r;
+  return nullptr;
+}
+
+Case with_plots(Case declared, const std::vector<Plot>& plots) {
+  declared.plots.insert(declared.plots.end(), plots.begin(), plots.end());
+  return declared;
+}
+
+Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
+  Record record;
+  record.case_name = case_name;
+  record.title = declared.title;
+  record.description = declared.description;
+  record.method = method.name;
+  record.method_description = method.description;
+  record.suite = name_of(suite);
+  return record;
+}
+
+Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
+              const std::optional<Baselines>& baselines) {
+  require_known_names(method);
+  Record record = record_of(case_name, declared, method, suite);
+  const Results results{method, suite, run_levels(case_name, declared, method, suite)};
+  measure_runs(declared, method, results.runs, record);
+  observe_orders(method, record);
+  judge_ends(method, record);
+  const std::vector<Error> values = all_values(declared, results, record);
+  for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
+  for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
+  if (baselines) {
+    (declared.ensemble ? judge_ensemble : judge_baselines)(*baselines, suite, record);
+    miss_lost_values(*baselines, record);
+  }
+  for (const Plot& plot : declared.plots) plot(results, record);
+  describe_environment(record);
+  return record;
+}
+
+bool claims_more_than_ends(const Record& record) {
+  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run; });
+}
+
+std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
+  std::vector<Baseline> rows;
+  for (const Error& e : record.errors) {
+    const double room = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
+    rows.push_back(
+        {record.method, e.level, e.time, e.quantity, e.value, e.value - room, e.value + room, tolerance.basis});
+  }
+  return rows;
+}
+
+}  // namespace touchstone::vnv

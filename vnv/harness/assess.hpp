@@ -1,0 +1,24 @@
+#pragma once
+/// From a declared case to a record: all runs of one method, their numbers, orders and verdicts.
+
+#include "vnv/case.hpp"
+#include "vnv/judge/baselines.hpp"
+
+namespace touchstone::vnv {
+
+/// A record that says of whom it is, and nothing yet of any run.
+Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite);
+
+/// Runs a method on the levels of a suite and judges it by the claims of the case, of the method and of the baselines.
+/// Without baselines nothing is claimed of them; with them, a value of the acceptance suite that has none is
+/// inconclusive.
+Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
+              const std::optional<Baselines>& baselines);
+
+/// Whether anything was claimed of a method but that its runs end.
+bool claims_more_than_ends(const Record& record);
+
+/// The rows by which a record's values become baselines.
+std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance);
+
+}  // namespace touchstone::vnv

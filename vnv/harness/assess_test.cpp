@@ -1,0 +1,171 @@
+#include "vnv/harness/assess.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::vnv {
+namespace {
+
+const Level coarse{.name = "coarse", .spacing = 0.2, .acceptance = 1},
+    fine{.name = "fine", .spacing = 0.1, .acceptance = 1};
+
+/// A case whose one method has an error of spacing squared.
+Case second_order() {
+  return {
+      .title = "Second order",
+      .times = {0.5, 1},
+      .measurements = {[](const Level& level, const Run& run) -> std::vector<Error> {
+        if (!run.summary.finished) return {};
+        return {{level.name, level.spacing, 1, "L2 v_x [%]", level.spacing * level.spacing}};
+      }},
+      .methods = {{
+          .name = "made_up",
+          .run =
+              [](const Level&, const Schedule& when) {
+                return Run{.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished"}};
+              },
+          .levels = {coarse, fine},
+          .ladders = {{"spacing", {"coarse", "fine"}}},
+      }},
+  };
+}
+
+Record assessed(const Case& declared, const std::optional<Baselines>& baselines = std::nullopt) {
+  return assess("made_up_case", declared, declared.methods.front(), Suite::acceptance, baselines);
+}
+
+long count(const Record& record, Outcome outcome) {
+  return std::ranges::count(record.verdicts, outcome, &Verdict::outcome);
+}
+
+Baselines accepted(double value, std::string quantity = "L2 v_x [%]") {
+  return {.acceptance = {},
+          .rows = {{"made_up", "coarse", 1, quantity, value, value - 1e-6, value + 1e-6, "made up"},
+                   {"made_up", "fine", 1, "L2 v_x [%]", 0.01, 0.01 - 1e-6, 0.01 + 1e-6, "made up"}}};
+}
+
+TEST(Assess, JudgesEachRungAndTheOrderAlongALadder) {
+  Case declared = second_order();
+  declared.methods[0].claims = {at_most("L2 v_x [%]", 0.02, theory("")),
+                                order_between("spacing", "L2 v_x [%]", 1.9, 2.1, theory("")).at(1)};
+  const Record record = assessed(declared);
+  ASSERT_EQ(record.orders.size(), 1u);
+  EXPECT_NEAR(record.orders[0].order, 2, 1e-12);
+  EXPECT_EQ(count(record, Outcome::fails), 1);         // coarse: 0.04 > 0.02
+  EXPECT_EQ(count(record, Outcome::inconclusive), 1);  // two levels leave the order without an interval
+}
+
+TEST(Assess, FailsARunThatDidNotEndAndWhatWasClaimedOfIt) {
+  Case declared = second_order();
+  declared.methods[0].run = [](const Level&, const Schedule&) {
+    return vnv::Run{.summary = {.outcome = "diverged at step 3"}};
+  };
+  declared.methods[0].claims = {at_most("L2 v_x [%]", 1, theory("")).on("fine").at(1)};
+  const Record record = assessed(declared);
+  EXPECT_EQ(count(record, Outcome::fails), 3);  // two ends and the claim
+  EXPECT_NE(record.verdicts[0].sentence.find("diverged at step 3"), std::string::npos);
+}
+
+TEST(Assess, FailsAClaimThatNothingMeasures) {
+  Case declared = second_order();
+  declared.methods[0].claims = {at_most("L2 v_y [%]", 1, theory(""))};
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 1);
+  declared.methods[0].claims = {order_between("spacing", "L2 v_y [%]", 1, 2, theory("")).at(1)};
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 1);
+}
+
+TEST(Assess, AsksForAnOrderOnlyWhereTheSuiteRunsEnoughRungs) {
+  Case declared = second_order();
+  const Claim order = order_at_least("spacing", "L2 v_x [%]", 1.9, 1.75, theory("")).at(1);
+  declared.methods[0].claims = {order.over(3)};
+  EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 0) << "two levels are run";
+  declared.methods[0].claims = {order.over(2)};
+  EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 1);
+}
+
+TEST(Assess, RefusesClaimsAndLaddersThatNameNoRung) {
+  Case declared = second_order();
+  declared.methods[0].claims = {at_most("L2 v_x [%]", 1, theory("")).on("M9")};
+  EXPECT_THROW(assessed(declared), std::invalid_argument);
+  declared = second_order();
+  declared.methods[0].ladders.push_back({"cells", {"M1"}});
+  EXPECT_THROW(assessed(declared), std::invalid_argument);
+}
+
+TEST(Assess, KeepsAValueWithinItsBaselineToBothSides) {
+  EXPECT_EQ(count(assessed(second_order(), accepted(0.04)), Outcome::fails), 0);
+  EXPECT_EQ(count(assessed(second_order(), accepted(0.05)), Outcome::fails), 1);  // unexpectedly good
+  EXPECT_EQ(count(assessed(second_order(), accepted(0.03)), Outcome::fails), 1);
+}
+
+TEST(Assess, IsInconclusiveWithoutABaselineAndFailsForOneThatIsNoLongerMeasured) {
+  EXPECT_EQ(count(assessed(second_order(), Baselines{}), Outcome::inconclusive), 2);
+  const Record record = assessed(second_order(), accepted(0.04, "L2 v_y [%]"));
+  EXPECT_EQ(count(record, Outcome::inconclusive), 1);
+  EXPECT_EQ(count(record, Outcome::fails), 1);
+}
+
+TEST(Assess, MissesNoValueOfTheEndOfARunThatGoesOnLongerThanTheAcceptedOne) {
+  Baselines of_shorter = accepted(0.04);
+  of_shorter.rows.push_back({"made_up", "coarse", 0.5, "L2 v_x [%]", 0.03, 0.02, 0.04, "made up"});
+  EXPECT_EQ(count(assessed(second_order(), of_shorter), Outcome::fails), 0);
+  of_shorter.rows.back().quantity = "L2 v_y [%]";  // told of no time any more
+  EXPECT_EQ(count(assessed(second_order(), of_shorter), Outcome::fails), 1);
+}
+
+TEST(Assess, RunsToATimeThatTheCaseDoesNotName) {
+  Case declared = second_order();
+  declared.methods[0].levels = {{.name = "coarse", .spacing = 0.2, .acceptance = 0.3},
+                                {.name = "fine", .spacing = 0.1, .acceptance = 0.7}};
+  const Record record = assessed(declared);
+  EXPECT_EQ(record.runs[0].end_time, 0.3);
+  EXPECT_EQ(record.runs[1].end_time, 0.7);
+}
+
+TEST(Assess, TellsAClaimFromTheEndOfARun) {
+  Case declared = second_order();
+  const Record only_ends = assessed(declared);
+  EXPECT_FALSE(only_ends.verdicts.empty());
+  EXPECT_FALSE(claims_more_than_ends(only_ends));
+  declared.claims = {at_most("L2 v_x [%]", 1, theory(""))};
+  EXPECT_TRUE(claims_more_than_ends(assessed(declared)));
+}
+
+TEST(Baselines, AreMadeOfTheValuesOfARecord) {
+  const std::vector<Baseline> rows = baselines_from(assessed(second_order()), {.relative = 0.1, .basis = "wide"});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NEAR(rows[0].lower, 0.036, 1e-12);
+  EXPECT_NEAR(rows[0].upper, 0.044, 1e-12);
+  EXPECT_EQ(rows[0].basis, "wide");
+}
+
+TEST(Baselines, OfWhatIsZeroButForRoundingLeaveRoomForRounding) {
+  Record record = assessed(second_order());
+  record.errors[0].value = 2e-15;
+  const Baseline row = baselines_from(record, {.relative = 0.02}).front();
+  EXPECT_LT(row.lower, -1e-14);
+  EXPECT_GT(row.upper, 1e-14);
+}
+
+TEST(Assess, LetsARunDivergeThatIsMadeToSeeWhetherItDoes) {
+  Case declared = second_order();
+  declared.methods[0].run = [](const Level&, const Schedule&) {
+    return vnv::Run{.summary = {.outcome = "diverged at step 3"}};
+  };
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 2);
+  for (Level& level : declared.methods[0].levels) level.may_diverge = true;
+  EXPECT_EQ(count(assessed(declared), Outcome::fails), 0);
+}
+
+TEST(Assess, JudgesWhatWasFoundOverAllRunsAndKeepsItOutOfTheErrors) {
+  Case declared = second_order();
+  declared.findings = {[](const Results& results, const Record&) -> std::vector<Error> {
+    return {{"", not_a_number, 1, "runs [-]", static_cast<double>(results.runs.size())}};
+  }};
+  declared.methods[0].claims = {at_most("runs [-]", 1, theory(""))};
+  const Record record = assessed(declared);
+  EXPECT_EQ(count(record, Outcome::fails), 1);
+  EXPECT_TRUE(std::ranges::none_of(record.errors, [](const Error& e) { return e.quantity == "runs [-]"; }));
+}
+
+}  // namespace
+}  // namespace touchstone::vnv

@@ -1,0 +1,280 @@
+/// The program of one case: each method of the_case() becomes a test.
+
+#include "solvers/lattice.hpp"
+#include "vnv/harness/assess.hpp"
+#include "vnv/harness/describe.hpp"
+#include "vnv/harness/measurements.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace touchstone::vnv {
+namespace {
+
+std::string case_name;  // that of the program
+
+struct Options {
+  std::filesystem::path data = TOUCHSTONE_DATA_DIR;
+  std::filesystem::path records;  // empty: none is written
+  Suite suite = Suite::acceptance;
+  std::string method;  // empty: all
+  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
+  std::string accept_reason;
+};
+Options options;
+
+std::filesystem::path baselines_file() { return data_folder() / "baselines" / (case_name + ".csv"); }
+
+void print(const Record& record) {
+  for (const RunSummary& run : record.runs)
+    fmt::print("{}.{} {}: {}; {} particles, {} steps, {:.3g} CPU s, {:.3g} ns per particle-step\n", record.case_name,
+               record.method, run.level, run.outcome, run.cost.particles, run.cost.steps, run.cost.cpu,
+               1e9 * run.cost.per_particle_step());
+  for (const Verdict& verdict : record.verdicts) fmt::print("{}\n", verdict.sentence);
+  if (is_run_for_dashboard()) fmt::print("{}", measurement_lines(record));
+}
+
+/// A test is a method: it passes when something was claimed and every claim holds.
+class MethodTest : public testing::Test {
+ public:
+  MethodTest(const Case& declared, const Method& method) : declared_(declared), method_(method) {}
+
+  void TestBody() override try {
+    const Record record = assessed();
+    if (!options.records.empty()) write(record, options.records / fmt::format("{}.{}.json", case_name, method_.name));
+    print(record);
+    EXPECT_TRUE(claims_more_than_ends(record))
+        << case_name << "." << method_.name << ": nothing was judged, expected at least one claim";
+    for (const Verdict& verdict : record.verdicts)
+      if (verdict.outcome != Outcome::holds) ADD_FAILURE() << verdict.sentence;
+  } catch (const std::exception& error) {  // that a record cannot be written is no fault of the method
+    FAIL() << case_name << "." << method_.name << ": " << error.what();
+  }
+
+ private:
+  Record assessed() const try {
+    return assess(case_name, declared_, method_, options.suite, read_baselines(baselines_file()).value_or(Baselines{}));
+  } catch (const std::exception& error) {
+    return failed(error.what());
+  }
+
+  /// What a report shall say of a method that could not be assessed.
+  Record failed(const std::string& why) const {
+    Record record = record_of(case_name, declared_, method_, options.suite);
+    Verdict verdict = judge(at_least(fmt::format("{} [-]", could_be_assessed), 1, theory("a method can be assessed")),
+                            Place{.case_name = case_name, .method = method_.name, .level = ""}, 0);
+    verdict.sentence = fmt::format("{}.{}: {}: FAILS", case_name, method_.name, why);
+    record.verdicts.push_back(verdict);
+    return record;
+  }
+
+  const Case& declared_;
+  const Method& method_;
+};
+
+bool runs_in(Suite suite, const Method& method) {
+  return std::ranges::any_of(method.levels, [&](const Level& level) { return level.until(suite) > 0; });
+}
+
+std::vector<const Method*> chosen_methods(const Case& declared) {
+  std::vector<const Method*> chosen;
+  std::string known;
+  for (const Method& method : declared.methods) {
+    known += (known.empty() ? "" : ", ") + method.name;
+    if (options.method.empty() || method.name == options.method) chosen.push_back(&method);
+  }
+  if (chosen.empty())
+    throw std::invalid_argument(fmt::format("no method '{}'; expected one of: {}", options.method, known));
+  return chosen;
+}
+
+/// Unless it is named, a method that the suite leaves out is left out.
+int run_tests(const Case& declared, char* program) {
+  std::vector<const Method*> chosen = chosen_methods(declared);
+  if (options.method.empty())
+    std::erase_if(chosen, [](const Method* method) { return !runs_in(options.suite, *method); });
+  if (chosen.empty())
+    throw std::invalid_argument(fmt::format("nothing runs in {}; expected another --suite", name_of(options.suite)));
+  for (const Method* method : chosen)
+    testing::RegisterTest(case_name.c_str(), method->name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                          [&declared, method]() -> testing::Test* { return new MethodTest(declared, *method); });
+  int count = 1;
+  char* arguments[] = {program, nullptr};
+  testing::InitGoogleTest(&count, arguments);
+  return RUN_ALL_TESTS();
+}
+
+/// One run at any resolution, measured and not judged.
+int explore(const Case& declared) {
+  for (const Method* method : chosen_methods(declared)) {
+    const double until = options.until > 0 ? options.until : declared.times.front();
+    const Level level{.name = "custom",
+                      .spacing = options.spacing,
+                      .cell = options.cell,
+                      .time_step = options.time_step,
+                      .acceptance = until};
+    Method custom = *method;
+    custom.levels = {level};
+    custom.ladders.clear();
+    custom.claims.clear();
+    Case unjudged = declared;
+    unjudged.claims.clear();
+    unjudged.plots.clear();
+    const Record record = assess(case_name, unjudged, custom, Suite::acceptance, std::nullopt);
+    print(record);
+    for (const Error& e : record.errors) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity, e.value, e.time);
+    if (!record.runs.front().finished) return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+/// What a test does must not change what it is judged by; ctest sets one of these for each of its tests.
+void require_no_test(std::string_view option) {
+  for (const char* mark : {"DASHBOARD_TEST_FROM_CTEST", "CTEST_INTERACTIVE_DEBUG_MODE"})
+    if (std::getenv(mark))
+      throw std::invalid_argument(fmt::format("{}: {} is set, as in a test of ctest; expected a person", option, mark));
+}
+
+/// Makes today's values the baselines, and forgets those of methods and levels that are gone, unless a claim of theory
+/// or literature fails.
+int accept(const Case& declared) {
+  if (std::ranges::none_of(declared.methods, [](const Method& m) { return runs_in(options.suite, m); })) {
+    fmt::print("{}: nothing runs in {}, nothing to accept\n", case_name, name_of(options.suite));
+    return EXIT_SUCCESS;
+  }
+  Baselines baselines = read_baselines(baselines_file()).value_or(Baselines{});
+  std::erase_if(baselines.rows, [&](const Baseline& old) {
+    return std::ranges::none_of(declared.methods, [&](const Method& m) { return m.name == old.method; });
+  });
+  for (const Method* method : chosen_methods(declared)) {
+    const Record record = assess(case_name, declared, *method, options.suite, std::nullopt);
+    print(record);
+    for (const Verdict& verdict : record.verdicts)
+      if (verdict.outcome != Outcome::holds) {
+        fmt::print(stderr, "{}: nothing is accepted while a claim does not hold: {}\n", case_name, verdict.sentence);
+        return EXIT_FAILURE;
+      }
+    std::erase_if(baselines.rows, [&](const Baseline& old) {
+      const auto is_its_level = [&](const auto& level) { return level == old.level; };
+      return old.method == method->name && (std::ranges::any_of(record.runs, is_its_level, &RunSummary::level) ||
+                                            std::ranges::none_of(method->levels, is_its_level, &Level::name));
+    });
+    const std::vector<Baseline> rows = baselines_from(record, method->tolerance);
+    baselines.rows.insert(baselines.rows.end(), rows.begin(), rows.end());
+    baselines.acceptance = {fmt::format("Last accepted values of {}", case_name), record.revision, record.finished_at,
+                            options.accept_reason};
+  }
+  std::filesystem::create_directories(baselines_file().parent_path());
+  write_baselines(baselines_file(), baselines.rows, baselines.acceptance);
+  fmt::print("{}: {} baselines accepted\n", baselines_file().string(), baselines.rows.size());
+  return EXIT_SUCCESS;
+}
+
+/// Lines of CMake that register each method with ctest, once per suite that runs it.
+void write_ctest_file(const Case& declared, const char* program, const std::string& file, const std::string& records) {
+  std::string text;
+  for (const Method& method : declared.methods)
+    for (const Suite suite : {Suite::acceptance, Suite::report, Suite::nightly}) {
+      if (!runs_in(suite, method)) continue;
+      const std::string prefix = suite == Suite::acceptance ? "" : std::string(name_of(suite)) + ".";
+      const std::string test = fmt::format("{}{}.{}", prefix, case_name, method.name);
+      text += fmt::format("add_test([=[{}]=] [=[{}]=] --method {} --suite {} --records [=[{}/{}]=])\n", test, program,
+                          method.name, name_of(suite), records, name_of(suite));
+      const std::string labels = std::string(name_of(suite)) +
+                                 (suite == Suite::acceptance && !declared.label.empty() ? ";" + declared.label : "");
+      text += fmt::format(
+          "set_tests_properties([=[{}]=] PROPERTIES LABELS \"{}\" FIXTURES_REQUIRED {}_records COST {:.6g} TIMEOUT "
+          "5400{})\n",
+          test, labels, name_of(suite), method.relative_cost, declared.timed ? " RUN_SERIAL TRUE" : "");
+    }
+  std::ofstream out(file);
+  if (!(out << text << std::flush)) throw std::runtime_error(fmt::format("{}: cannot be written", file));
+}
+
+int run(int count, char** arguments) {
+  CLI::App app{
+      fmt::format("{}: runs each method of the case, compares it with the oracle and judges it by its claims.\n"
+                  "Example: {} --method mpm --suite acceptance --records build/records",
+                  case_name, case_name)};
+  std::string ctest_file, records;
+  bool list = false, describes = false;
+  const std::map<std::string, Suite> suites = {
+      {"acceptance", Suite::acceptance}, {"report", Suite::report}, {"nightly", Suite::nightly}};
+  app.add_option("--method", options.method, "only this method");
+  app.add_option("--suite", options.suite, "how many levels and how long: acceptance, report or nightly")
+      ->transform(CLI::CheckedTransformer(suites));
+  app.add_option("--records", records, "folder to write a record per method into");
+  app.add_option("--data", options.data, "folder of experiments, papers and baselines");
+  app.add_option("--spacing", options.spacing, "one run at this particle spacing [m], measured and not judged");
+  const auto positive = CLI::PositiveNumber;
+  app.add_option("--cell", options.cell, "with --spacing: size of a background cell [m]; else the spacing")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--time-step", options.time_step, "with --spacing: time step [s]; else that of the method")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--until", options.until, "with --spacing: end time [s]; else the first time of the case")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--accept", options.accept_reason, "make today's values the baselines, for this reason");
+  app.add_flag("--list", list, "name the methods and their levels");
+  app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
+  app.add_option("--ctest-file", ctest_file)->group("");
+  CLI11_PARSE(app, count, arguments);
+  options.records = records;
+
+  if (!ctest_file.empty()) {
+    write_ctest_file(the_case(), arguments[0], ctest_file, records);
+    return EXIT_SUCCESS;
+  }
+  if (!records.empty() && !std::filesystem::is_directory(records))
+    throw std::invalid_argument(fmt::format("--records {}: expected a folder that exists", records));
+  const Case declared = the_case();
+  if (list) {
+    for (const Method& method : declared.methods) {
+      fmt::print("{}:", method.name);
+      for (const Level& level : method.levels) fmt::print(" {}", level.name);
+      fmt::print("\n");
+    }
+    return EXIT_SUCCESS;
+  }
+  if (describes) {
+    fmt::print("{}", json_of(describe(case_name, declared, data_folder())));
+    return EXIT_SUCCESS;
+  }
+  if (app.count("--spacing") > 0) {
+    require_positive("--spacing", "spacing [m]", options.spacing);
+    if (std::isnan(options.cell)) options.cell = options.spacing;
+    return explore(declared);
+  }
+  if (app.count("--accept") > 0) {
+    if (options.accept_reason.empty())
+      throw std::invalid_argument("--accept '': expected the reason why the new values are right");
+    require_no_test("--accept");
+    return accept(declared);
+  }
+  return run_tests(declared, arguments[0]);
+}
+
+}  // namespace
+
+const std::filesystem::path& data_folder() { return options.data; }
+
+}  // namespace touchstone::vnv
+
+int main(int count, char** arguments) {
+  touchstone::vnv::case_name = std::filesystem::path(arguments[0]).stem();
+  try {
+    return touchstone::vnv::run(count, arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", touchstone::vnv::case_name, error.what());
+    return EXIT_FAILURE;
+  }
+}

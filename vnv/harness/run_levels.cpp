@@ -1,0 +1,107 @@
+#include "vnv/harness/run_levels.hpp"
+
+#include "vnv/harness/run_bytes.hpp"
+#include "vnv/run/own_process.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace touchstone::vnv {
+namespace {
+
+Schedule schedule_for(const Case& declared, const std::string& name, double until) {
+  Schedule when{{}, declared.watch, name};
+  for (const double time : declared.times)
+    if (time <= until * (1 + 1e-9)) when.times.push_back(time);
+  if (when.times.empty() || when.times.back() < until * (1 - 1e-9)) when.times.push_back(until);
+  return when;
+}
+
+/// A level of the suite and what its processes left. It is read when all have ended, since whatever this process holds
+/// would count as memory of the next.
+struct Attempt {
+  Level level;
+  Schedule when;
+  Ended first;
+  double harness = 0;         // s  of the first run, in this process
+  std::vector<Cost> again{};  // the cost of each repeat
+};
+
+/// The run, with its harness charged for everything but the solver's set-up and steps once the caller adds the time
+/// that it waited.
+Run run_and_charge(const Method& method, const Level& level, const Schedule& when) {
+  const StopWatch solving;
+  Run run = method.run(level, when);
+  run.summary.cost.harness -= solving.seconds();
+  return run;
+}
+
+Attempt first_attempt(const Method& method, const Level& level, Schedule when) {
+  const StopWatch waiting;
+  Ended ended = in_own_process([&] { return to_bytes(run_and_charge(method, level, when)); });
+  return {level, std::move(when), std::move(ended), waiting.seconds()};
+}
+
+void repeat(const Method& method, Attempt& attempt) {
+  const StopWatch waiting;
+  const Ended ended = in_own_process([&] {
+    const Cost cost = run_and_charge(method, attempt.level, attempt.when).summary.cost;
+    return std::string(reinterpret_cast<const char*>(&cost), sizeof cost);
+  });
+  if (!ended.crash.empty())
+    throw std::runtime_error(fmt::format("{}: crashed when repeated: {}", attempt.when.name, ended.crash));
+  Cost cost;
+  std::memcpy(&cost, ended.result().data(), sizeof cost);
+  cost.harness += waiting.seconds();
+  cost.peak_memory = ended.peak_memory;
+  attempt.again.push_back(cost);
+}
+
+/// Round after round through the runs that are short enough for what is left of the budget.
+void repeat_in_turn(const Method& method, const Repeats& repeats, std::vector<Attempt>& attempts) {
+  double left = repeats.budget;
+  for (long round = 1; round < repeats.most; ++round)
+    for (Attempt& attempt : attempts)
+      if (attempt.first.crash.empty() && attempt.first.user_time <= std::min(left, repeats.longest)) {
+        left -= attempt.first.user_time;
+        repeat(method, attempt);
+      }
+}
+
+Run run_of(const Attempt& attempt) {
+  Run run;
+  const StopWatch reading;
+  if (attempt.first.crash.empty())
+    run = run_from(attempt.first.result());
+  else
+    run.summary.outcome = attempt.first.crash;
+  Cost& cost = run.summary.cost;
+  cost.harness += attempt.harness + reading.seconds();
+  cost.peak_memory = attempt.first.peak_memory;
+  std::vector<Cost> all = attempt.again;
+  all.insert(all.begin(), cost);
+  cost = cost_of_repeats(all);
+  run.summary.level = attempt.level.name;
+  run.summary.spacing = attempt.level.spacing;
+  for (Error& found : run.found) found.level = attempt.level.name, found.spacing = attempt.level.spacing;
+  return run;
+}
+
+}  // namespace
+
+std::vector<Run> run_levels(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
+  std::vector<Attempt> attempts;
+  for (const Level& level : method.levels) {
+    if (!(level.until(suite) > 0)) continue;
+    const std::string name = fmt::format("{}.{} {}", case_name, method.name, level.name);
+    attempts.push_back(first_attempt(method, level, schedule_for(declared, name, level.until(suite))));
+  }
+  if (suite != Suite::acceptance) repeat_in_turn(method, declared.repeats, attempts);
+  std::vector<Run> runs;
+  for (const Attempt& attempt : attempts) runs.push_back(run_of(attempt));
+  return runs;
+}
+
+}  // namespace touchstone::vnv

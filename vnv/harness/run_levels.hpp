@@ -1,0 +1,13 @@
+#pragma once
+#include "vnv/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Runs each level that the suite asks for in a process of its own, then, in the suites that show cost, the short ones
+/// again in turn, A B C A B C, as long as the budget lasts. A process that dies leaves a run that did not finish.
+std::vector<Run> run_levels(const std::string& case_name, const Case& declared, const Method& method, Suite suite);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,74 @@
+#include "vnv/harness/run_levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace touchstone::vnv {
+namespace {
+
+using ARun = Run;  // inside a test, Run is GoogleTest's
+
+const Case in_half_a_second{.times = {0.5, 1}, .measurements = {}, .methods = {}};
+
+/// A method of two levels whose runs do this.
+Method doing(std::function<ARun(const Level&, const Schedule&)> run) {
+  return {.name = "made_up",
+          .run = std::move(run),
+          .levels = {{.name = "coarse", .spacing = 0.2, .acceptance = 0.5, .report = 1},
+                     {.name = "fine", .spacing = 0.1, .report = 1}}};
+}
+
+ARun ended(const Schedule& when) {
+  return {.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished", .cost = {.steps = 7}}};
+}
+
+TEST(RunRungs, RunsThoseOfTheSuiteUntilItsTime) {
+  const Method method = doing([](const Level&, const Schedule& when) { return ended(when); });
+  const auto few = run_levels("case", in_half_a_second, method, Suite::acceptance);
+  ASSERT_EQ(few.size(), 1u);
+  EXPECT_EQ(few[0].summary.level, "coarse");
+  EXPECT_EQ(few[0].summary.end_time, 0.5);
+  EXPECT_EQ(run_levels("case", in_half_a_second, method, Suite::report).size(), 2u);
+}
+
+TEST(RunRungs, RepeatsShortRunsWhereCostIsShown) {
+  const Method method = doing([](const Level&, const Schedule& when) { return ended(when); });
+  Case declared = in_half_a_second;
+  declared.repeats = {.budget = 10, .most = 3, .longest = 10};
+  EXPECT_EQ(run_levels("case", declared, method, Suite::report)[1].summary.cost.repeats, 3);
+  EXPECT_EQ(run_levels("case", declared, method, Suite::acceptance)[0].summary.cost.repeats, 1);
+}
+
+TEST(RunRungs, ChargeTheHarnessWithTheProcessAndNotWithTheSteps) {
+  const Method method = doing([](const Level&, const Schedule& when) {
+    ARun run = ended(when);
+    const StopWatch watch;
+    while (watch.seconds() < 0.2) {
+    }
+    return run;
+  });
+  const auto runs = run_levels("case", in_half_a_second, method, Suite::acceptance);
+  EXPECT_GT(runs[0].summary.cost.harness, 0);
+  EXPECT_LT(runs[0].summary.cost.harness, 0.1);
+  EXPECT_GT(runs[0].summary.cost.peak_memory, 1e5);
+}
+
+TEST(RunRungs, LeavesARunThatDidNotFinishWhereOneDied) {
+  const Method method = doing([](const Level& level, const Schedule& when) {
+    if (level.name == "fine") raise(SIGKILL);
+    return ended(when);
+  });
+  const auto runs = run_levels("case", in_half_a_second, method, Suite::report);
+  EXPECT_TRUE(runs[0].summary.finished);
+  EXPECT_FALSE(runs[1].summary.finished);
+  EXPECT_NE(runs[1].summary.outcome.find("died of signal 9"), std::string::npos) << runs[1].summary.outcome;
+}
+
+TEST(RunRungs, PassesOnThatInputIsRefused) {
+  const Method method = doing([](const Level&, const Schedule&) -> ARun { throw std::invalid_argument("spacing"); });
+  EXPECT_THROW(run_levels("case", in_half_a_second, method, Suite::report), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchstone::vnv

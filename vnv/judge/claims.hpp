@@ -1,0 +1,94 @@
+#pragma once
+/// A claim says what a method achieves, on whose word; a verdict says whether it does.
+
+#include "vnv/record/record.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace touchstone::vnv {
+
+/// Who set a limit: `theory`, `literature` or `baseline`, and where to look it up.
+struct Author {
+  std::string words;
+};
+inline Author theory(std::string_view source) { return {"theory: " + std::string(source)}; }
+inline Author baseline(std::string_view source) { return {"baseline: " + std::string(source)}; }
+inline Author literature(std::string_view source) { return {"literature: " + std::string(source)}; }
+
+/// A quantity lies between limits, in the unit that its name ends with ("L2 v_x, row means [%]").
+struct Claim {
+  std::string quantity;
+  std::optional<double> lower, upper;
+  Author author;
+  std::string level = "";                             // where it holds; empty: on every level
+  double time = not_a_number;                         // s  when it holds; not a number: at every time
+  std::string ladder = "";                            // for an observed order: over which levels
+  std::optional<double> surely_above = std::nullopt;  // for an observed order: where its interval has to begin
+  long least_levels = 2;                              // for an observed order: suites that run fewer are not asked
+
+  Claim on(std::string_view name) const {
+    Claim claim = *this;
+    claim.level = name;
+    return claim;
+  }
+  Claim at(double when) const {
+    Claim claim = *this;
+    claim.time = when;
+    return claim;
+  }
+  Claim over(long levels) const {
+    Claim claim = *this;
+    claim.least_levels = levels;
+    return claim;
+  }
+  /// Whether it speaks of a value; times agree to nine digits.
+  bool covers(std::string_view its_level, double its_time) const;
+};
+
+inline Claim at_most(std::string_view quantity, double limit, Author author) {
+  return {std::string(quantity), std::nullopt, limit, std::move(author)};
+}
+inline Claim at_least(std::string_view quantity, double limit, Author author) {
+  return {std::string(quantity), limit, std::nullopt, std::move(author)};
+}
+inline Claim between(std::string_view quantity, double low, double high, Author author) {
+  return {std::string(quantity), low, high, std::move(author)};
+}
+/// The observed order of a quantity over a ladder. Judged only where its 95 % interval is narrower than 0.3 to each
+/// side; else the verdict is inconclusive, which is no pass.
+inline Claim order_between(std::string_view ladder, std::string_view quantity, double low, double high, Author author) {
+  Claim claim = between(quantity, low, high, std::move(author));
+  claim.ladder = ladder;
+  return claim;
+}
+
+/// The claim of a method that it converges: its order, above a floor if one was found, is no less than `low`, and the
+/// whole 95 % interval lies above `surely_above`. An inconclusive trend is inconclusive here too; stalled or diverging
+/// errors fail.
+inline Claim order_at_least(std::string_view ladder, std::string_view quantity, double low, double surely_above,
+                            Author author) {
+  Claim claim = at_least(quantity, low, std::move(author));
+  claim.ladder = ladder;
+  claim.surely_above = surely_above;
+  return claim;
+}
+
+/// Where a value was measured.
+struct Place {
+  std::string case_name, method, level;
+  double spacing = not_a_number;  // m
+  double time = not_a_number;     // s
+};
+
+/// Judges a value. Written so that a value that is not a number fails.
+Verdict judge(const Claim& claim, const Place& place, double value);
+
+/// Judges an observed order.
+Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order);
+
+/// A verdict on a value that nothing judges.
+Verdict inconclusive(const Claim& claim, const Place& place, double value, std::string_view why);
+
+}  // namespace touchstone::vnv

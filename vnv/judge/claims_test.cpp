@@ -1,0 +1,110 @@
+#include "vnv/judge/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace touchstone::vnv {
+namespace {
+
+const Place here{"poiseuille", "sph", "S2", 1.25e-5, 1};
+const Claim small = at_most("L2 v_x [%]", 2.33, literature("Sun et al., table 3, S2"));
+
+TEST(Claim, HoldsUpToItsLimitAndNotBeyond) {
+  EXPECT_EQ(judge(small, here, 2.33).outcome, Outcome::holds);
+  EXPECT_EQ(judge(small, here, 2.3301).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least("order [-]", 1, theory("")), here, 0.99).outcome, Outcome::fails);
+}
+
+TEST(Claim, IsTwoSidedBetweenLimits) {
+  const Claim claim = between("L2 [%]", 1, 3, theory(""));
+  EXPECT_EQ(judge(claim, here, 0.9).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, 2).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, 3.1).outcome, Outcome::fails);
+  EXPECT_DOUBLE_EQ(judge(claim, here, 2).margin, 1);
+}
+
+TEST(Claim, FailsForWhatIsNotANumber) {
+  EXPECT_EQ(judge(small, here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least("x", -1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(between("x", -1e300, 1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+}
+
+TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
+  EXPECT_EQ(
+      judge(small, here, 2.51).sentence,
+      "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s, limit 2.33 % (literature: Sun et al., table 3, S2), margin -8 %: FAILS");
+}
+
+TEST(Claim, OfAValueThatNothingJudgesTellsTheValueAndWhy) {
+  const Verdict v = inconclusive(between("L2 v_x [%]", -INFINITY, INFINITY, baseline("")), here, 2.51, "nobody knows");
+  EXPECT_EQ(v.outcome, Outcome::inconclusive);
+  EXPECT_EQ(v.sentence, "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s: nobody knows: INCONCLUSIVE");
+}
+
+TEST(Claim, CoversItsRungAndTimeOnly) {
+  const Claim claim = small.on("S2").at(0.1);
+  EXPECT_TRUE(claim.covers("S2", 0.1 + 1e-12));
+  EXPECT_FALSE(claim.covers("S3", 0.1));
+  EXPECT_FALSE(claim.covers("S2", 0.2));
+  EXPECT_TRUE(small.covers("anything", 7));
+}
+
+ObservedOrder order(double value, double half_width) {
+  ObservedOrder o;
+  o.order = value;
+  o.half_width = half_width;
+  o.trend = std::isnan(value) ? Trend::inconclusive : Trend::converging;
+  return o;
+}
+
+TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
+  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  EXPECT_EQ(judge(claim, here, order(2, 0.1)).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, order(2, 0.5)).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(2, std::numeric_limits<double>::infinity())).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(1, 0.1)).outcome, Outcome::fails);
+}
+
+TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  EXPECT_EQ(judge(claim, here, order(3, 0.1)).outcome, Outcome::holds);
+  EXPECT_EQ(judge(claim, here, order(1.95, 0.25)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(1.85, 0.01)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(1.95, 0.31)).outcome, Outcome::inconclusive);
+  EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
+  EXPECT_NE(judge(claim, here, order(3, 0.1)).sentence.find("expected surely above 1.75"), std::string::npos);
+}
+
+TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  ObservedOrder found = order(2, 0.1);
+  for (const auto& [trend, outcome] :
+       {std::pair(Trend::stalled, Outcome::fails), std::pair(Trend::diverging, Outcome::fails),
+        std::pair(Trend::inconclusive, Outcome::inconclusive)}) {
+    found.trend = trend;
+    EXPECT_EQ(judge(claim, here, found).outcome, outcome) << name_of(trend);
+  }
+}
+
+TEST(OrderClaim, OfConvergenceIsJudgedAboveTheFloor) {
+  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  ObservedOrder found = order(1.5, 0.1);
+  found.floor = 0.01;
+  found.order_to_floor = 2;
+  found.order_to_floor_half_width = 0.05;
+  const Verdict verdict = judge(claim, here, found);
+  EXPECT_EQ(verdict.outcome, Outcome::holds);
+  EXPECT_EQ(verdict.value, 2);
+  EXPECT_NE(verdict.sentence.find("above a floor of 0.01, converging"), std::string::npos) << verdict.sentence;
+}
+
+TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {
+  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  EXPECT_EQ(judge(claim, here, order(-2, 0.1)).outcome, Outcome::fails);
+  EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
+}
+
+}  // namespace
+}  // namespace touchstone::vnv

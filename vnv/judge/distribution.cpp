@@ -1,0 +1,97 @@
+#include "vnv/judge/distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+namespace touchstone::vnv {
+namespace {
+
+/// All values in order, and of which of two samples each is.
+struct Pooled {
+  std::vector<double> values{};
+  std::vector<char> of_first{};
+  double first = 0, second = 0;  // how many
+};
+
+Pooled pooled(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<std::pair<double, char>> all;
+  for (const double value : a) all.emplace_back(value, true);
+  for (const double value : b) all.emplace_back(value, false);
+  std::ranges::sort(all);
+  Pooled both{.first = static_cast<double>(a.size()), .second = static_cast<double>(b.size())};
+  for (const auto& [value, of_first] : all) {
+    both.values.push_back(value);
+    both.of_first.push_back(of_first);
+  }
+  return both;
+}
+
+/// The area between the two distribution functions.
+double distance_of(const Pooled& both) {
+  double ahead = 0, area = 0;  // of the first function
+  for (std::size_t k = 0; k + 1 < both.values.size(); ++k) {
+    ahead += both.of_first[k] ? 1 / both.first : -1 / both.second;
+    area += std::abs(ahead) * (both.values[k + 1] - both.values[k]);
+  }
+  return area;
+}
+
+/// Of Anderson & Darling, but for a factor; between equal values there is no place to look.
+double unlikeness_of(const Pooled& both) {
+  const double all = both.first + both.second;
+  double of_first = 0, since_last = 0, sum = 0;
+  for (std::size_t k = 0; k + 1 < both.values.size(); ++k) {
+    of_first += both.of_first[k];
+    ++since_last;
+    if (both.values[k] == both.values[k + 1]) continue;
+    const double below = static_cast<double>(k + 1), excess = all * of_first - both.first * below;
+    sum += since_last * excess * excess / (below * (all - below));
+    since_last = 0;
+  }
+  return sum;
+}
+
+bool is_finite(const std::vector<double>& sample) {
+  return !sample.empty() && std::ranges::all_of(sample, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+double quantile(std::vector<double> sample, double share) {
+  if (sample.empty() || !(share >= 0 && share <= 1))
+    throw std::invalid_argument(
+        fmt::format("quantile: {} values, share {}, expected at least one and 0 to 1", sample.size(), share));
+  std::ranges::sort(sample);
+  const double place = share * static_cast<double>(sample.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  if (below + 1 == sample.size()) return sample.back();
+  return std::lerp(sample[below], sample[below + 1], place - static_cast<double>(below));
+}
+
+double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  if (!is_finite(a) || !is_finite(b)) return std::numeric_limits<double>::quiet_NaN();
+  return distance_of(pooled(a, b));
+}
+
+double chance_of_being_so_unlike(const std::vector<double>& a, const std::vector<double>& b, long deals) {
+  if (!is_finite(a) || !is_finite(b)) return 0;
+  Pooled both = pooled(a, b);
+  const double found =
+      unlikeness_of(both) * (1 - 1e-12);  // a deal that is this one is as unlike, whatever sums round to
+  std::mt19937_64 random(20);             // std::shuffle differs between standard libraries
+  long as_unlike = 0;
+  for (long deal = 0; deal < deals; ++deal) {
+    for (std::size_t k = both.of_first.size() - 1; k > 0; --k)
+      std::swap(both.of_first[k], both.of_first[random() % (k + 1)]);
+    as_unlike += unlikeness_of(both) >= found;
+  }
+  return static_cast<double>(as_unlike + 1) / static_cast<double>(deals + 1);
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,74 @@
+#include "vnv/judge/distribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+namespace touchstone::vnv {
+namespace {
+
+/// So many values of a normal distribution, by the method of Box & Muller.
+std::vector<double> normal(int seed, double mean, double deviation, int count = 16) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  std::vector<double> sample;
+  for (int k = 0; k < count; ++k)
+    sample.push_back(mean + deviation * std::sqrt(-2 * std::log(uniform())) * std::cos(6.283185307179586 * uniform()));
+  return sample;
+}
+
+TEST(Quantile, LiesBetweenTheMembers) {
+  EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
+  EXPECT_EQ(quantile({3, 1, 2}, 0), 1);
+  EXPECT_EQ(quantile({3, 1, 2}, 1), 3);
+  EXPECT_EQ(quantile({0, 10}, 0.25), 2.5);
+  EXPECT_EQ(quantile({7}, 0.3), 7);
+  EXPECT_THROW(quantile({}, 0.5), std::invalid_argument);
+  EXPECT_THROW(quantile({1}, 1.5), std::invalid_argument);
+}
+
+TEST(WassersteinDistance, IsHowFarASampleIsMoved) {
+  EXPECT_DOUBLE_EQ(wasserstein_distance({1, 2, 4}, {3, 4, 6}), 2);
+  EXPECT_DOUBLE_EQ(wasserstein_distance({1, 3}, {2}), 1);
+  EXPECT_DOUBLE_EQ(wasserstein_distance({0, 0, 0, 1}, {0, 1}), 0.25);
+  EXPECT_EQ(wasserstein_distance({5, 1, 3}, {1, 3, 5}), 0);
+}
+
+TEST(WassersteinDistance, IsNoneWhereThereIsNoNumber) {
+  EXPECT_TRUE(std::isnan(wasserstein_distance({}, {1})));
+  EXPECT_TRUE(std::isnan(wasserstein_distance({1}, {std::numeric_limits<double>::infinity()})));
+  EXPECT_EQ(chance_of_being_so_unlike({1}, {std::nan("")}), 0);
+}
+
+TEST(ChanceOfBeingSoUnlike, IsExactForSamplesOfWhichAllDealsAreKnown) {
+  // Of the 20 ways to deal six values, two are as unlike as this one.
+  EXPECT_NEAR(chance_of_being_so_unlike({1, 2, 3}, {11, 12, 13}), 0.1, 0.005);
+  EXPECT_EQ(chance_of_being_so_unlike({1, 1}, {1, 1}), 1);
+}
+
+TEST(ChanceOfBeingSoUnlike, CountsEqualValuesOnce) {
+  EXPECT_EQ(chance_of_being_so_unlike({1, 1, 2}, {1, 1, 2}), 1);
+  EXPECT_NEAR(chance_of_being_so_unlike({1, 1, 1}, {2, 2, 2}), 0.1, 0.005);
+}
+
+TEST(ChanceOfBeingSoUnlike, IsEvenAmongSamplesOfOneDistribution) {
+  int below_a_tenth = 0, below_a_hundredth = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double chance = chance_of_being_so_unlike(normal(2 * k, 1, 0.3), normal(2 * k + 1, 1, 0.3), 999);
+    below_a_tenth += chance <= 0.1;
+    below_a_hundredth += chance <= 0.01;
+  }
+  EXPECT_NEAR(below_a_tenth, 40, 18);  // three standard deviations
+  EXPECT_LE(below_a_hundredth, 10);
+}
+
+TEST(ChanceOfBeingSoUnlike, IsSmallForAnotherMeanAndForAnotherSpread) {
+  EXPECT_LT(chance_of_being_so_unlike(normal(1, 1, 0.3), normal(2, 1.6, 0.3)), 1e-3);
+  EXPECT_LT(chance_of_being_so_unlike(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
+}
+
+}  // namespace
+}  // namespace touchstone::vnv

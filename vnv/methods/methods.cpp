@@ -1,0 +1,7 @@
+#include "vnv/methods/methods.hpp"
+
+namespace touchstone::vnv {
+
+TOUCHSTONE_METHODS(template, Scene<Newtonian>)
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,171 @@
+#include "vnv/run/run.hpp"
+
+#include "solvers/stepping/diverged.hpp"
+#include "vnv/run/progress.hpp"
+#include "vnv/run/soundness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace touchstone::vnv {
+namespace {
+
+/// A simulation that is watched as it goes.
+class Watched {
+ public:
+  Watched(Simulation simulation, const std::string& name, double end, Stepping stepping)
+      : simulation_(std::move(simulation)),
+        stepping_(stepping),
+        pace_(simulation_),
+        soundness_(simulation_.medium(), simulation_.samples()),
+        progress_(name, end) {}
+
+  /// Steps until its time is nearest to a target [s], in steps that may be longer than those before. Throws Diverged.
+  void step_to(double target) {
+    constexpr long batch = 50;  // the watch is read, and the pace kept, once in so many steps
+    bool may_lengthen = true;
+    for (long left = steps_to(target); left > 0; left = steps_to(target)) {
+      if (stepping_ == Stepping::adaptive) {
+        keep_pace(target, may_lengthen);
+        left = steps_to(target);
+        may_lengthen = false;
+      }
+      const StopWatch watch;
+      for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
+      seconds_ += watch.seconds();
+      progress_.show(simulation_.time());
+      if (simulation_.steps() - last_look_ >= steps_between_looks) sound_samples();
+    }
+  }
+
+  /// Throws Diverged for what is no flow any more.
+  Samples sound_samples() {
+    Samples samples = simulation_.samples();
+    soundness_.require(samples, simulation_.steps());
+    last_look_ = simulation_.steps();
+    return samples;
+  }
+
+  const Simulation& simulation() const { return simulation_; }
+  const std::vector<StepChange>& changes() const { return changes_; }
+  long last_look() const { return last_look_; }  // the step of the last look that found it sound
+  double stepping() const { return seconds_; }   // s  wall time of all steps
+
+ private:
+  long steps_to(double target) const {
+    return std::lround(std::ceil((target - simulation_.time()) / simulation_.time_step() - 0.5));
+  }
+
+  /// Shortens the steps to a whole number of them up to the target [s] where the flow needs it, and takes the given one
+  /// again where it does not.
+  void keep_pace(double target, bool may_lengthen) {
+    const double longest = pace_.longest(simulation_), now = simulation_.time_step();
+    if (longest >= now && !may_lengthen) return;
+    const double left = target - simulation_.time();
+    const double next = longest < pace_.given() ? left / std::ceil(left / longest * (1 - 1e-9)) : longest;
+    if (std::abs(next - now) <= 1e-9 * now) return;
+    simulation_.change_time_step(next);
+    changes_.push_back({simulation_.steps(), next});
+  }
+
+  Simulation simulation_;
+  Stepping stepping_;
+  Pace pace_;
+  std::vector<StepChange> changes_;
+  Soundness soundness_;
+  Progress progress_;
+  long last_look_ = 0;
+  double seconds_ = 0;
+};
+
+/// How the run ends when it is made again and looked at after each step from the last look on, which was sound; `seen`
+/// is how it ended before.
+std::string run_closely(Simulation simulation, const Watched& watched, const std::string& seen) {
+  try {
+    const Soundness soundness(simulation.medium(), simulation.samples());
+    auto change = watched.changes().begin();
+    while (simulation.steps() <= watched.last_look() + steps_between_looks) {
+      for (; change != watched.changes().end() && change->after == simulation.steps(); ++change)
+        simulation.change_time_step(change->time_step);
+      simulation.step();
+      if (simulation.steps() > watched.last_look()) soundness.require(simulation.samples(), simulation.steps());
+    }
+  } catch (const Diverged& diverged) {
+    return diverged.what();
+  }
+  return seen;  // a solver that is not the same each time
+}
+
+/// Samples at the times of the schedule, and what its watch sees, into the run.
+void sample(Watched& watched, const Schedule& when, Run& run) {
+  const double dt = run.summary.time_step;
+  std::size_t kept = 0;
+  for (long looks = 0; kept < when.times.size();) {
+    const double next_look = when.watch.see ? static_cast<double>(looks) * when.watch.every : when.times.back();
+    const double target = std::min(next_look, when.times[kept]);
+    watched.step_to(target);
+    Samples samples = watched.sound_samples();
+    if (std::abs(samples.time - target) < 1e-9 * target) samples.time = target;  // but for rounding
+    if (when.watch.see && next_look <= target + dt / 2) {
+      run.history.time.push_back(samples.time);
+      run.history.seen.push_back(when.watch.see(samples));
+      ++looks;
+    }
+    if (when.times[kept] <= target + dt / 2) {
+      run.samples.push_back(std::move(samples));
+      ++kept;
+    }
+  }
+}
+
+}  // namespace
+
+Run run_of_trials(const CostMeter& meter, long particles, long boundary_particles, long steps) {
+  Run run;
+  run.summary.finished = true;
+  run.summary.outcome = "finished";
+  Cost& cost = run.summary.cost;
+  cost = meter.read();
+  cost.stepping = cost.wall;
+  cost.particles = particles;
+  cost.boundary_particles = boundary_particles;
+  cost.steps = steps;
+  return run;
+}
+
+Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping) {
+  if (when.watch.see && !(when.watch.every > 0 && std::isfinite(when.watch.every)))
+    throw std::invalid_argument(
+        fmt::format("{}: watch every {} s, expected a positive time", when.name, when.watch.every));
+  Run run;
+  Watched watched(make(), when.name, when.times.back(), stepping);
+  const Simulation& simulation = watched.simulation();
+  run.summary.time_step = simulation.time_step();
+  const CostMeter meter;
+  std::string fault;
+  try {
+    sample(watched, when, run);
+    run.summary.finished = true;
+    run.summary.outcome = "finished";
+  } catch (const Diverged& diverged) {
+    fault = diverged.what();
+  }
+  Cost& cost = run.summary.cost;
+  cost = meter.read();
+  cost.stepping = watched.stepping();
+  cost.harness = cost.wall - cost.stepping;
+  cost.particles = simulation.particles();
+  cost.boundary_particles = simulation.boundary_particles();
+  cost.steps = simulation.steps();
+  run.summary.end_time = run.summary.finished ? when.times.back() : simulation.time();
+  if (!run.summary.finished) run.summary.outcome = run_closely(make(), watched, fault);
+  if (!watched.changes().empty())
+    run.add(shortest_step_taken,
+            std::ranges::min(watched.changes(), {}, &StepChange::time_step).time_step / run.summary.time_step);
+  return run;
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,78 @@
+#pragma once
+/// The only time loop: step to each asked time, take samples, keep account of what it cost.
+
+#include "vnv/record/record.hpp"
+#include "vnv/run/cost.hpp"
+#include "vnv/run/pace.hpp"
+#include "vnv/run/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Numbers that are followed over time, more often than all particles are kept.
+struct Watch {
+  double every = std::numeric_limits<double>::infinity();  // s
+  std::function<std::vector<double>(const Samples&)> see{};
+};
+
+/// When to look at a run.
+struct Schedule {
+  std::vector<double> times;  // s  rising; all particles are kept at these, and the run ends at the last
+  Watch watch{};
+  std::string name{};  // for the progress line
+};
+
+/// What the watch saw.
+struct History {
+  std::vector<double> time;               // s
+  std::vector<std::vector<double>> seen;  // one row a time
+};
+
+/// What came of one run. A diverged run holds what was sampled before.
+struct Run {
+  RunSummary summary{};
+  std::vector<Samples> samples{};
+  History history{};
+  std::vector<Error> found{};   // values that the run itself measured, such as a critical time step
+  std::vector<Curve> curves{};  // that the run itself drew, of figures that a plot of the case declares
+
+  /// Adds a value that the run itself measured.
+  void add(std::string_view quantity, double value) {
+    found.push_back({"", 0, not_a_number, std::string(quantity), value});
+  }
+  /// Such a value; not a number if there is none.
+  double value_of(std::string_view quantity) const {
+    const auto named = std::ranges::find(found, quantity, &Error::quantity);
+    return named == found.end() ? not_a_number : named->value;
+  }
+
+  /// The samples at a time [s], or null. Times agree to half a time step.
+  const Samples* at(double time) const {
+    for (const Samples& s : samples)
+      if (std::abs(s.time - time) <= 0.51 * summary.time_step) return &s;
+    return nullptr;
+  }
+};
+
+/// Runs a simulation to the last time of the schedule. Divergence is a result, not an error: the watch looks at all
+/// particles every few hundred steps, and a run that is no flow any more is made again up to the last look, and on
+/// step by step, so that what it ends with names the first step and the particle.
+Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping = Stepping::as_given);
+
+/// What a run says whose step was shortened.
+inline const std::string shortest_step_taken = "shortest step over the one given [-]";
+
+/// A run that is made of many simulations, to find something out: what they cost together, by the meter, the number
+/// of their particles and the steps of all.
+Run run_of_trials(const CostMeter& meter, long particles, long boundary_particles, long steps);
+
+/// How often the watch looks [steps]: each look costs about as much as a step or two.
+inline constexpr long steps_between_looks = 500;
+
+}  // namespace touchstone::vnv

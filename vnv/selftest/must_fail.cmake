@@ -1,9 +1,0 @@
-# Runs COMMAND, which must fail by itself (not by a signal) and say WANTED, a regular expression, in its output.
-execute_process(COMMAND ${COMMAND} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT result MATCHES "^[1-9][0-9]*$")
-  message(FATAL_ERROR "ended with '${result}', wanted a failure of its own; it said:\n${output}")
-endif()
-if(NOT output MATCHES "${WANTED}")
-  message(FATAL_ERROR "failed without the words '${WANTED}'; it said:\n${output}")
-endif()
-message("${output}")

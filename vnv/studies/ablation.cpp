@@ -1,0 +1,87 @@
+#include "vnv/studies/ablation.hpp"
+
+#include "vnv/plots/along_ladders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace touchstone::vnv {
+namespace {
+
+double found_step(const Run& run) {
+  const auto step = std::ranges::find(run.found, critical_step_found, &Error::quantity);
+  return step == run.found.end() ? not_a_number : step->value * us;
+}
+
+Outcomes outcomes_of(const Run& run, const Record& record, const Pick& error) {
+  return {.finished = run.summary.finished,
+          .error = error(record, run).value_or(not_a_number),
+          .critical_step = found_step(run),
+          .per_particle_step = run.summary.cost.per_particle_step()};
+}
+
+bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+double change_in_percent(double of_whole, double without) { return 100 * (without / of_whole - 1); }
+
+std::vector<Cell> row_of(const Results& results, const Run& run, const Outcomes& all, const Outcomes& one,
+                         bool has_more) {
+  const bool is_whole = run.summary.level == unabridged;
+  std::vector<Cell> row = {results.method.name, run.summary.level, run.summary.end_time};
+  const auto add = [&](double scale, double Outcomes::*value) {
+    row.push_back(scale * one.*value);
+    row.push_back(is_whole ? Cell("") : Cell(change_in_percent(all.*value, one.*value)));
+  };
+  add(1, &Outcomes::error);
+  add(1 / us, &Outcomes::critical_step);
+  add(1e9, &Outcomes::per_particle_step);
+  row.push_back(is_whole ? "" : has_more ? needed_for(one, all) : needed_for(all, one));
+  return row;
+}
+
+}  // namespace
+
+std::string needed_for(const Outcomes& whole_method, const Outcomes& without) {
+  const bool accuracy = without.finished && !(without.error <= 1.1 * whole_method.error);
+  const bool stability = !without.finished || !(without.critical_step >= 0.95 * whole_method.critical_step);
+  if (accuracy && stability) return "accuracy and stability";
+  return accuracy ? "accuracy" : stability ? "stability" : "neither";
+}
+
+Method ablation(Method method, const Level& level, std::vector<Variant> variants) {
+  if (variants.empty() || variants.front().name != unabridged)
+    throw std::invalid_argument(fmt::format("{}: expected the {} method as first variant", method.name, unabridged));
+  for (const Variant& variant : variants) {
+    method.levels.push_back(level);
+    method.levels.back().name = variant.name;
+    method.levels.back().may_diverge = variant.name != unabridged;
+  }
+  method.run = [variants](const Level& one, const Schedule& when) {
+    return std::ranges::find(variants, one.name, &Variant::name)->run(one, when);
+  };
+  return method;
+}
+
+Plot ablation_table(std::string quantity, std::vector<std::string> with_more) {
+  return [=](const Results& results, Record& record) {
+    Table table{"ablation",
+                "What each ingredient is needed for",
+                "Each variant lacks one ingredient of the whole method, or has another in its place. An ingredient is "
+                "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "
+                "not end or the critical step falls by more than a twentieth. Errors are those at the end of the run.",
+                {"method", "variant", "end [s]", quantity, "change [%]", "critical step [us]", "change [%]",
+                 "ns per particle-step", "change [%]", "needed for"},
+                {}};
+    const Pick error = error_of(quantity, results.runs.front().summary.end_time);
+    for (const Run& run : results.runs)
+      table.rows.push_back(row_of(results, run, outcomes_of(results.runs.front(), record, error),
+                                  outcomes_of(run, record, error), is_one_of(with_more, run.summary.level)));
+    record.tables.push_back(std::move(table));
+  };
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,71 @@
+#include "vnv/studies/run_time.hpp"
+
+#include "vnv/plots/along_ladders.hpp"
+#include "vnv/record/work_precision.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+namespace {
+
+/// "%" of "L2 v_x [%]".
+std::string unit_of(const std::string& quantity) {
+  const auto open = quantity.rfind('['), close = quantity.rfind(']');
+  return open == std::string::npos ? "" : quantity.substr(open + 1, close - open - 1);
+}
+
+}  // namespace
+
+std::string family_of(const std::string& method) { return method.starts_with("mpm") ? "MPM" : "SPH"; }
+
+std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, const Results& results,
+                                   const Record& record) {
+  std::vector<WorkPoint> points;
+  for (const Run& run : results.runs) {
+    if (!run.summary.finished) continue;
+    const Cost& cost = run.summary.cost;
+    const std::optional<double> error = error_of(diagram.quantity, time)(record, run);
+    const double share = error ? time / run.summary.end_time : not_a_number;  // a shorter run tells the cost of a step
+    points.push_back({.diagram = diagram.id,
+                      .series = results.method.name,
+                      .family = family_of(results.method.name),
+                      .run = run.summary.level,
+                      .particles = static_cast<double>(cost.particles),
+                      .per_step = cost.per_step(),
+                      .error = error.value_or(not_a_number),
+                      .cpu = share * cost.cpu,
+                      .cpu_lowest = share * cost.cpu_lowest,
+                      .cpu_highest = share * cost.cpu_highest});
+  }
+  return points;
+}
+
+Plot error_against_run_time(WorkDiagram diagram, double time, std::vector<WorkPoint> elsewhere) {
+  return [=](const Results& results, Record& record) {
+    record.diagrams.push_back(diagram);
+    const std::vector<WorkPoint> ours = work_points(diagram, time, results, record);
+    record.work.insert(record.work.end(), ours.begin(), ours.end());
+    for (WorkPoint point : elsewhere) {
+      point.diagram = diagram.id;
+      point.elsewhere = true;
+      record.work.push_back(point);
+    }
+  };
+}
+
+std::string price_of(const WorkDiagram& diagram, double target) {
+  const std::string unit = unit_of(diagram.quantity);
+  return fmt::format("CPU time to {:g}{} [s]", target, unit.empty() || unit == "-" ? "" : " " + unit);
+}
+
+Finding prices(WorkDiagram diagram, double time) {
+  return [=](const Results& results, const Record& record) {
+    const std::vector<WorkPoint> points = work_points(diagram, time, results, record);
+    std::vector<Error> found;
+    for (const double target : diagram.targets)
+      found.push_back({"", not_a_number, time, price_of(diagram, target), time_to_error(points, target).cpu});
+    return found;
+  };
+}
+
+}  // namespace touchstone::vnv

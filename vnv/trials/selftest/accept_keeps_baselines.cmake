@@ -1,0 +1,18 @@
+# A method whose claims fail is not accepted: PROGRAM leaves its baselines as they were. Here, and only here, a test goes
+# as a person, in a folder of its own.
+set(data ${BUILD}/selftest_data)
+set(file ${data}/baselines/wrong_oracle.csv)
+file(REMOVE_RECURSE ${data})
+file(WRITE ${file} "# title: t\n# revision: r\n# date: d\n# reason: first\nmethod,level,time [s],quantity,value,lower,upper,basis\nmpm,M1,0.1,L2 [%],1,0.5,1.5,b\n")
+file(READ ${file} before)
+unset(ENV{DASHBOARD_TEST_FROM_CTEST})
+unset(ENV{CTEST_INTERACTIVE_DEBUG_MODE})
+execute_process(COMMAND ${PROGRAM} --data ${data} --accept "because" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+file(READ ${file} after)
+if(result EQUAL 0 OR NOT output MATCHES "nothing is accepted while a claim does not hold")
+  message(FATAL_ERROR "ended with '${result}', expected a refusal; it said:\n${output}")
+endif()
+if(NOT after STREQUAL before)
+  message(FATAL_ERROR "${file} was changed to:\n${after}")
+endif()
+file(REMOVE_RECURSE ${data})
