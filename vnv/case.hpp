@@ -1,6 +1,7 @@
 #pragma once
 /// What a case file declares: scene, oracle, measures, methods, limits and plots, and no loop.
 
+#include "vnv/files/data_folder.hpp"
 #include "vnv/judge/claims.hpp"
 #include "vnv/run/run.hpp"
 
@@ -120,8 +121,5 @@ Case with_plots(Case declared, const std::vector<Plot>& plots);
 
 /// Defined by the case file.
 Case the_case();
-
-/// The folder of the project's data, or the one that `--data` named.
-const std::filesystem::path& data_folder();
 
 }  // namespace touchstone::vnv

@@ -2,13 +2,21 @@
 /// plain loops they are measured against, as programs of Google Benchmark. Ratios that are judged are found by the case
 /// `speed`, which times in turn; this is for looking closely.
 
+#include "solvers/mpm/printed/mpm.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/printed/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/in_turn.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/case.hpp"
 #include "vnv/run/lap_clock.hpp"
 
 #include <benchmark/benchmark.h>
@@ -113,14 +121,22 @@ void add_loop(const std::string& name, Make make) {
 void add_channels() {
   for (const int k : {1, 2, 3, 4}) {
     const vnv::Level level{.name = std::to_string(k), .spacing = channel_cell / k, .cell = channel_cell};
-    add_solver("mpm/channel/M" + level.name, mpm_work,
-               [=] { return vnv::channel::mpm_solver<mpm::PrescribedMotion>(channel(), level, channel_step); });
+    add_solver("mpm/channel/M" + level.name, mpm_work, [=] {
+      return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+          channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step});
+    });
     add_loop("plain_musl/channel/M" + level.name,
              [=] { return PlainMusl(plain(channel()), level.cell, level.spacing, channel_step); });
     add_loop("mls_mpm/channel/M" + level.name,
              [=] { return MlsMpm(plain(channel()), level.cell, level.spacing, channel_step); });
-    add_solver("sph/channel/S" + level.name, sph_work,
-               [=] { return vnv::channel::printed_solver(channel(), level, channel_step); });
+    add_solver("sph/channel/S" + level.name, sph_work, [=] {
+      const double h = 1.2 * level.spacing;
+      const Newtonian water = channel().fluid;
+      return sph::printed<sph::CubicSpline>(
+          channel(), {.spacing = level.spacing, .smoothing_length = h, .time_step = channel_step},
+          sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = water.kinematic_viscosity(), .eta = 0.1 * h},
+                        sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h}));
+    });
     add_loop("plain_sph/channel/S" + level.name,
              [=] { return PlainSph(plain(channel()), level.spacing, channel_step); });
   }

@@ -1,10 +1,18 @@
 /// What each method needs in Poiseuille flow: one ingredient after the other is taken away, or exchanged.
 
 #include "reference/poiseuille.hpp"
-#include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/mpm/walls/prescribed_velocity.hpp"
-#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "solvers/forces/force_field.hpp"
+#include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/kernels/quintic_spline.hpp"
+#include "solvers/sph/printed/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/morris_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
+#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
 #include "vnv/studies/ablation.hpp"
@@ -31,11 +39,12 @@ struct StirredDrive {
   }
 };
 
-const Scene<Newtonian, StirredDrive> scene{
+const Scene<Newtonian, ForceField> scene{
     .domain = {.box = gap, .periodic_x = true},
     .fluid = water,
     .filled = gap,
     .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+    .body_force = {StirredDrive{}},
 };
 
 const reference::Poiseuille exact{.H = H, .F = F, .nu = water.kinematic_viscosity()};

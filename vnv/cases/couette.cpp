@@ -2,9 +2,6 @@
 /// slides at a constant velocity from t = 0; at 1 s the profile is the straight line to four digits.
 
 #include "reference/couette.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/mpm/walls/prescribed_velocity.hpp"
-#include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
 

@@ -1,8 +1,6 @@
 /// The largest stable time step of each method in Poiseuille flow, beside the Courant limit (31) of Sun et al.
 
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/mpm/walls/velocity_reset.hpp"
-#include "solvers/sph/terms/pressure_difference.hpp"
+#include "solvers/forces/force_field.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
 #include "vnv/stability/critical_step.hpp"
@@ -25,11 +23,12 @@ struct StirredDrive {
   }
 };
 
-const Scene<Newtonian, StirredDrive> scene{
+const Scene<Newtonian, ForceField> scene{
     .domain = {.box = gap, .periodic_x = true},
     .fluid = water,
     .filled = gap,
     .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+    .body_force = {StirredDrive{}},
 };
 
 /// The steady flow reaches 1 mm/s; ten times that is no flow any more.
@@ -108,7 +107,7 @@ Case vnv::the_case() {
                   {
                       .name = "sph",
                       .description = sph_printed_words + conservative_words,
-                      .run = searching([](const auto&... of) { return printed_solver(of...); }, 1.2),
+                      .run = searching([](const auto&... of) { return sph_printed_solver<>(of...); }, 1.2),
                       .levels = {level_of_sph("S1", H / 40), level_of_sph("S2", H / 80)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
@@ -116,8 +115,8 @@ Case vnv::the_case() {
                   {
                       .name = "sph_difference",
                       .description = sph_printed_words + difference_words,
-                      .run = searching([](const auto&... of) { return printed_solver<sph::PressureDifference>(of...); },
-                                       1.2),
+                      .run = searching(
+                          [](const auto&... of) { return sph_printed_solver<sph::PressureDifference>(of...); }, 1.2),
                       .levels = {level_of_sph("S1", H / 40, nightly_alone)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
@@ -125,7 +124,7 @@ Case vnv::the_case() {
                   {
                       .name = "sph_regularised",
                       .description = sph_regularised_words,
-                      .run = searching([](const auto&... of) { return transport_solver(of...); }, 1),
+                      .run = searching([](const auto&... of) { return sph_regularised_solver<>(of...); }, 1),
                       .levels = {level_of_sph("S1", H / 40), level_of_sph("S2", H / 80)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,
@@ -133,7 +132,8 @@ Case vnv::the_case() {
                   {
                       .name = "sph_one_evaluation",
                       .description = sph_regularised_words + one_evaluation_words,
-                      .run = searching([](const auto&... of) { return transport_solver<AdamsBashforth>(of...); }, 1),
+                      .run =
+                          searching([](const auto&... of) { return sph_regularised_solver<AdamsBashforth>(of...); }, 1),
                       .levels = {level_of_sph("S1", H / 40, nightly_alone)},
                       .claims = {morris, papers_step},
                       .tolerance = one_bisection,

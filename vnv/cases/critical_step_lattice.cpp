@@ -63,7 +63,7 @@ Run compare(const LatticeMethod& method, const RestingLattice& lattice) {
   const CriticalStep found = critical_step(solver_with, search);
   const double own = method.on(lattice, {}).time_step(lattice.level()) / a_length,
                limit = std::sqrt(found.low * found.high) / a_length,
-               linear = critical_courant(method.for_theory(), lattice, method.every, method.theory_from);
+               linear = critical_courant(method.for_theory(), lattice, method.every);
   const double beyond = 1.05 * limit, growth = growth_per_step(solver_with(beyond * a_length), search),
                linear_growth = spectrum(method.for_theory(), lattice, beyond, method.every).radius;
   Run run = run_of_trials(meter, lattice.particles(), 0, found.steps);

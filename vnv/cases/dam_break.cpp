@@ -3,17 +3,11 @@
 
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/sph/kernels/cubic_spline.hpp"
-#include "solvers/sph/printed/printed.hpp"
-#include "solvers/sph/terms/artificial_viscosity.hpp"
-#include "solvers/sph/terms/pressure.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "vnv/flows/dam_front.hpp"
 #include "vnv/measures/roughness.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
+#include "vnv/methods/setups.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
@@ -31,7 +25,8 @@ constexpr double output_interval = 0.01;                                     // 
 constexpr double mpm_step = 50 * us;                                         // as the paper
 constexpr double sph_step = 25 * us;  // half the paper's, with which S4 diverges as it meets the wall
 
-const Scene<Tait, Uniform> scene{
+using Dam = Scene<Tait, Uniform>;
+const Dam scene{
     .domain = {.box = {.high = {tank_length, tank_height}}},
     .fluid = {.density = 1000, .bulk_modulus = 0.36 * MPa},
     .filled = {.high = {l0, h0}},
@@ -46,27 +41,6 @@ const DamFront front{.column_length = l0,
                      .density = scene.fluid.density,
                      .gravity = g,
                      .slab = cell};
-
-Run run_mpm(const Level& level, const Schedule& when) {
-  return simulate(
-      [&] {
-        return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-            scene, {.cell = level.cell, .spacing = level.spacing, .time_step = mpm_step});
-      },
-      when);
-}
-
-Run run_sph(const Level& level, const Schedule& when) {
-  const double h = 1.2 * level.spacing;
-  return simulate(
-      [&] {
-        return sph::printed<sph::CubicSpline>(
-            scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = sph_step},
-            sph::momentum(sph::Pressure{},
-                          sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
-      },
-      when);
-}
 
 /// What is asked of the finest level that the report runs.
 std::vector<Claim> front_claims(const std::string& level) {
@@ -119,7 +93,7 @@ Case vnv::the_case() {
                .description =
                    "Material point method as printed by Sun et al., section 2.1, linear hats, cells of 0.02 m, "
                    "without viscosity, walls held at nodes with free slip, time step 50 us.",
-               .run = run_mpm,
+               .run = with_step(mpm_solver<mpm::PrescribedMotion, double, Dam>, scene, mpm_step),
                .levels =
                    {{.name = "M1", .spacing = cell, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
                     {.name = "M2", .spacing = cell / 2, .cell = cell, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
@@ -141,7 +115,7 @@ Case vnv::the_case() {
                    "spacings, artificial viscosity 0.01 and no other, ghosts with free slip, time step 25 us: with "
                    "the paper's 50 us pressure noise grows from 0.2 s on and a particle of S4 is pushed through the "
                    "wall at 0.385 s.",
-               .run = run_sph,
+               .run = with_step(sph_printed_solver<sph::Pressure, PredictorCorrector, Dam>, scene, sph_step),
                .levels = {{.name = "S1", .spacing = 0.02, .acceptance = 0.5, .report = 0.5, .nightly = 0.5},
                           {.name = "S2", .spacing = 0.01, .report = 0.5, .nightly = 0.5},
                           {.name = "S3", .spacing = 0.02 / 3, .report = 0.5, .nightly = 0.5},

@@ -9,8 +9,8 @@ using namespace touchstone::vnv;
 
 Case vnv::the_case() {
   Case declared = square::in_several_views(
-      square::PlaneFlow<manufactured::Sustaining>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
-                                                  [](const View& view) { return manufactured::Sustaining{view}; }},
+      square::PlaneFlow<ForceField>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
+                                    [](const View& view) { return ForceField{manufactured::Sustaining{view}}; }},
       0.2);
   declared.title = "Invariance: the manufactured solution";
   declared.description =

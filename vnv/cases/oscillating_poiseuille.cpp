@@ -1,6 +1,7 @@
 /// Plane Poiseuille flow whose force swings: Womersley's flow in the plane.
 
 #include "reference/oscillating_poiseuille.hpp"
+#include "solvers/forces/force_field.hpp"
 #include "solvers/forces/oscillating.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel_flow.hpp"
@@ -19,12 +20,12 @@ constexpr double omega = 2 * std::numbers::pi / period;
 
 const reference::OscillatingPoiseuille exact{.H = H, .F = F, .omega = omega, .nu = water.kinematic_viscosity()};
 
-const Scene<Newtonian, Oscillating> scene{
+const Scene<Newtonian, ForceField> scene{
     .domain = {.box = gap, .periodic_x = true},
     .fluid = water,
     .filled = gap,
     .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
-    .body_force = {{F, 0}, omega},
+    .body_force = {Oscillating{{F, 0}, omega}},
     .start = {.velocity = [](const Vec2& x) -> Vec2 {
       return {exact(x.y(), 0), 0};
     }},

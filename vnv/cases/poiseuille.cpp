@@ -3,8 +3,6 @@
 
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
 

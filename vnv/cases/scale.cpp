@@ -29,11 +29,10 @@ Scene<Newtonian, Uniform> channel_of(double particles) {
 }
 
 auto mpm_of(double particles) {
-  return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-      channel_of(particles), {.cell = channel_cell, .spacing = spacing, .time_step = channel_step});
+  return mpm_solver<>(channel_of(particles), {.name = "", .spacing = spacing, .cell = channel_cell}, channel_step);
 }
 auto sph_of(double particles) {
-  return channel::printed_solver(channel_of(particles), {.name = "", .spacing = spacing}, channel_step);
+  return sph_printed_solver<>(channel_of(particles), {.name = "", .spacing = spacing}, channel_step);
 }
 
 /// Bytes a second that this machine moves through as much memory as so many particles take, or a little less: the peak

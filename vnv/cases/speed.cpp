@@ -3,6 +3,14 @@
 
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/mpm/affine/affine.hpp"
+#include "solvers/mpm/printed/mpm.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/printed/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
@@ -37,7 +45,8 @@ template <>
 constexpr int evaluations<PredictorCorrector> = 2;
 
 Run race_mpm_in_channel(const Level& level, const Schedule&) {
-  return race(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), level, channel_step),
+  return race(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+                  bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
               PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
@@ -57,10 +66,10 @@ Run time_the_watch(Simulation simulation) {
   return run;
 }
 Run watch_mpm(const Level& level, const Schedule&) {
-  return time_the_watch(channel::mpm_solver<mpm::PrescribedMotion>(bench::channel(), level, channel_step));
+  return time_the_watch(mpm_solver<>(bench::channel(), level, channel_step));
 }
 Run watch_sph(const Level& level, const Schedule&) {
-  return time_the_watch(channel::printed_solver(bench::channel(), level, channel_step));
+  return time_the_watch(sph_printed_solver<>(bench::channel(), level, channel_step));
 }
 
 auto dam_mpm(const Vec2& tank, const Level& level) {

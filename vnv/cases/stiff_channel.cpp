@@ -3,7 +3,6 @@
 
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
 

@@ -3,25 +3,13 @@
 /// tables.
 
 #include "solvers/fluids/newtonian.hpp"
-#include "solvers/integrators/adams_bashforth.hpp"
-#include "solvers/mpm/affine/affine.hpp"
-#include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/sph/kernels/cubic_spline.hpp"
-#include "solvers/sph/kernels/quintic_spline.hpp"
-#include "solvers/sph/printed/printed.hpp"
-#include "solvers/sph/terms/artificial_viscosity.hpp"
-#include "solvers/sph/terms/laminar_viscosity.hpp"
-#include "solvers/sph/terms/morris_viscosity.hpp"
-#include "solvers/sph/terms/pressure.hpp"
-#include "solvers/sph/terms/pressure_difference.hpp"
-#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "vnv/case.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"
 #include "vnv/measures/row_means.hpp"
 #include "vnv/methods/methods.hpp"
+#include "vnv/methods/setups.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/profiles.hpp"
@@ -67,65 +55,23 @@ inline std::vector<Ladder> mpm_ladders() {
 }
 inline std::vector<Ladder> sph_ladders(const std::vector<std::string>& levels) { return {{spacing_ladder, levels}}; }
 
-// The three solvers of a channel, and their runs.
-
-/// The material point method as printed, with one of the wall treatments of solvers/mpm/walls/.
-template <class WallTreatment, class Number = double, class SceneOfChannel>
-auto mpm_solver(const SceneOfChannel& scene, const Level& level, double time_step) {
-  return mpm::solver<mpm::LinearHat, WallTreatment, Number>(
-      scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
-}
-
-/// Smoothed particle hydrodynamics as printed, with one of the pressure terms of solvers/sph/terms/.
-template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrector, class SceneOfChannel>
-auto printed_solver(const SceneOfChannel& scene, const Level& level, double time_step) {
-  const double h = 1.2 * level.spacing;
-  return sph::printed<sph::CubicSpline, Integrator>(
-      scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
-      sph::momentum(PressureTerm{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
-                    sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
-}
-
-/// The regularised method: quintic spline, transport velocity, mirrored wall velocities. What the drift carries of
-/// momentum changes nothing in a channel, in 10 s, and is left out (`ablation_poiseuille`).
-template <class Integrator = KickDriftKick, class Real = double, class SceneOfChannel>
-auto transport_solver(const SceneOfChannel& scene, const Level& level, double time_step) {
-  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real, sph::Without<sph::MomentumOfDrift>>(
-      scene, {.spacing = level.spacing, .smoothing_length = level.spacing, .time_step = time_step},
-      sph::momentum(sph::PressureDifference{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
-}
+// Runs of the solvers of vnv/methods/setups.hpp with a fixed step [s].
 
 template <class WallTreatment, class Number = double, class SceneOfChannel>
 auto mpm_with(const SceneOfChannel& scene, double time_step = dt) {
-  return [=](const Level& level, const Schedule& when) {
-    return simulate([&] { return mpm_solver<WallTreatment, Number>(scene, level, level.step_or(time_step)); }, when);
-  };
+  return with_step(mpm_solver<WallTreatment, Number, SceneOfChannel>, scene, time_step);
+}
+template <class SceneOfChannel>
+auto mpm_affine(const SceneOfChannel& scene, double time_step = dt) {
+  return with_step(mpm_affine_solver<SceneOfChannel>, scene, time_step);
 }
 template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrector, class SceneOfChannel>
 auto sph_as_printed(const SceneOfChannel& scene, double time_step = dt) {
-  return [=](const Level& level, const Schedule& when) {
-    return simulate([&] { return printed_solver<PressureTerm, Integrator>(scene, level, level.step_or(time_step)); },
-                    when);
-  };
+  return with_step(sph_printed_solver<PressureTerm, Integrator, SceneOfChannel>, scene, time_step);
 }
 template <class Integrator = KickDriftKick, class Real = double, class SceneOfChannel>
 auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step = 2 * dt) {
-  return [=](const Level& level, const Schedule& when) {
-    return simulate([&] { return transport_solver<Integrator, Real>(scene, level, level.step_or(time_step)); }, when);
-  };
-}
-
-/// The affine material point method with quadratic B-splines.
-template <class SceneOfChannel>
-auto mpm_affine(const SceneOfChannel& scene, double time_step = dt) {
-  return [=](const Level& level, const Schedule& when) {
-    return simulate(
-        [&] {
-          return mpm::affine(scene,
-                             {.cell = level.cell, .spacing = level.spacing, .time_step = level.step_or(time_step)});
-        },
-        when);
-  };
+  return with_step(sph_regularised_solver<Integrator, Real, SceneOfChannel>, scene, time_step);
 }
 
 /// The methods in words.

@@ -2,8 +2,6 @@
 /// Error against run time in the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
 /// the points of Sun et al. and of other codes.
 
-#include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/mpm/walls/velocity_reset.hpp"
 #include "vnv/flows/channel.hpp"
 #include "vnv/studies/run_time.hpp"
 

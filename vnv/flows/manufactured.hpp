@@ -3,6 +3,7 @@
 /// a body force (reference/manufactured.hpp).
 
 #include "reference/manufactured.hpp"
+#include "solvers/forces/force_field.hpp"
 #include "vnv/flows/square.hpp"
 #include "vnv/studies/views.hpp"
 
@@ -34,15 +35,11 @@ struct Sustaining {
   }
 };
 
-inline const Scene<Newtonian, Sustaining> scene{.domain = square::domain,
+inline const Scene<Newtonian, ForceField> scene{.domain = square::domain,
                                                 .fluid = fluid,
                                                 .filled = square::box,
-                                                .body_force = {},
+                                                .body_force = {Sustaining{}},
                                                 .start = {.velocity = [](const Vec2& x) { return velocity(x, 0); },
                                                           .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
 
 }  // namespace touchstone::vnv::manufactured
-
-namespace touchstone::vnv {
-TOUCHSTONE_METHODS(extern template, Scene<Newtonian, manufactured::Sustaining>)
-}

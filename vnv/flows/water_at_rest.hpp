@@ -59,7 +59,7 @@ inline Method apic(const Scene<Tait, Uniform>& seen) { return mpm_apic(seen, out
 inline Method xpic(const Scene<Tait, Uniform>& seen) { return mpm_xpic(seen, output_interval); }
 inline Method printed_sph(const Scene<Tait, Uniform>& seen) { return sph_as_printed(seen, output_interval, 0.2); }
 inline Method delta(const Scene<Tait, Uniform>& seen) {
-  return sph_delta(seen, output_interval, {.ratio = 1.5, .alpha = 0.1, .share = 1});
+  return sph_delta(seen, output_interval, {.ratio = 1.5, .alpha = 0.1, .courant = 1});
 }
 
 }  // namespace touchstone::vnv::water_at_rest

@@ -21,7 +21,6 @@ namespace {
 std::string case_name;  // that of the program
 
 struct Options {
-  std::filesystem::path data = TOUCHSTONE_DATA_DIR;
   std::filesystem::path records;  // empty: none is written
   Suite suite = Suite::acceptance;
   std::string method;  // empty: all
@@ -211,7 +210,7 @@ int run(int count, char** arguments) {
   app.add_option("--suite", options.suite, "how many levels and how long: acceptance, report or nightly")
       ->transform(CLI::CheckedTransformer(suites));
   app.add_option("--records", records, "folder to write a record per method into");
-  app.add_option("--data", options.data, "folder of experiments, papers and baselines");
+  app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
   app.add_option("--spacing", options.spacing, "one run at this particle spacing [m], measured and not judged");
   const auto positive = CLI::PositiveNumber;
   app.add_option("--cell", options.cell, "with --spacing: size of a background cell [m]; else the spacing")
@@ -264,8 +263,6 @@ int run(int count, char** arguments) {
 }
 
 }  // namespace
-
-const std::filesystem::path& data_folder() { return options.data; }
 
 }  // namespace touchstone::vnv
 

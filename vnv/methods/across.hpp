@@ -54,12 +54,13 @@ inline std::vector<Method> with_ladder(const std::vector<Level>& levels, std::ve
 }
 
 /// The longest step [s] that an explicit method takes with such a length [m], its cell or spacing, so that it stays
-/// below all its limits: sound travels a share of the length, which is the method's own safety below the limit that
-/// `critical_step_lattice` measures; viscosity and body force keep to length² / (8 nu) and sqrt(length / force) / 4
-/// (Morris, Fox & Zhu, J. Comput. Phys. 136 (1997), (20) and (21)), a third of what `stability_map` measures or less.
+/// below all its limits: its acoustic Courant number c dt / length is `courant`, which is the method's own safety below
+/// the limit that `critical_step_lattice` measures; viscosity and body force keep to length² / (8 nu) and sqrt(length /
+/// force) / 4 (Morris, Fox & Zhu, J. Comput. Phys. 136 (1997), (20) and (21)), a third of what `stability_map` measures
+/// or less.
 template <class AnyScene>
-double longest_step(const AnyScene& scene, double share, double length) {
-  double longest = share * length / scene.fluid.sound_speed();
+double longest_step(const AnyScene& scene, double courant, double length) {
+  double longest = courant * length / scene.fluid.sound_speed();
   if constexpr (requires { scene.fluid.kinematic_viscosity(); }) {
     const double nu = scene.fluid.kinematic_viscosity();
     if (nu > 0) longest = std::min(longest, 0.125 * length * length / nu);
@@ -73,8 +74,8 @@ double longest_step(const AnyScene& scene, double share, double length) {
 
 /// That step, or a little less: there is a whole number of them in `output_interval` [s].
 template <class AnyScene>
-double step_for(const AnyScene& scene, double share, double length, double output_interval) {
-  return output_interval / std::ceil(output_interval / longest_step(scene, share, length) * (1 - 1e-9));
+double step_for(const AnyScene& scene, double courant, double length, double output_interval) {
+  return output_interval / std::ceil(output_interval / longest_step(scene, courant, length) * (1 - 1e-9));
 }
 
 }  // namespace touchstone::vnv

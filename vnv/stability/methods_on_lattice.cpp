@@ -1,5 +1,12 @@
 #include "vnv/stability/methods_on_lattice.hpp"
 
+#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/printed/printed.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/laminar_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
 #include "vnv/flows/channel.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
@@ -88,13 +95,13 @@ std::vector<LatticeMethod> methods_on_lattice() {
       {.family = Family::sph,
        .on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
                         [](const Still& s, const Level& level, double time_step) {
-                          return channel::transport_solver(s, level, time_step);
+                          return sph_regularised_solver<>(s, level, time_step);
                         }),
        .one_kernel = true},
       {.family = Family::sph,
        .on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
                         [](const Still& s, const Level& level, double time_step) {
-                          return channel::transport_solver<AdamsBashforth>(s, level, time_step);
+                          return sph_regularised_solver<AdamsBashforth>(s, level, time_step);
                         }),
        .one_kernel = true},
       {Family::sph, plain([](const Still& s) { return sph_transport_velocity(s, output_interval); })},
@@ -120,7 +127,7 @@ std::vector<LatticeMethod> methods_in_single_precision() {
     return simulating(
         {.name = "mpm_float", .description = channel::mpm_words + channel::float_words, .tolerance = stretched},
         [=](const Level& level, double time_step) {
-          return channel::mpm_solver<mpm::PrescribedMotion, float>(scene, level, time_step);
+          return mpm_solver<mpm::PrescribedMotion, float>(scene, level, time_step);
         },
         by_cells(scene, 0.5, output_interval));
   };
@@ -132,7 +139,7 @@ std::vector<LatticeMethod> methods_in_single_precision() {
            .on = of_channel("sph_regularised_float",
                             channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
                             [](const Still& s, const Level& level, double time_step) {
-                              return channel::transport_solver<KickDriftKick, float>(s, level, time_step);
+                              return sph_regularised_solver<KickDriftKick, float>(s, level, time_step);
                             }),
            .linear = method_on_lattice("sph_regularised").on,
            .one_kernel = true,

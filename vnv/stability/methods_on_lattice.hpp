@@ -14,9 +14,6 @@ struct LatticeMethod {
   bool fits = false;   // needs several particles in a cell
   int every = 1;       // steps  after which it does again what it does in turn, as to restore densities
   OnLattice linear{};  // what linear theory is asked of instead, where the method has no derivative at rest
-  // Courant number, well below the limit, from which theory is asked: where the steps of a method that damps slowly are
-  // short it hardly changes in a few of them, and there is nothing to go by.
-  double theory_from = 0.1;
 
   bool one_kernel = false;             // has a ratio of h to the spacing that it is not asked to change
   bool keeps_volume = false;           // takes a uniform pressure away, since the fluid fills its domain

@@ -1,26 +1,35 @@
 #include "vnv/stability/parts_on_lattice.hpp"
 
 #include "solvers/integrators/adams_bashforth.hpp"
-#include "solvers/integrators/drift_kick_drift.hpp"
-#include "solvers/integrators/symplectic.hpp"
-#include "solvers/mpm/composed/transfers/blend.hpp"
+#include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
+#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/composed/densities/affine_density.hpp"
+#include "solvers/mpm/composed/densities/carried_density.hpp"
+#include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/pic.hpp"
-#include "solvers/mpm/composed/updates/stress_first.hpp"
-#include "solvers/mpm/composed/updates/stress_last.hpp"
+#include "solvers/mpm/composed/transfers/xpic.hpp"
+#include "solvers/mpm/composed/updates/modified_stress_last.hpp"
+#include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/sph/free_surface/diffusion/molteni_colagrossi.hpp"
-#include "solvers/sph/free_surface/gradients/oger.hpp"
-#include "solvers/sph/kernels/wendland_c4.hpp"
-#include "vnv/methods/free_surface_methods.hpp"
+#include "solvers/sph/free_surface/diffusion/antuono.hpp"
+#include "solvers/sph/free_surface/free_surface.hpp"
+#include "solvers/sph/kernels/cubic_spline.hpp"
+#include "solvers/sph/kernels/quintic_spline.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
+#include "solvers/sph/terms/pressure_sum.hpp"
+#include "vnv/methods/methods.hpp"
+
+#include <fmt/format.h>
 
 namespace touchstone::vnv {
 namespace {
 
 constexpr double output_interval = 1;  // s
 
-template <class Shape, class Transfer, class UpdateOrder, class Density = mpm::CarriedDensity>
+template <class Shape, class Transfer, class Density = mpm::CarriedDensity>
 LatticeMethod mpm_with(const std::string& name, const std::string& part) {
   const OnLattice method = [=](const RestingLattice& lattice, const Start& start) {
     const Scene<Newtonian> scene = lattice.scene(start);
@@ -30,7 +39,7 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
              "Material point method with linear hats, FLIP, MUSL and carried densities, but for " + part + ".",
          .relative_cost = 2},
         [=](const Level& level, double time_step) {
-          return mpm::composed<Shape, Transfer, UpdateOrder, Density>(
+          return mpm::composed<Shape, Transfer, mpm::ModifiedStressLast, Density>(
               scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
         by_cells(scene, 0.4, output_interval));
@@ -53,7 +62,7 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
           const double h = level.smoothing_or(ratio * level.spacing);
           return sph::free_surface<Kernel, Integrator>(
               scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
-              detail::viscosity_of(scene.fluid, 0, h), parts(scene.fluid, h));
+              sph::momentum(sph::MonaghanClearyViscosity{.mu = scene.fluid.viscosity}), parts(scene.fluid, h));
         },
         by_spacings(scene, 0.3, output_interval));
   };
@@ -61,7 +70,8 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
 }
 
 constexpr auto usual_parts = [](const Newtonian& fluid, double h) {
-  return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = detail::diffusion_in(fluid, h)};
+  return sph::Parts{.pressure = sph::PressureSum{},
+                    .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
 };
 template <class Kernel>
 LatticeMethod sph_with_kernel(const std::string& name, const std::string& part, double ratio) {
@@ -76,45 +86,21 @@ LatticeMethod sph_moved_by(const std::string& name, const std::string& part) {
 
 std::vector<LatticeMethod> parts_on_lattice() {
   using Hat = mpm::LinearHat;
-  using Usual = mpm::ModifiedStressLast;
-  std::vector<LatticeMethod> all = {
-      mpm_with<mpm::Gimp, mpm::Flip, Usual>("mpm_gimp", "generalised interpolation (GIMP) in the place of hats"),
-      mpm_with<mpm::BSpline<2>, mpm::Flip, Usual>("mpm_quadratic", "quadratic B-splines in the place of hats"),
-      mpm_with<mpm::BSpline<3>, mpm::Flip, Usual>("mpm_cubic", "cubic B-splines in the place of hats"),
-      mpm_with<Hat, mpm::Pic, Usual>("mpm_pic", "PIC"),
-      mpm_with<Hat, mpm::Blend<std::ratio<99, 100>>, Usual>("mpm_blend", "a hundredth of PIC"),
-      mpm_with<Hat, mpm::Xpic<2>, Usual>("mpm_xpic_2", "XPIC(2)"),
-      mpm_with<Hat, mpm::Apic, Usual>("mpm_apic_hats", "affine particle velocities (APIC)"),
-      mpm_with<Hat, mpm::Flip, mpm::StressFirst>("mpm_stress_first", "the stress found first in a step (USF)"),
-      mpm_with<Hat, mpm::Flip, mpm::StressLast>("mpm_stress_last", "the stress found last in a step (USL)"),
-      mpm_with<Hat, mpm::Flip, Usual, mpm::AffineDensity>("mpm_affine_density", "densities that nodes smooth"),
+  return {
+      mpm_with<mpm::Gimp, mpm::Flip>("mpm_gimp", "generalised interpolation (GIMP) in the place of hats"),
+      mpm_with<mpm::BSpline<2>, mpm::Flip>("mpm_quadratic", "quadratic B-splines in the place of hats"),
+      mpm_with<mpm::BSpline<3>, mpm::Flip>("mpm_cubic", "cubic B-splines in the place of hats"),
+      mpm_with<Hat, mpm::Xpic<2>>("mpm_xpic_2", "XPIC(2)"),
+      mpm_with<Hat, mpm::Apic>("mpm_apic_hats", "affine particle velocities (APIC)"),
+      mpm_with<Hat, mpm::Flip, mpm::AffineDensity>("mpm_affine_density", "densities that nodes smooth"),
       sph_with_kernel<sph::CubicSpline>("sph_cubic", "the cubic spline", 1.5),
       sph_with_kernel<sph::QuinticSpline>("sph_quintic", "the quintic spline", 1.5),
-      sph_with_kernel<sph::WendlandC4>("sph_wendland_c4", "Wendland's C4 kernel", 2),
       sph_with<sph::WendlandC2, KickDriftKick>(
           "sph_without_diffusion", "no diffusion of density", 2,
           [](const Newtonian&, double) { return sph::Parts{.pressure = sph::PressureSum{}}; }),
-      sph_with<sph::WendlandC2, KickDriftKick>(
-          "sph_molteni_colagrossi", "diffusion of density after Molteni & Colagrossi (2009)", 2,
-          [](const Newtonian& fluid, double h) {
-            return sph::Parts{
-                .pressure = sph::PressureSum{},
-                .diffusion = sph::MolteniColagrossi{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
-          }),
-      sph_with<sph::WendlandC2, KickDriftKick>("sph_oger", "gradients corrected after Oger et al. (2007)", 2,
-                                               [](const Newtonian& fluid, double h) {
-                                                 return sph::Parts{.pressure = sph::PressureSum{},
-                                                                   .diffusion = detail::diffusion_in(fluid, h),
-                                                                   .gradient = sph::Oger{}};
-                                               }),
       sph_moved_by<PredictorCorrector>("sph_predictor_corrector", "the midpoint rule"),
-      sph_moved_by<Symplectic>("sph_symplectic", "the symplectic scheme of Domínguez et al. (2022)"),
-      sph_moved_by<DriftKickDrift>("sph_drift_kick_drift", "drift-kick-drift"),
       sph_moved_by<AdamsBashforth>("sph_adams_bashforth", "third-order Adams-Bashforth"),
   };
-  for (LatticeMethod& method : all)
-    if (method.name() == "mpm_blend") method.theory_from = 0.3;
-  return all;
 }
 
 }  // namespace touchstone::vnv

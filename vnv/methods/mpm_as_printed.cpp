@@ -1,0 +1,46 @@
+#include "vnv/methods/methods.hpp"
+
+#include "solvers/mpm/printed/mpm.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/walls/prescribed_motion.hpp"
+#include "solvers/mpm/walls/prescribed_velocity.hpp"
+#include "solvers/mpm/walls/velocity_reset.hpp"
+#include "vnv/methods/scenes.hpp"
+#include "vnv/methods/setups.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+template <class WallTreatment, class Number, class AnyScene>
+Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_step) {
+  return mpm::solver<mpm::LinearHat, WallTreatment, Number>(
+      scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+}
+
+template <class AnyScene>
+Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant) {
+  return simulating(
+      {.name = "mpm",
+       .description = fmt::format(
+           "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, FLIP, MUSL; four "
+           "particles in a cell. Sound travels {:g} cells in a step.",
+           courant),
+       .tolerance = stretched},
+      [=](const Level& level, double time_step) { return mpm_solver<>(scene, level, time_step); },
+      by_cells(scene, courant, output_interval));
+}
+
+#define TOUCHSTONE_COMPILE(...)                                                                    \
+  template Simulation mpm_solver<mpm::PrescribedMotion>(const __VA_ARGS__&, const Level&, double); \
+  template Method mpm_as_printed(const __VA_ARGS__&, double, double);
+TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
+TOUCHSTONE_INVISCID_SCENES(TOUCHSTONE_COMPILE)
+
+#define TOUCHSTONE_COMPILE_VARIANTS(...)                                                                  \
+  template Simulation mpm_solver<mpm::PrescribedMotion, float>(const __VA_ARGS__&, const Level&, double); \
+  template Simulation mpm_solver<mpm::PrescribedVelocity>(const __VA_ARGS__&, const Level&, double);      \
+  template Simulation mpm_solver<mpm::VelocityReset>(const __VA_ARGS__&, const Level&, double);
+TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE_VARIANTS)
+
+}  // namespace touchstone::vnv

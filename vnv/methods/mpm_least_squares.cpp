@@ -1,0 +1,36 @@
+#include "vnv/methods/methods.hpp"
+
+#include "solvers/mpm/least_squares/least_squares.hpp"
+#include "vnv/methods/scenes.hpp"
+#include "vnv/methods/setups.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+template <class AnyScene>
+Simulation mpm_least_squares_solver(const AnyScene& scene, const Level& level, double time_step) {
+  return mpm::least_squares(scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+}
+
+template <class AnyScene>
+Method mpm_least_squares(const AnyScene& scene, double output_interval, double courant) {
+  return simulating(
+      {.name = "mpm_least_squares",
+       .description = fmt::format(
+           "Material point method by least squares: nodes know the fluid by fits of second degree to its particles, the "
+           "equations are solved by central differences on the nodes, particles are put back onto their lattice before "
+           "it is strained by a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells "
+           "in a step.",
+           courant),
+       .tolerance = stretched},
+      [=](const Level& level, double time_step) { return mpm_least_squares_solver(scene, level, time_step); },
+      by_cells(scene, courant, output_interval));
+}
+
+#define TOUCHSTONE_COMPILE(...)                                                           \
+  template Simulation mpm_least_squares_solver(const __VA_ARGS__&, const Level&, double); \
+  template Method mpm_least_squares(const __VA_ARGS__&, double, double);
+TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
+
+}  // namespace touchstone::vnv

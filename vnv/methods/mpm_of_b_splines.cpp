@@ -1,0 +1,57 @@
+#include "vnv/methods/free_surface_methods.hpp"
+
+#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/composed/densities/affine_density.hpp"
+#include "solvers/mpm/composed/transfers/apic.hpp"
+#include "solvers/mpm/composed/transfers/xpic.hpp"
+#include "solvers/mpm/composed/updates/modified_stress_last.hpp"
+#include "solvers/mpm/shapes/b_spline.hpp"
+#include "vnv/methods/scenes.hpp"
+#include "vnv/methods/setups.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+template <class Transfer, class AnyScene>
+Simulation mpm_of_b_splines_solver(const AnyScene& scene, const Level& level, double time_step) {
+  return mpm::composed<mpm::BSpline<2>, Transfer, mpm::ModifiedStressLast, mpm::AffineDensity>(
+      scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+}
+
+namespace {
+template <class Transfer, class AnyScene>
+Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std::string& name,
+                        const std::string& transfer, double courant = 0.5) {
+  return simulating(
+      {.name = name,
+       .description = fmt::format(
+           "Material point method with quadratic B-splines that are right at walls, MUSL, {}, and densities that are "
+           "smoothed over the nodes without flattening a pressure that bears weight; four particles in a cell. Sound "
+           "travels {:g} cells in a step.",
+           transfer, courant),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Level& level, double time_step) { return mpm_of_b_splines_solver<Transfer>(scene, level, time_step); },
+      by_cells(scene, courant, output_interval));
+}
+}  // namespace
+
+template <class AnyScene>
+Method mpm_apic(const AnyScene& scene, double output_interval) {
+  return mpm_of_b_splines<mpm::Apic>(scene, output_interval, "mpm_apic",
+                                     "affine particle velocities (APIC, Jiang et al. 2015)");
+}
+
+template <class AnyScene>
+Method mpm_xpic(const AnyScene& scene, double output_interval) {
+  return mpm_of_b_splines<mpm::Xpic<5>>(scene, output_interval, "mpm_xpic",
+                                        "velocities by XPIC(5) (Hammerquist & Nairn 2017)");
+}
+
+#define TOUCHSTONE_COMPILE(...)                         \
+  template Method mpm_apic(const __VA_ARGS__&, double); \
+  template Method mpm_xpic(const __VA_ARGS__&, double);
+TOUCHSTONE_FREE_SURFACE_SCENES(TOUCHSTONE_COMPILE)
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,39 @@
+#include "vnv/methods/methods.hpp"
+
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/second_order/second_order.hpp"
+#include "vnv/methods/scenes.hpp"
+#include "vnv/methods/setups.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+template <class AnyScene>
+Simulation sph_second_order_solver(const AnyScene& scene, const Level& level, double time_step) {
+  return sph::second_order<sph::WendlandC2>(
+      scene,
+      {.spacing = level.spacing, .smoothing_length = level.smoothing_or(1.3 * level.spacing), .time_step = time_step});
+}
+
+template <class AnyScene>
+Method sph_second_order(const AnyScene& scene, double output_interval, double courant) {
+  return simulating(
+      {.name = "sph_second_order",
+       .description = fmt::format(
+           "Smoothed particle hydrodynamics of second order: fits of second degree to velocity and pressure around each "
+           "particle, drift from where particles are dense, third-order Adams-Bashforth, Wendland's C2 kernel with h = "
+           "1.3 spacings. Sound travels {:g} spacings in a step.",
+           courant),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Level& level, double time_step) { return sph_second_order_solver(scene, level, time_step); },
+      by_spacings(scene, courant, output_interval));
+}
+
+#define TOUCHSTONE_COMPILE(...)                                                          \
+  template Simulation sph_second_order_solver(const __VA_ARGS__&, const Level&, double); \
+  template Method sph_second_order(const __VA_ARGS__&, double, double);
+TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
+
+}  // namespace touchstone::vnv

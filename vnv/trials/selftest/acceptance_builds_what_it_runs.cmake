@@ -1,0 +1,15 @@
+cmake_minimum_required(VERSION 3.25)
+# The target `acceptance` leaves out LEFT_OUT of all CASES: of those that are built in BUILD, it has to be exactly the
+# ones that have no test in acceptance.
+foreach(name IN LISTS CASES)
+  set(file ${BUILD}/${name}_tests.cmake)
+  if(NOT EXISTS ${file})
+    continue()
+  endif()
+  file(READ ${file} tests)
+  if(name IN_LIST LEFT_OUT AND tests MATCHES "--suite acceptance")
+    message(SEND_ERROR "${name}: acceptance runs it, expected it not in cases_of_reports_only in vnv/CMakeLists.txt")
+  elseif(NOT name IN_LIST LEFT_OUT AND NOT tests MATCHES "--suite acceptance")
+    message(SEND_ERROR "${name}: nothing runs in acceptance, expected it in cases_of_reports_only in vnv/CMakeLists.txt")
+  endif()
+endforeach()
