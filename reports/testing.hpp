@@ -2,9 +2,9 @@
 /// What the tests of this room share: a folder of their own and a small record.
 
 #include "reports/read/cases.hpp"
+#include "vnv/programs/scratch_folder.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -17,24 +17,7 @@
 
 namespace touchstone::reports {
 
-/// A new empty folder, removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    const std::string place_for_letters(6, 'X');  // which mkdtemp(3) replaces
-    std::string name = (std::filesystem::temp_directory_path() / ("touchstone." + place_for_letters)).string();
-    path_ = mkdtemp(name.data());
-  }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using programs::ScratchFolder;
 
 inline std::string text_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

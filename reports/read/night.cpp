@@ -1,156 +1,51 @@
 #include "reports/read/night.hpp"
 
-#include "reports/text/files.hpp"
 #include "reports/text/numbers.hpp"
+#include "vnv/files/whole_file.hpp"
+#include "vnv/record/json.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
-#include <concepts>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace touchstone::reports {
+
+// Each kind of line is described once, for the writer and for the reader, so that the two cannot disagree.
+TOUCHSTONE_FIELDS(Night, suite, revision, compiler, flags, machine, finished_at)
+void describe(auto& field, vnv::json::A<NightRun> auto& item) {
+  field("case", item.case_name);
+  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time_step, finished, outcome, cpu, wall, peak_memory,
+                        particles, steps, particle_steps_per_second)
+}
+void describe(auto& field, vnv::json::A<NightValue> auto& item) {
+  field("case", item.case_name);
+  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time, quantity, value)
+}
+void describe(auto& field, vnv::json::A<NightOrder> auto& item) {
+  field("case", item.case_name);
+  TOUCHSTONE_EACH_FIELD(field, item, method, ladder, quantity, time, levels, order, half_width)
+}
+void describe(auto& field, vnv::json::A<NightVerdict> auto& item) {
+  field("case", item.case_name);
+  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time, quantity, author, value, lower, upper, margin,
+                        outcome)
+}
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using vnv::json::Json;
+using vnv::json::Reader;
+using vnv::json::Writer;
 
 constexpr int schema = 1;
-
-template <class T, class Plain>
-concept A = std::same_as<std::remove_const_t<T>, Plain>;
-
-// Each kind of line is described once, for the writer and for the reader, so that the two cannot disagree.
-
-void describe(auto& field, A<Night> auto& n) {
-  field("suite", n.suite);
-  field("revision", n.revision);
-  field("compiler", n.compiler);
-  field("flags", n.flags);
-  field("machine", n.machine);
-  field("finished_at", n.finished_at);
-}
-
-void describe(auto& field, A<NightRun> auto& r) {
-  field("case", r.case_name);
-  field("method", r.method);
-  field("level", r.level);
-  field("spacing", r.spacing);
-  field("time_step", r.time_step);
-  field("finished", r.finished);
-  field("outcome", r.outcome);
-  field("cpu", r.cpu);
-  field("wall", r.wall);
-  field("peak_memory", r.peak_memory);
-  field("particles", r.particles);
-  field("steps", r.steps);
-  field("particle_steps_per_second", r.particle_steps_per_second);
-}
-
-void describe(auto& field, A<NightValue> auto& e) {
-  field("case", e.case_name);
-  field("method", e.method);
-  field("level", e.level);
-  field("spacing", e.spacing);
-  field("time", e.time);
-  field("quantity", e.quantity);
-  field("value", e.value);
-}
-
-void describe(auto& field, A<NightOrder> auto& o) {
-  field("case", o.case_name);
-  field("method", o.method);
-  field("ladder", o.ladder);
-  field("quantity", o.quantity);
-  field("time", o.time);
-  field("levels", o.levels);
-  field("order", o.order);
-  field("half_width", o.half_width);
-}
-
-void describe(auto& field, A<NightVerdict> auto& v) {
-  field("case", v.case_name);
-  field("method", v.method);
-  field("level", v.level);
-  field("spacing", v.spacing);
-  field("time", v.time);
-  field("quantity", v.quantity);
-  field("author", v.author);
-  field("value", v.value);
-  field("lower", v.lower);
-  field("upper", v.upper);
-  field("margin", v.margin);
-  field("outcome", v.outcome);
-}
-
-class Writer {
- public:
-  explicit Writer(const char* kind, const auto& first) { object_[kind] = first; }
-  void operator()(const char* name, const auto& value) { object_[name] = json(value); }
-  std::string line() const { return object_.dump() + "\n"; }
-
- private:
-  static Json json(const std::string& text) { return text; }
-  static Json json(bool value) { return value; }
-  static Json json(long value) { return value; }
-  static Json json(double value) {
-    if (std::isfinite(value)) return value;
-    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-  }
-  static Json json(const std::optional<double>& value) { return value ? json(*value) : Json(nullptr); }
-  static Json json(vnv::Outcome outcome) { return word(outcome); }
-
-  Json object_;
-};
-
-class Reader {
- public:
-  explicit Reader(const Json& object) : object_(object) {}
-  void operator()(const char* name, auto& value) const {
-    const auto found = object_.find(name);
-    if (found == object_.end()) throw std::runtime_error(fmt::format("no '{}'", name));
-    if (!read(*found, value))
-      throw std::runtime_error(
-          fmt::format("{} is {}, expected another kind of value", name, found->dump().substr(0, 60)));
-  }
-
- private:
-  static bool read(const Json& json, std::string& text) {
-    if (json.is_string()) text = json.get<std::string>();
-    return json.is_string();
-  }
-  static bool read(const Json& json, bool& value) {
-    if (json.is_boolean()) value = json.get<bool>();
-    return json.is_boolean();
-  }
-  static bool read(const Json& json, long& value) {
-    if (json.is_number_integer()) value = json.get<long>();
-    return json.is_number_integer();
-  }
-  static bool read(const Json& json, double& value) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (json.is_number()) return value = json.get<double>(), true;
-    value = json == "inf" ? infinity : json == "-inf" ? -infinity : vnv::not_a_number;
-    return json == "nan" || std::isinf(value);
-  }
-  static bool read(const Json& json, std::optional<double>& value) {
-    if (json.is_null()) return value.reset(), true;
-    return read(json, value.emplace());
-  }
-  static bool read(const Json& json, vnv::Outcome& outcome) {
-    for (const auto known : {vnv::Outcome::holds, vnv::Outcome::fails, vnv::Outcome::inconclusive})
-      if (json == word(known)) return outcome = known, true;
-    return false;
-  }
-
-  const Json& object_;
-};
 
 // Applies `visit` to each list of a night with the kind that opens its lines.
 void for_each_list(auto& night, const auto& visit) {
@@ -167,16 +62,20 @@ long lines_of(const Night& night) {
   return static_cast<long>(lines);
 }
 
+std::string line_of(const Writer& writer) { return writer.object().dump() + "\n"; }
+
 std::string text_of(const Night& night) {
-  Writer header("night", schema);
+  Writer header;
+  header("night", schema);
   header("lines", lines_of(night));
   describe(header, night);
-  std::string text = header.line();
+  std::string text = line_of(header);
   for_each_list(night, [&](const char* kind, const auto& list) {
     for (const auto& item : list) {
-      Writer writer("kind", kind);
+      Writer writer;
+      writer("kind", std::string(kind));
       describe(writer, item);
-      text += writer.line();
+      text += line_of(writer);
     }
   });
   return text;
@@ -302,7 +201,7 @@ void write_night(const Night& night, const fs::path& folder) {
   std::error_code cause;
   fs::create_directories(folder, cause);
   if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", folder.string(), cause.message()));
-  save_whole(folder / file_name(night), text_of(night));
+  files::write_whole(folder / file_name(night), text_of(night));
 }
 
 Night read_night(const fs::path& file) {
@@ -311,6 +210,9 @@ Night read_night(const fs::path& file) {
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
   Night night;
   long number = 0, expected = 0;
+  const auto refuse = [&](const std::string& what) {
+    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), std::max(number, 1L), what));
+  };
   try {
     for (std::string line; std::getline(stream, line);)
       if (++number == 1)
@@ -321,7 +223,9 @@ Night read_night(const fs::path& file) {
     if (number != expected + 1)
       throw std::runtime_error(fmt::format("{} lines below the header, expected {}", number - 1, expected));
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), std::max(number, 1L), error.what()));
+    refuse(error.what());
+  } catch (const vnv::json::Misfit& misfit) {
+    refuse(misfit.sentence());
   }
   return night;
 }

@@ -1,46 +1,25 @@
 #include "reports/text/files.hpp"
 
+#include "vnv/files/whole_file.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
-#include <vector>
 
 namespace touchstone::reports {
 namespace {
 
 namespace fs = std::filesystem;
+using files::neighbour;
+using files::remove_what_the_killed_left;
 
 void want(const std::error_code& cause, const fs::path& place) {
   if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", place.string(), cause.message()));
-}
-
-fs::path neighbour(const fs::path& place, const char* kind) {
-  return place.parent_path() / fmt::format(".{}.{}.{}", place.filename().string(), getpid(), kind);
-}
-
-bool has_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
-
-// ".site.123.part" is of process 123.
-void remove_what_the_killed_left(const fs::path& place) {
-  const std::string begin = fmt::format(".{}.", place.filename().string());
-  std::error_code ignored;
-  std::vector<fs::path> left;
-  for (const auto& entry : fs::directory_iterator(fs::absolute(place).parent_path(), ignored)) {
-    const std::string name = entry.path().filename().string();
-    pid_t process = 0;
-    if (!name.starts_with(begin)) continue;
-    const std::string kind = std::from_chars(name.data() + begin.size(), name.data() + name.size(), process).ptr;
-    if ((kind == ".part" || kind == ".former") && process > 0 && has_ended(process)) left.push_back(entry.path());
-  }
-  for (const fs::path& file : left) fs::remove_all(file, ignored);
 }
 
 // In one step; false where the system cannot, or one of them is not there.
@@ -66,20 +45,6 @@ void save(const fs::path& file, const std::string& text) {
   stream << text;
   stream.close();
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-}
-
-void save_whole(const fs::path& file, const std::string& text) {
-  const fs::path part = neighbour(file, "part");
-  std::error_code cause, ignored;
-  try {
-    save(part, text);
-    fs::rename(part, file, cause);
-    want(cause, file);
-    remove_what_the_killed_left(file);
-  } catch (...) {
-    fs::remove(part, ignored);
-    throw;
-  }
 }
 
 Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(site_, "part")) {

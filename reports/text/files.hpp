@@ -11,10 +11,6 @@ namespace touchstone::reports {
 /// Throws std::runtime_error naming the file and the cause.
 void save(const std::filesystem::path& file, const std::string& text);
 
-/// The same, whole or not at all: to a neighbouring temporary name, then renamed. What others left that were killed
-/// while they did so is removed.
-void save_whole(const std::filesystem::path& file, const std::string& text);
-
 /// A folder beside another, in which that other is made anew; what is not published is removed. What tells this program
 /// to end waits so long, or until it is asked for.
 class Staging {

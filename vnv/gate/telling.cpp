@@ -1,7 +1,8 @@
 #include "vnv/gate/telling.hpp"
 
+#include "vnv/record/json.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,8 @@ constexpr auto columns = std::to_array<Column>({{Kind::run, "runs"},
                                                 {Kind::cost, "cost, after over before"}});
 
 using Row = std::vector<std::string>;
+using vnv::json::Json;
+using vnv::json::Writer;
 
 /// "worse, 2 of 12", "same, 12", or the words of a cost; a dash if there is nothing of the kind.
 std::string cell_of(const std::vector<const Difference*>& all) {
@@ -116,12 +119,6 @@ std::string markdown_row(const Row& row) {
   return line + "\n";
 }
 
-nlohmann::ordered_json number(double value) {
-  if (std::isfinite(value)) return value;
-  if (std::isnan(value)) return "nan";
-  return value > 0 ? "inf" : "-inf";
-}
-
 }  // namespace
 
 Change conclusion_of(const Findings& findings) {
@@ -189,18 +186,18 @@ vnv::Table page_table_of(const Findings& findings) {
 }
 
 std::string json_of(const Findings& findings) {
-  nlohmann::ordered_json json = {{"before", findings.before},   {"after", findings.after},
-                                 {"suite", findings.suite},     {"conclusion", name_of(conclusion_of(findings))},
-                                 {"skipped", findings.skipped}, {"differences", nlohmann::ordered_json::array()}};
+  Json json = {{"before", findings.before},   {"after", findings.after},
+               {"suite", findings.suite},     {"conclusion", name_of(conclusion_of(findings))},
+               {"skipped", findings.skipped}, {"differences", Json::array()}};
   for (const Difference& d : findings.differences)
     json["differences"].push_back({{"case", d.case_name},
                                    {"method", d.method},
                                    {"level", d.level},
-                                   {"time", number(d.time)},
+                                   {"time", Writer::json(d.time)},
                                    {"quantity", d.quantity},
                                    {"kind", name_of(d.kind)},
-                                   {"before", number(d.before)},
-                                   {"after", number(d.after)},
+                                   {"before", Writer::json(d.before)},
+                                   {"after", Writer::json(d.after)},
                                    {"change", name_of(d.change)},
                                    {"why", d.why}});
   return json.dump(1) + "\n";

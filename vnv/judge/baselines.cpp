@@ -1,15 +1,14 @@
 #include "vnv/judge/baselines.hpp"
 
 #include "vnv/files/tables.hpp"
+#include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <system_error>
+#include <stdexcept>
 #include <tuple>
 
 namespace touchstone::vnv {
@@ -105,19 +104,6 @@ std::string text_of(const std::vector<Baseline>& rows, const Acceptance& accepta
   return text;
 }
 
-void write_whole(const path& file, const std::string& text) {
-  path partial = file;
-  partial += fmt::format(".{}.partial", getpid());
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  const bool written = static_cast<bool>(std::ofstream(partial, std::ios::binary) << text << std::flush);
-  if (written) std::filesystem::rename(partial, file, error);
-  if (written && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  throw BadData(file, 0, "the baselines cannot be written; expected permission and room to write beside it");
-}
-
 }  // namespace
 
 const Baseline* Baselines::find(std::string_view method, std::string_view level, double time,
@@ -137,7 +123,12 @@ void write_baselines(const path& file, std::vector<Baseline> rows, const Accepta
   std::sort(rows.begin(), rows.end(), stands_before);
   const std::string text = text_of(rows, acceptance);
   baselines_in(parse_sheet(file, text));  // what cannot be read back is never written
-  write_whole(file, text);
+  try {
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    files::write_whole(file, text);
+  } catch (const std::runtime_error&) {
+    throw BadData(file, 0, "the baselines cannot be written; expected permission and room to write beside it");
+  }
 }
 
 }  // namespace touchstone::vnv

@@ -4,6 +4,7 @@
 #include "vnv/programs/interruption.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace touchstone::programs {
 
@@ -18,6 +19,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
   HeldSignals held_;

@@ -3,6 +3,7 @@
 /// Numbers are SI unless a name says otherwise; only a report rescales. Not a number is a value like another: it is
 /// written and read back.
 
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -64,6 +65,9 @@ struct Error {
 
 /// What a ladder of errors says of a method; `observe_order` tells them apart.
 enum class Trend { converging, stalled, diverging, inconclusive };
+constexpr auto words(Trend) {  // in the order of the enumerators, as the two below
+  return std::to_array<std::string_view>({"converging", "stalled", "diverging", "inconclusive"});
+}
 std::string_view name_of(Trend trend);
 
 /// An observed order of convergence with its 95 % interval, and the floor that the errors fall to, if one was found.
@@ -86,6 +90,7 @@ struct ObservedOrder {
 };
 
 enum class Outcome { holds, fails, inconclusive };
+constexpr auto words(Outcome) { return std::to_array<std::string_view>({"holds", "fails", "inconclusive"}); }
 
 /// A claim, judged.
 struct Verdict {
@@ -126,6 +131,9 @@ struct Figure {
 
 /// Who speaks: decides how a curve is drawn.
 enum class Role { ours, exact, experiment, published, guide, best };
+constexpr auto words(Role) {
+  return std::to_array<std::string_view>({"ours", "exact", "experiment", "published", "guide", "best"});
+}
 
 struct Curve {
   std::string figure;  // id of its figure

@@ -1,0 +1,65 @@
+#include "vnv/files/whole_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace touchstone::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AWholeFile : public testing::Test {
+ protected:
+  AWholeFile() { fs::create_directories(folder_); }
+  ~AWholeFile() override { fs::remove_all(folder_); }
+
+  std::string text() const {
+    std::ifstream stream(file_);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) /
+                           ("whole_file." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  const fs::path file_ = folder_ / "record.json";
+};
+
+TEST_F(AWholeFile, TakesThePlaceOfTheFormerOneAndLeavesNothingBesideIt) {
+  write_whole(file_, std::string(100000, 'a'));
+  write_whole(file_, "second\n");
+  EXPECT_EQ(text(), "second\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(AWholeFile, LeavesTheFormerOneWhereTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  write_whole(file_, "first\n");
+  fs::create_symlink("/dev/full", neighbour(file_, "part"));
+  EXPECT_THROW(write_whole(file_, "second\n"), std::runtime_error);
+  EXPECT_EQ(text(), "first\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(AWholeFile, SaysWhichAndWhyItCannotBeWritten) {
+  try {
+    write_whole(folder_ / "nowhere" / "record.json", "text");
+    FAIL() << "written";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(),
+              (folder_ / "nowhere" / "record.json").string() + ": cannot be written: No such file or directory");
+  }
+}
+
+TEST_F(AWholeFile, RemovesWhatAKilledWriterLeftButNotWhatAnotherStillWrites) {
+  const fs::path of_none = folder_ / ".record.json.999999999.part", of_one_that_runs = folder_ / ".record.json.1.part";
+  std::ofstream(of_none) << "torn";
+  std::ofstream(of_one_that_runs) << "half";
+  write_whole(file_, "text");
+  EXPECT_FALSE(fs::exists(of_none));
+  EXPECT_TRUE(fs::exists(of_one_that_runs));
+}
+
+}  // namespace
+}  // namespace touchstone::files
