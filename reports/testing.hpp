@@ -85,10 +85,11 @@ inline vnv::ObservedOrder sample_order(const std::string& quantity = "L2 v_x [%]
 }
 
 /// The same, one by one.
-inline std::vector<vnv::Error> errors_of(const vnv::ObservedOrder& order) {
-  std::vector<vnv::Error> errors;
+inline std::vector<vnv::Value> errors_of(const vnv::ObservedOrder& order) {
+  std::vector<vnv::Value> errors;
   for (std::size_t i = 0; i < order.levels.size(); ++i)
-    errors.push_back({order.levels[i], order.spacings[i], order.time, order.quantity, order.errors[i]});
+    errors.push_back(
+        {order.levels[i], order.spacings[i], order.time, vnv::with_heading(order.quantity), order.errors[i]});
   return errors;
 }
 

@@ -84,11 +84,11 @@ struct Results {
 };
 
 /// Turns a run into named numbers, "L2 v_x, row means [%]".
-using Measurement = std::function<std::vector<Error>(const Level&, const Run&)>;
+using Measurement = std::function<std::vector<Value>(const Level&, const Run&)>;
 
 /// Turns all runs of a method into named numbers that claims may speak of. They belong to the machine of today: no
 /// baseline is taken of them.
-using Finding = std::function<std::vector<Error>(const Results&, const Record&)>;
+using Finding = std::function<std::vector<Value>(const Results&, const Record&)>;
 
 /// How much time may go into making short runs of a method more than once, to tell their cost well.
 struct Repeats {

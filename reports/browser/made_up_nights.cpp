@@ -19,8 +19,11 @@ using namespace touchstone;
 using namespace touchstone::reports;
 
 constexpr long levels = 8, methods = 5;
-const std::vector<std::string> norms{"L2 v_x, row means [%]", "Linf v_x, row means [%]", "L2 v_x, per particle [%]",
-                                     "Linf v_x, per particle [%]", "kinetic energy off [%]"};
+const std::vector<vnv::Quantity> norms{{"L2 v_x, row means", "%", vnv::Kind::norm},
+                                       {"Linf v_x, row means", "%", vnv::Kind::norm},
+                                       {"L2 v_x, per particle", "%", vnv::Kind::norm},
+                                       {"Linf v_x, per particle", "%", vnv::Kind::norm},
+                                       {"kinetic energy off", "%", vnv::Kind::deviation}};
 
 /// Errors of second order; a method of the third case gets worse in the night before last, one of the second fails
 /// last.
@@ -29,7 +32,7 @@ double error_of(long c, long m, long level, std::size_t norm, long nights_left) 
   return worse * static_cast<double>(1 + c + m) * static_cast<double>(1 + norm) / std::pow(4, level);
 }
 
-vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lower, double upper,
+vnv::Verdict verdict(const vnv::Record& record, const vnv::Value& e, double lower, double upper,
                      const std::string& author) {
   vnv::Verdict v;
   v.case_name = record.case_name;
@@ -37,8 +40,8 @@ vnv::Verdict verdict(const vnv::Record& record, const vnv::Error& e, double lowe
   v.level = e.level;
   v.spacing = e.spacing;
   v.time = e.time;
-  v.quantity = e.quantity.substr(0, e.quantity.rfind(" ["));
-  v.unit = std::string("%");  // GCC 12 misreads the assignment of a literal
+  v.quantity = e.quantity.name;
+  v.unit = e.quantity.unit;
   v.value = e.value;
   v.lower = lower;
   v.upper = upper;
@@ -55,8 +58,8 @@ void add_level(vnv::Record& record, long c, long m, long level, long nights_left
   const double spacing = 1e-4 / std::pow(2, level);
   for (std::size_t norm = 0; norm < norms.size(); ++norm) {
     const double usual = error_of(c, m, level, norm, 99);
-    const vnv::Error e{name, spacing, 1, norms[norm], error_of(c, m, level, norm, nights_left)};
-    record.errors.push_back(e);
+    const vnv::Value e{name, spacing, 1, norms[norm], error_of(c, m, level, norm, nights_left)};
+    record.values.push_back(e);
     record.verdicts.push_back(verdict(record, e, 0.97 * usual, 1.03 * usual, "baseline: made up"));
     if (norm == 0) record.verdicts.push_back(verdict(record, e, 0, 1.5 * usual, "literature: made up"));
   }
@@ -70,15 +73,15 @@ void add_level(vnv::Record& record, long c, long m, long level, long nights_left
   record.runs.push_back(run);
 }
 
-vnv::ObservedOrder order(const vnv::Record& record, const std::string& quantity) {
+vnv::ObservedOrder order(const vnv::Record& record, const vnv::Quantity& quantity) {
   vnv::ObservedOrder o;
   o.ladder = "grid";
-  o.quantity = quantity;
+  o.quantity = quantity.heading();
   o.time = 1;
   o.order = 2;
   o.half_width = 0.05;
   o.trend = vnv::Trend::converging;
-  for (const auto& e : record.errors)
+  for (const auto& e : record.values)
     if (e.quantity == quantity) {
       o.levels.push_back(e.level);
       o.spacings.push_back(e.spacing);

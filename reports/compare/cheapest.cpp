@@ -11,9 +11,9 @@ using vnv::WorkPoint;
 /// Every run that was measured, for as long as it took until then.
 std::vector<WorkPoint> points_of(const vnv::Record& record, const Subject& subject) {
   std::vector<WorkPoint> points;
-  for (const auto& error : record.errors) {
+  for (const auto& error : record.values) {
     const auto run = std::ranges::find(record.runs, error.level, &vnv::RunSummary::level);
-    if (!subject.is(error.quantity, error.time) || run == record.runs.end() || !run->finished) continue;
+    if (!subject.is(error.quantity.heading(), error.time) || run == record.runs.end() || !run->finished) continue;
     const double share = error.time / run->end_time;
     points.push_back({.series = record.method,
                       .run = run->level,

@@ -11,12 +11,12 @@ namespace {
 CaseRecords three_methods() {
   CaseRecords records{"poiseuille", {sample_record("crude"), sample_record("mpm"), sample_record("sph")}};
   for (auto& record : records.records) {
-    record.errors = errors_of(sample_order());
+    record.values = errors_of(sample_order());
     const double share = record.method == "mpm" ? 1 : 0.5;
     record.runs = {sample_run("M1", share * 1), sample_run("M2", share * 2), sample_run("M3", share * 4)};
   }
-  for (auto& error : records.records[0].errors) error.value = 50;
-  for (auto& error : records.records[2].errors) error.value *= 10;
+  for (auto& error : records.records[0].values) error.value = 50;
+  for (auto& error : records.records[2].values) error.value *= 10;
   return records;
 }
 
@@ -38,8 +38,8 @@ TEST(Cheapest, InterpolatesBetweenRuns) {
 
 TEST(Cheapest, OfAnotherQuantityOrTimeIsAnotherQuestion) {
   CaseRecords records = three_methods();
-  records.records[1].errors.push_back({"M1", 4e-3, 1, "Linf v_x [%]", 1e-9});
-  records.records[1].errors.push_back({"M1", 4e-3, 0.1, "L2 v_x [%]", 1e-9});
+  records.records[1].values.push_back({"M1", 4e-3, 1, {"Linf v_x", "%", vnv::Kind::norm}, 1e-9});
+  records.records[1].values.push_back({"M1", 4e-3, 0.1, {"L2 v_x", "%", vnv::Kind::norm}, 1e-9});
   EXPECT_NEAR(found(records)->best.time.cpu, 1.265, 1e-3);
   EXPECT_FALSE(cheapest(records, {"Linf v_x [%]", 1}));
 }

@@ -19,8 +19,7 @@ bool has_ladder(const vnv::ObservedOrder& order) {
 }
 
 bool speaks_of(const vnv::Verdict& verdict, const vnv::ObservedOrder& order) {
-  return verdict.quantity ==
-             fmt::format("order of {} over {}", vnv::name_and_unit(order.quantity).first, order.ladder) &&
+  return verdict.quantity == fmt::format("order of {} over {}", vnv::with_heading(order.quantity).name, order.ladder) &&
          Subject{order.quantity, order.time}.is(order.quantity, verdict.time);
 }
 
@@ -93,7 +92,7 @@ bool Subject::is(const std::string& its_quantity, double its_time) const {
 
 std::string OrderComparison::id() const {
   std::string id = "order_";
-  for (const char letter : fmt::format("{} at {:.6g} s", vnv::name_and_unit(subject.quantity).first, subject.time)) {
+  for (const char letter : fmt::format("{} at {:.6g} s", vnv::with_heading(subject.quantity).name, subject.time)) {
     if (std::isalnum(static_cast<unsigned char>(letter)))
       id += letter;
     else if (!id.ends_with('_'))

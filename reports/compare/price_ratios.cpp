@@ -120,7 +120,7 @@ vnv::Table price_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
     by_number.push_back({"particle number, a step", fmt::format("{:g} particles", particles)});
     for (const Comparison& pair : pairs) by_number.back().push_back(step_ratio(pair, particles));
   }
-  const char* unit = diagram.quantity.ends_with("[%]") ? " %" : "";
+  const char* unit = diagram.quantity.unit == "%" ? " %" : "";
   for (const double target : diagram.targets) {
     by_error.push_back({"error, the whole run", fmt::format("{:g}{}", target, unit)});
     for (const Comparison& pair : pairs) by_error.back().push_back(price_ratio(pair, target));

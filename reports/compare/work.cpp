@@ -63,7 +63,7 @@ vnv::Figure figure(const WorkDiagram& diagram) {
           " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
           "error. Rings mark the same among all methods here, the Pareto front. Dashed: measured elsewhere, on other machines.",
       .x = {.label = "CPU time [s]", .logarithmic = true},
-      .y = {.label = diagram.quantity, .logarithmic = true}};
+      .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
 }
 
 /// Each method's own front goes into its own record, and with it gets the colour that it has in other figures.
@@ -89,7 +89,7 @@ std::string interval(const vnv::TimeToError& time) {
 
 /// "3 %" where the quantity ends with [%].
 std::string with_unit_of(const WorkDiagram& diagram, double target) {
-  return fmt::format("{:g}{}", target, diagram.quantity.ends_with("[%]") ? " %" : "");
+  return fmt::format("{:g}{}", target, diagram.quantity.unit == "%" ? " %" : "");
 }
 
 vnv::Table prices(const WorkDiagram& diagram, const std::vector<WorkPoint>& points) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Error against run time of all methods of a case: the figure, what an error costs, and how that differs from
+/// Value against run time of all methods of a case: the figure, what an error costs, and how that differs from
 /// comparing at equal particle number.
 
 #include "reports/read/cases.hpp"

@@ -29,7 +29,7 @@ vnv::WorkPoint published(const std::string& series, const std::string& family, d
   return p;
 }
 
-const vnv::WorkDiagram diagram{"work", "Error against run time", "At 1 s.", "L2 [%]", {1, 0.1}, 1};
+const vnv::WorkDiagram diagram{"work", "Error against run time", "At 1 s.", {"L2", "%", vnv::Kind::norm}, {1, 0.1}, 1};
 
 /// mpm reaches 1 % in 2 s, sph in 20 s; the paper's pair is there twice, once a record.
 CaseRecords two_methods() {

@@ -174,7 +174,7 @@ std::string ladders(const OrderComparison& comparison) {
 vnv::Figure order_figure(const OrderComparison& comparison) {
   const std::vector<Series> all = series_of(comparison);
   std::string caption = fmt::format("{} over the spacing of the particles. {} ",
-                                    vnv::name_and_unit(comparison.subject.quantity).first, ladders(comparison));
+                                    vnv::with_heading(comparison.subject.quantity).name, ladders(comparison));
   if (std::ranges::any_of(all, &Series::has_band))
     caption += "Bands: the least-squares lines of all orders within the 95 % interval";
   if (std::ranges::any_of(all, &Series::has_band) && !std::ranges::all_of(all, &Series::has_band))

@@ -55,14 +55,14 @@ std::string table_html(const vnv::Table& table) {
 using Column = std::pair<std::string, std::string>;
 
 /// The time is empty for what belongs to a whole run.
-Column column_of(const vnv::Error& error) {
-  return {error.quantity, std::isnan(error.time) ? "" : printed(error.time) + "\u202fs"};
+Column column_of(const vnv::Value& error) {
+  return {error.quantity.heading(), std::isnan(error.time) ? "" : printed(error.time) + "\u202fs"};
 }
 
 std::vector<Column> error_columns(const CaseRecords& records) {
   std::vector<Column> columns;
   for (const auto& record : records.records)
-    for (const auto& error : record.errors)
+    for (const auto& error : record.values)
       if (const Column column = column_of(error); std::find(columns.begin(), columns.end(), column) == columns.end())
         columns.push_back(column);
   std::stable_sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return a.first < b.first; });
@@ -79,7 +79,7 @@ Row error_head(const std::vector<Column>& columns) {
 std::vector<Row> error_rows(const vnv::Record& record, const std::vector<Column>& columns) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> row_of;
-  for (const auto& error : record.errors) {
+  for (const auto& error : record.values) {
     const auto [found, is_new] = row_of.try_emplace(error.level, rows.size());
     if (is_new) {
       rows.push_back({{escape(record.method)}, {escape(error.level)}, number_cell(error.spacing * 1e3)});
@@ -204,7 +204,7 @@ std::string cost_html(const CaseRecords& records) {
       {}};
   table.columns = {{"method"}, {"level"}};
   for (const char* heading :
-       {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps", "CPU [s]", "runs",
+       {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps completed", "CPU [s]", "runs",
         "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s"})
     table.columns.push_back({heading, "number"});
   table.columns.push_back({"outcome"});

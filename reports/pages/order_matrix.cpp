@@ -23,7 +23,7 @@ struct Flow {
   OrderComparison comparison;
 
   std::string figure_link() const { return fmt::format("{}/index.html#{}", records->name, comparison.id()); }
-  std::string unit() const { return vnv::name_and_unit(comparison.subject.quantity).second; }
+  std::string unit() const { return vnv::with_heading(comparison.subject.quantity).unit; }
 };
 
 std::vector<Flow> flows_with(Field field, const std::vector<CaseRecords>& cases) {
@@ -59,7 +59,7 @@ const Reason& reason_for_none(const Flow& flow, const std::string& method) {
   const auto record = std::ranges::find(all, method, &vnv::Record::method);
   if (record == all.end()) return reasons[0];
   const bool is_measured = std::ranges::any_of(
-      record->errors, [&](const vnv::Error& e) { return flow.comparison.subject.is(e.quantity, e.time); });
+      record->values, [&](const vnv::Value& e) { return flow.comparison.subject.is(e.quantity.heading(), e.time); });
   return is_measured ? reasons[2] : reasons[1];
 }
 
@@ -105,9 +105,9 @@ HtmlCell cheapest_cell(const Flow& flow) {
 }
 
 HtmlCell heading(const Flow& flow) {
-  return {fmt::format(
-      "<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(), escape(flow.records->title()),
-      typeset(vnv::name_and_unit(flow.comparison.subject.quantity).first), printed(flow.comparison.subject.time))};
+  return {fmt::format("<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(),
+                      escape(flow.records->title()), typeset(vnv::with_heading(flow.comparison.subject.quantity).name),
+                      printed(flow.comparison.subject.time))};
 }
 
 std::string notes_html(const std::set<char>& used) {

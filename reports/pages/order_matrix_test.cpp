@@ -15,11 +15,11 @@ std::vector<CaseRecords> two_flows() {
   for (auto& records : cases)
     for (auto& record : records.records) {
       record.orders = {sample_order()};
-      record.errors = errors_of(sample_order());
+      record.values = errors_of(sample_order());
       record.runs = {sample_run("M1", 1), sample_run("M2", 2), sample_run("M3", 4)};
     }
   cases[0].records[1].orders.clear();
-  cases[0].records[1].errors.resize(1);
+  cases[0].records[1].values.resize(1);
   for (auto& run : cases[1].records[1].runs) run.cost.cpu *= 10;
   return cases;
 }
@@ -49,7 +49,7 @@ TEST(OrderMatrix, SaysWhyACellIsBlank) {
   EXPECT_TRUE(contains(once, "<span title=\"measured at fewer than two spacings of a ladder\">–<sup>c</sup></span>"));
   EXPECT_TRUE(contains(once, "<sup>c</sup>\u202fmeasured at fewer"));
   EXPECT_FALSE(contains(once, "not run in this flow"));
-  cases[0].records[1].errors.clear();
+  cases[0].records[1].values.clear();
   EXPECT_TRUE(contains(order_matrix_page(cases), "<span title=\"this quantity was not measured at this time\">"));
   cases[0].records.pop_back();
   EXPECT_TRUE(contains(order_matrix_page(cases), "<span title=\"not run in this flow\">"));

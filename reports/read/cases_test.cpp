@@ -93,7 +93,7 @@ TEST_F(Cases, WithOneTableUnderTwoHeadingsAreRefused) {
 
 TEST(ErrorsTable, GivesNoTimeToWhatBelongsToAWholeRun) {
   vnv::Record record = sample_record();
-  record.errors = {{"M1", 1e-3, std::nan(""), "critical time step [us]", 42.5}};
+  record.values = {{"M1", 1e-3, std::nan(""), {"largest stable time step", "us", vnv::Kind::stability_limit}, 42.5}};
   const std::string html = errors_html({"poiseuille", {record}});
   EXPECT_NE(html.find("42.5"), std::string::npos);
   EXPECT_EQ(html.find("nan"), std::string::npos) << html;

@@ -3,6 +3,7 @@
 #include "reports/read/rows.hpp"
 #include "reports/text/html.hpp"
 #include "reports/text/numbers.hpp"
+#include "vnv/record/former.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,8 @@ KnownFailure failure_on(const Row& row) {
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (fields[i].find_first_not_of(' ') == std::string::npos && columns[i] != "level")
       line.refuse(fmt::format("no {}, expected one", columns[i]));
-  KnownFailure known{fields[0], fields[1], fields[2], fields[3], fields[4], fields[5], fields[6], fields[7]};
+  KnownFailure known{fields[0], fields[1], fields[2], fields[3], vnv::current_name(fields[4]),
+                     fields[5], fields[6], fields[7]};
   require_dates(known, line);
   return known;
 }

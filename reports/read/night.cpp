@@ -2,6 +2,7 @@
 
 #include "reports/text/numbers.hpp"
 #include "vnv/files/whole_file.hpp"
+#include "vnv/record/former.hpp"
 #include "vnv/record/json.hpp"
 #include "vnv/record/quantity.hpp"
 
@@ -102,7 +103,9 @@ void read_line(const Json& json, Night& night) {
   for_each_list(night, [&](const char* known, auto& list) {
     if (kind != known) return;
     is_known = true;
-    describe(reader, list.emplace_back());
+    auto& item = list.emplace_back();
+    describe(reader, item);
+    if constexpr (requires { item.quantity; }) item.quantity = vnv::current_name(item.quantity);
   });
   if (!is_known)
     throw std::runtime_error(fmt::format("kind is '{}', expected run, error, limit, order or verdict", kind));
@@ -114,14 +117,10 @@ Json parsed(const std::string& line) {
   return json;
 }
 
-bool is_stability_limit(const std::string& quantity) {
-  return quantity.starts_with("critical time step") || quantity.starts_with("largest stable");
-}
-
 // A pure number has no "[-]", in errors as in verdicts.
 std::string plain_quantity(const std::string& quantity) {
-  const auto [name, unit] = vnv::name_and_unit(quantity);
-  return with_unit(name, unit);
+  const vnv::Quantity named = vnv::with_heading(quantity);
+  return with_unit(named.name, named.unit);
 }
 
 NightRun summary(const vnv::Record& record, const vnv::RunSummary& run) {
@@ -161,9 +160,10 @@ NightVerdict summary(const vnv::Verdict& v) {
 
 void add(const vnv::Record& record, Night& night) {
   for (const auto& run : record.runs) night.runs.push_back(summary(record, run));
-  for (const auto& e : record.errors)
-    (is_stability_limit(e.quantity) ? night.limits : night.errors)
-        .push_back({record.case_name, record.method, e.level, e.spacing, e.time, plain_quantity(e.quantity), e.value});
+  for (const auto& e : record.values)
+    (e.quantity.kind == vnv::Kind::stability_limit ? night.limits : night.errors)
+        .push_back({record.case_name, record.method, e.level, e.spacing, e.time, plain_quantity(e.quantity.heading()),
+                    e.value});
   for (const auto& order : record.orders) night.orders.push_back(summary(record, order));
   for (const auto& verdict : record.verdicts) night.verdicts.push_back(summary(verdict));
 }

@@ -21,8 +21,8 @@ vnv::Record nightly_record() {
   record.machine = "a \"machine\"";
   record.runs = {sample_run("M2", 3)};
   record.orders = {sample_order()};
-  record.errors = {{"M2", 1e-4, 1, "L2 v_x [%]", 1.5},
-                   {"M2", 1e-4, vnv::not_a_number, "critical time step, stable end [us]", 7.25}};
+  record.values = {{"M2", 1e-4, 1, {"L2 v_x", "%", vnv::Kind::norm}, 1.5},
+                   {"M2", 1e-4, vnv::not_a_number, {"largest stable time step, lower bound", "us", vnv::Kind::stability_limit}, 7.25}};
   return record;
 }
 Night sample_night() { return night_of({{"poiseuille", {nightly_record()}}}); }
@@ -60,7 +60,7 @@ TEST_F(NightFile, TellsLimitsFromErrorsAndAnOrderAboveItsFloor) {
   record.orders[0].order_to_floor = 2.5;
   const Night night = night_of({{"poiseuille", {record}}});
   EXPECT_EQ(night.errors.size(), 1u);
-  EXPECT_EQ(night.limits.at(0).quantity, "critical time step, stable end [us]");
+  EXPECT_EQ(night.limits.at(0).quantity, "largest stable time step, lower bound [us]");
   EXPECT_EQ(night.orders.at(0).order, 2.5);
 }
 

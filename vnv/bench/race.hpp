@@ -8,19 +8,20 @@
 namespace touchstone::bench {
 
 // What a race finds.
-inline const std::string faster = "time of the plain loop over that of the solver [-]";
-inline const std::string faster_rates = "right-hand side: time of the plain loop over that of the solver [-]";
-inline const std::string solver_time = "solver [ns per particle-step]";
-inline const std::string loop_time = "plain loop [ns per particle-step]";
-inline const std::string spread = "half distance of the quartiles of the ratio [%]";
-inline const std::string lap_cost = "a step with its sub-steps timed, over one without [-]";
+inline const vnv::Quantity faster{"speed-up over the reference loop", "", vnv::Kind::cost, vnv::Better::larger};
+inline const vnv::Quantity faster_rates{"right-hand side: speed-up over the reference loop", "", vnv::Kind::cost,
+                                        vnv::Better::larger};
+inline const vnv::Quantity solver_time{"solver", "ns per particle-step", vnv::Kind::cost};
+inline const vnv::Quantity loop_time{"plain loop", "ns per particle-step", vnv::Kind::cost};
+inline const vnv::Quantity spread{"half interquartile range of the speed-up", "%", vnv::Kind::cost};
+inline const vnv::Quantity lap_cost{"time of a step with sub-step timing over one without", "", vnv::Kind::cost};
 /// Where the peers were measured, the right-hand side of a scalar loop over full lists took so long [ns]: a rate is
 /// scaled by it so as to stand beside theirs.
 inline constexpr double plain_rates_where_peers_ran = 114;
-inline const std::string scaled_rate =
-    "million particle-steps/s were the plain right-hand side as fast as beside the peers [1/us]";
-inline std::string time_of(SubStep part) {
-  return std::string(names_of_sub_steps[static_cast<std::size_t>(part)]) + " [ns per particle-step]";
+inline const vnv::Quantity scaled_rate{"million particle-steps/s, scaled to the machine of the published codes", "1/us",
+                                       vnv::Kind::cost, vnv::Better::larger};
+inline vnv::Quantity time_of(SubStep part) {
+  return {std::string(names_of_sub_steps[static_cast<std::size_t>(part)]), "ns per particle-step", vnv::Kind::cost};
 }
 
 /// A run whose cost is that of the median step.

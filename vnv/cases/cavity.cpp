@@ -75,10 +75,10 @@ std::vector<Level> coarse_levels() {
 
 double speed(const Samples& samples, Eigen::Index particle) { return samples.v.col(particle).norm(); }  // m/s
 
-std::vector<Error> against_ghia(const Level& level, const Run& run) {
-  std::vector<Error> errors;
+std::vector<Value> against_ghia(const Level& level, const Run& run) {
+  std::vector<Value> errors;
   for (const auto direction : {Centreline::vertical, Centreline::horizontal})
-    for (const Error& error : cavity.compare(level, run, ghia_centreline(data_folder(), direction, flow_of(level).Re)))
+    for (const Value& error : cavity.compare(level, run, ghia_centreline(data_folder(), direction, flow_of(level).Re)))
       errors.push_back(error);
   return errors;
 }
@@ -96,8 +96,8 @@ Method mixing(Method method) {
 
 /// Both components at most so far from the tables, in per cent of the lid's speed.
 std::vector<Claim> within(double percent, const std::string& level, const Author& author) {
-  return {at_most("L2 v_x, vertical centreline [%]", percent, author).on(level),
-          at_most("L2 v_y, horizontal centreline [%]", percent, author).on(level)};
+  return {at_most(norm_of("L2", Centreline::vertical), percent, author).on(level),
+          at_most(norm_of("L2", Centreline::horizontal), percent, author).on(level)};
 }
 
 /// What is claimed of 24 across, and of 100 across at these Reynolds numbers.

@@ -14,7 +14,7 @@ using namespace touchstone::vnv;
 
 namespace {
 
-const std::string over_theory = "largest stable step, over that of linear theory at rest [-]";
+const Quantity over_theory{"largest stable time step over that of linear theory at rest", "", Kind::stability_limit};
 
 /// A flow through a lattice that repeats along both axes.
 struct Flow {

@@ -13,12 +13,13 @@ using namespace touchstone::vnv;
 namespace {
 
 // All of the unit cell: the background cell of MPM, the spacing of SPH.
-const std::string measured = "largest stable c dt / length, measured [-]",
-                  by_theory = "largest stable c dt / length, by linear theory [-]",
-                  measured_over_theory = "largest stable step, measured over theory [-]",
-                  growth_seen = "growth per step beyond, measured [-]",
-                  growth_by_theory = "growth per step beyond, by linear theory [-]",
-                  growth_over_theory = "logarithm of the growth beyond, measured over theory [-]";
+const Quantity measured{"largest stable acoustic Courant number, measured", "", Kind::stability_limit},
+    by_theory{"largest stable acoustic Courant number, linear theory", "", Kind::stability_limit},
+    measured_over_theory{"largest stable time step, measured over linear theory", ""},
+    growth_seen{"growth per step at 1.05 times the largest stable step, measured", "", Kind::value, Better::smaller},
+    growth_by_theory{"growth per step at 1.05 times the largest stable step, linear theory", "", Kind::value,
+                     Better::smaller},
+    growth_over_theory{"log growth at 1.05 times the largest stable step, measured over linear theory", ""};
 
 /// A lattice, and which suites look at it.
 struct Arrangement {

@@ -11,11 +11,11 @@ using namespace touchstone::vnv::drop;
 
 namespace {
 
-const std::string pressure_error = "pressure in the middle, less the exact, over that at the start [%]";
+const Quantity pressure_error{"error of the central pressure, relative to its initial value", "%", Kind::deviation};
 
 /// Mean over the particles within a fifth of the drop's half-axes.
-std::vector<Error> error_of_pressure(const Level& level, const Run& run) {
-  std::vector<Error> errors;
+std::vector<Value> error_of_pressure(const Level& level, const Run& run) {
+  std::vector<Value> errors;
   for (const Samples& s : run.samples) {
     const auto state = exact.at(s.time);
     double sum = 0, count = 0;

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double settled = 1, end = 10;  // s
 
-const std::string energy = "kinetic over potential energy, largest after 1 s [-]";
-const std::string surface = "highest particle, farthest from where it started, over the depth [%]";
+const Quantity energy{"maximum ratio of kinetic to potential energy after 1 s", "", Kind::error};
+const Quantity surface{"largest displacement of the free surface over the depth", "%", Kind::error};
 
 /// At each time of the case once the start has died away: the largest until then.
-std::vector<Error> unrest(const Level& level, const Run& run) {
-  std::vector<Error> errors;
+std::vector<Value> unrest(const Level& level, const Run& run) {
+  std::vector<Value> errors;
   for (const Samples& s : run.samples) {
     if (s.time <= settled * (1 + 1e-9)) continue;
     double largest = 0, farthest = 0;

@@ -19,7 +19,7 @@ const SeveralViews in_views{.views = {views::plain(), views::mirrored_about_x(ca
                             .spacing = spacing_of_all,
                             .cell = 2 * spacing_of_all,
                             .end = end,
-                            .error = "kinetic energy, of a box that moves with the lid [%]"};
+                            .error = {"kinetic energy over that of a box moving at the lid speed", "%"}};
 
 Scene<Newtonian> scene_of(const View& view) {
   Scene<Newtonian> seen = scene_at(Re, view.turned * Vec2(cavity.lid_speed, 0));

@@ -31,7 +31,7 @@ const SeveralViews in_views{
     .spacing = spacing_of_all,
     .cell = 2 * spacing_of_all,
     .end = end,
-    .error = "kinetic energy over that of a rigid square [-]"};
+    .error = {"kinetic energy over that of a rigidly rotating square"}};
 
 Scene<Tait> scene_of(const View& view) {
   Scene<Tait> seen = scene();

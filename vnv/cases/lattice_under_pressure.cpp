@@ -13,9 +13,9 @@ using namespace touchstone::vnv;
 
 namespace {
 
-const std::string rate_by_theory = "growth rate by linear theory, of c / spacing [-]",
-                  rate_seen = "growth rate seen, of c / spacing [-]",
-                  theory_holds = "theory and trial agree whether noise grows [-]";
+const Quantity rate_by_theory{"growth rate over c / spacing, linear theory", "", Kind::value, Better::smaller},
+    rate_seen{"growth rate over c / spacing, measured", "", Kind::value, Better::smaller},
+    theory_holds{"linear theory and simulation agree on stability", "", Kind::value, Better::larger};
 
 constexpr std::array pressures = {-0.05, -0.02, -0.005, 0.005, 0.02, 0.05, 0.2};  // of rho0 c²
 constexpr std::array in_acceptance = {-0.02, 0.05};

@@ -42,8 +42,9 @@ double angular_momentum(const Samples& s) {
   return sum;
 }
 
-const std::string steps_taken = "steps [-]", energy_change = "kinetic energy, change [%]",
-                  momentum_change = "angular momentum, change [%]";
+const Quantity steps_taken{"steps completed", "", Kind::count},
+    energy_change{"relative change of kinetic energy", "%", Kind::invariant},
+    momentum_change{"relative change of angular momentum", "%", Kind::invariant};
 
 enum Seen { energy, momentum, hidden, closest };
 
@@ -52,9 +53,9 @@ std::vector<double> look(const Samples& s) {
   return {kinetic_energy(s), angular_momentum(s), hidden_motion(s, 1.6 * spacing), closest_pair(s) / spacing};
 }
 
-std::vector<Error> drifts(const Level& level, const Run& run) {
+std::vector<Value> drifts(const Level& level, const Run& run) {
   const auto& seen = run.history.seen;
-  const Error steps{level.name, level.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
+  const Value steps{level.name, level.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
   if (!run.summary.finished || seen.empty()) return {steps};
   const auto change = [&](Seen what) { return 100 * (seen.back()[what] / seen.front()[what] - 1); };
   double most_hidden = 0, closest_ever = seen.front()[closest];
@@ -62,12 +63,13 @@ std::vector<Error> drifts(const Level& level, const Run& run) {
     most_hidden = std::max(most_hidden, 100 * at[hidden]);
     closest_ever = std::min(closest_ever, at[closest]);
   }
-  const auto error = [&](const std::string& quantity, double value) {
-    return Error{level.name, level.spacing, run.summary.end_time, quantity, value};
+  const auto error = [&](const Quantity& quantity, double value) {
+    return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
   };
-  return {steps, error(energy_change, change(energy)), error(momentum_change, change(momentum)),
-          error("motion that neighbours do not share, largest [%]", most_hidden),
-          error("closest pair over spacing, least [-]", closest_ever)};
+  return {
+      steps, error(energy_change, change(energy)), error(momentum_change, change(momentum)),
+      error({"largest rms residual velocity of a local linear fit over rms velocity", "%", Kind::error}, most_hidden),
+      error({"smallest pair distance over spacing"}, closest_ever)};
 }
 
 const std::string short_run = "10000 steps", long_run = "100000 steps";

@@ -48,12 +48,12 @@ std::vector<double> look(const Samples& s) {
   return {momentum.x(), momentum.y(), turning, kinetic_energy(s), axes[0], axes[1], pressure_in_the_middle(s)};
 }
 
-const std::string drift = "momentum, largest change over mass times omega L [-]";
-const std::string torque = "angular momentum, farthest from that at the start [%]";
-const std::string loss = "kinetic energy lost [%]";
-const std::string skew = "half-axes of its second moments, by how much they differ [%]";
+const Quantity drift{"largest change of momentum over m omega L", "", Kind::invariant};
+const Quantity torque{"largest relative change of angular momentum", "%", Kind::invariant};
+const Quantity loss{"relative loss of kinetic energy", "%", Kind::invariant};
+const Quantity skew{"relative difference of the half-axes from second moments", "%", Kind::invariant};
 
-std::vector<Error> what_is_not_kept(const Level& level, const Run& run) {
+std::vector<Value> what_is_not_kept(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
   const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
   double largest = 0, farthest = 0;
@@ -62,10 +62,10 @@ std::vector<Error> what_is_not_kept(const Level& level, const Run& run) {
         largest, std::hypot(seen[momentum_x] - first[momentum_x], seen[momentum_y] - first[momentum_y]));
     farthest = norms::larger_magnitude(farthest, seen[angular_momentum] / first[angular_momentum] - 1);
   }
-  const auto at_the_end = [&](const std::string& quantity, double value) {
-    return Error{level.name, level.spacing, run.summary.end_time, quantity, value};
+  const auto at_the_end = [&](const Quantity& quantity, double value) {
+    return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
   };
-  std::vector<Error> found = {at_the_end(drift, largest / (exact.mass() * omega * L)),
+  std::vector<Value> found = {at_the_end(drift, largest / (exact.mass() * omega * L)),
                               at_the_end(torque, 100 * std::abs(farthest)),
                               at_the_end(loss, 100 * (1 - last[energy] / first[energy]))};
   if (is_disturbed(level)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
@@ -111,7 +111,8 @@ Case vnv::the_case() {
           "begin with. Mach number of a corner 1/28.",
       .times = {0.5, end},
       .watch = {.every = 0.02, .see = look},
-      .measurements = {what_is_not_kept, roughness_of("p", pressure, "rho omega² L²", rho0 * omega * omega * L * L)},
+      .measurements = {what_is_not_kept,
+                       roughness_of("pressure", pressure, "rho omega² L²", rho0 * omega * omega * L * L)},
       .methods = {turned_by(printed, {keeps_momentum()}), turned_by(apic, {keeps_momentum()}),
                   turned_by(delta, {keeps_momentum(),
                                     at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),

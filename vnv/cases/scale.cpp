@@ -11,11 +11,14 @@ using namespace touchstone::bench;
 
 namespace {
 
-const std::string dearer = "time per particle-step over that among 10^4 particles [-]";
-const std::string memory = "peak memory [GB]", memory_each = "peak memory per particle [bytes]";
+const Quantity dearer{"time per particle-step over that with 10^4 particles", "", Kind::cost};
+const Quantity memory{"peak memory", "GB", Kind::cost}, memory_each{"peak memory per particle", "bytes", Kind::cost};
 // The time of a particle-step beyond that among 10^4 particles, in what the machine moves through memory meanwhile.
-const std::string moved_meanwhile = "moved in the time beyond that among 10^4 particles [bytes]";
-const std::string passes = "moved in the time beyond that among 10^4 particles, over the memory of a particle [-]";
+const Quantity moved_meanwhile{"memory traffic in the extra time per particle-step over 10^4 particles", "bytes",
+                               Kind::cost};
+const Quantity passes{
+    "memory traffic in the extra time per particle-step over 10^4 particles, over the memory of a particle", "",
+    Kind::cost};
 const Author goal = baseline("goal set");
 const Author two_reads_and_a_write = theory("a step reads the particles twice and writes them once");
 
@@ -63,12 +66,12 @@ auto scale(Make make) {
 }
 
 /// Each run had a process of its own.
-std::vector<Error> find_memory(const Results& results, const Record&) {
-  std::vector<Error> all;
+std::vector<Value> find_memory(const Results& results, const Record&) {
+  std::vector<Value> all;
   for (const Run& run : results.runs) {
     const Cost& cost = run.summary.cost;
     const double each = cost.peak_memory / static_cast<double>(cost.particles);
-    const auto found = [&](const std::string& quantity, double value) {
+    const auto found = [&](const Quantity& quantity, double value) {
       all.push_back({run.summary.level, run.summary.spacing, not_a_number, quantity, value});
     };
     found(memory, 1e-9 * cost.peak_memory);

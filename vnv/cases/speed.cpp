@@ -50,7 +50,7 @@ Run race_mpm_in_channel(const Level& level, const Schedule&) {
               PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
-const std::string watch_cost = "time of a look of the watch over that of the steps between two [%]";
+const Quantity watch_cost{"time of a monitor sample over that of the steps between two", "%", Kind::cost};
 
 /// What the run loop takes to look at all particles, in turn with the steps that it lets pass between two looks.
 Run time_the_watch(Simulation simulation) {
@@ -115,8 +115,8 @@ Run race_sph_in_dam(const Level& level, const Schedule&) {
 }
 
 // The column in tanks as many times as large as the paper's as the level's name says.
-const std::string empty_share = "empty share of the tank [%]";
-const std::string slower = "time per step over that in the paper's tank [-]";
+const Quantity empty_share{"empty fraction of the tank", "%"};
+const Quantity slower{"time per step over that in the tank of the paper", "", Kind::cost};
 
 Vec2 tank_of(const Level& level) {
   const double times = std::stod(level.name);
@@ -135,9 +135,10 @@ Run compare_tanks(const Level& level, const Schedule&) {
 
 // One thread and two, by the clock on the wall. Two processors of a machine that does other things too, or that heat
 // each other, give less than twice the work of one: two runs side by side, each on one thread, show how much.
-const std::string speed_up = "time with one thread over that with two [-]";
-const std::string two_at_once = "work of two runs side by side over that of one [-]";
-const std::string used = "speed-up over the work of two runs side by side [-]";
+const Quantity speed_up{"speed-up with two threads", "", Kind::cost, Better::larger};
+const Quantity two_at_once{"throughput of two concurrent runs over that of one", "", Kind::cost, Better::larger};
+const Quantity used{"speed-up with two threads over the throughput of two concurrent runs", "", Kind::cost,
+                    Better::larger};
 
 /// `make` makes a solver that uses so many threads.
 template <class Make>
@@ -224,7 +225,7 @@ void draw_empty_background(const Results& results, Record& record) {
        "CPU time per step over the empty share of the background grid",
        "The same column of 14400 particles in tanks 1, 10 and 100 times as large. Sun et al. name the empty background as "
        "a cost of MPM in the dam break.",
-       {.label = "empty share of the grid [%]", .low = 80, .high = 100},
+       {.label = "empty fraction of the grid [%]", .low = 80, .high = 100},
        {.label = "T_p [ms]", .scale = 1e3, .low = 0}});
   record.curves.push_back(std::move(curve));
 }

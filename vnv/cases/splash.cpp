@@ -67,7 +67,8 @@ double arrival(const Run& run) {
   return INFINITY;
 }
 
-const std::string most_energy = "largest kinetic energy over that of the column's fall [-]";
+const Quantity most_energy{"maximum kinetic energy over the column's initial potential energy", "", Kind::value,
+                           Better::smaller};
 
 double highest(const Run& run, Column column) {
   double most = 0;
@@ -75,25 +76,25 @@ double highest(const Run& run, Column column) {
   return most;
 }
 
-std::vector<Error> numbers_of(const Level& level, const Run& run) {
+std::vector<Value> numbers_of(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
-  const auto told = [&](const std::string& quantity, double value) {
-    return Error{level.name, level.spacing, end, quantity, value};
+  const auto told = [&](const Quantity& quantity, double value) {
+    return Value{level.name, level.spacing, end, quantity, value};
   };
-  return {told("front at t = 0.3 s [m]", seen_at(run, front, 0.3)),
-          told("arrival at the far wall [s]", arrival(run)),
-          told("highest water at the far wall [m]", highest(run, run_up)),
-          told("level over the first quarter of the floor, t = 1 s [m]", seen_at(run, level_left, 1)),
-          told("level over the last quarter of the floor, t = 1 s [m]", seen_at(run, level_right, 1)),
+  return {told({"front position at t = 0.3 s", "m"}, seen_at(run, front, 0.3)),
+          told({"impact time at the downstream wall", "s"}, arrival(run)),
+          told({"maximum run-up at the downstream wall", "m"}, highest(run, run_up)),
+          told({"mean water depth over the first quarter of the tank, t = 1 s", "m"}, seen_at(run, level_left, 1)),
+          told({"mean water depth over the last quarter of the tank, t = 1 s", "m"}, seen_at(run, level_right, 1)),
           told(most_energy, highest(run, kinetic)),
-          told("kinetic energy over that of the column's fall, t = 0.9 s [-]", seen_at(run, kinetic, 0.9)),
-          told("kinetic energy over that of the column's fall, t = 1.4 s [-]", seen_at(run, kinetic, end))};
+          told({"kinetic energy over the column's initial potential energy, t = 0.9 s"}, seen_at(run, kinetic, 0.9)),
+          told({"kinetic energy over the column's initial potential energy, t = 1.4 s"}, seen_at(run, kinetic, end))};
 }
 
 /// A run may end early: of 300 starts printed MPM lost a particle in 6, mostly through the far wall, by 10 um.
-const std::string ended = "starts that ran to their end [-]";
+const Quantity ended{"ensemble members that ran to the end time", "", Kind::count, Better::larger};
 
-std::vector<Error> count_ended(const Results& results, const Record&) {
+std::vector<Value> count_ended(const Results& results, const Record&) {
   const auto count = std::ranges::count_if(results.runs, [](const Run& run) { return run.summary.finished; });
   return {{"", not_a_number, end, ended, static_cast<double>(count)}};
 }

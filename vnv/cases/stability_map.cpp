@@ -18,10 +18,11 @@ using namespace touchstone::vnv;
 namespace {
 
 const std::string over_courant_numbers = "Courant numbers", over_arrangements = "arrangements", over_fluids = "fluids";
-const std::string share_stable = "share of the map that is stable [%]",
-                  stable_as_theory = "share of the map where theory and trial agree on stability [%]",
-                  share_right = "share of the map that is stable and right [%]",
-                  stable_where_made_for = "share of the map up to Mach 0.32 and Reynolds 100 that is stable [%]";
+const Quantity share_stable{"stable fraction of the map", "%", Kind::stability_limit},
+    stable_as_theory{"fraction of the map where linear theory and simulation agree on stability", "%",
+                     Kind::stability_limit},
+    share_right{"stable and accurate fraction of the map", "%", Kind::stability_limit},
+    stable_where_made_for{"stable fraction of the map up to Ma = 0.32 and Re = 100", "%", Kind::stability_limit};
 
 constexpr double c = RestingLattice::sound_speed;
 constexpr double U = 0.01 * c;         // m/s  of the wave over Courant numbers

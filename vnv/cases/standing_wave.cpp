@@ -21,9 +21,10 @@ std::vector<double> look(const Samples& s) {
   return {(s.mass * heights * wave).sum()};
 }
 
-const std::string period_error = "period, less the exact [%]", decay_error = "rate of decay, less the exact [%]";
+const Quantity period_error{"relative error of the period", "%", Kind::deviation},
+    decay_error{"relative error of the decay rate", "%", Kind::deviation};
 
-std::vector<Error> errors_of_swing(const Level& level, const Run& run) {
+std::vector<Value> errors_of_swing(const Level& level, const Run& run) {
   if (!run.summary.finished) return {};
   std::vector<double> heights;
   for (const std::vector<double>& seen : run.history.seen) heights.push_back(seen[0]);

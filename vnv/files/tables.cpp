@@ -148,7 +148,7 @@ std::vector<std::string> like(const std::string& expected, const std::vector<std
 bool has_unit(const std::string& heading) { return heading.ends_with(']') && heading.find(" [") != heading.npos; }
 
 /// One `name = value unit`.
-std::pair<std::string, Quantity> quantity_in(const Sheet& sheet, const Sheet::Key& key, std::string_view text) {
+std::pair<std::string, ValueWithUnit> quantity_in(const Sheet& sheet, const Sheet::Key& key, std::string_view text) {
   const auto equals = std::min(text.find('='), text.size());
   const auto name = trimmed(text.substr(0, equals));
   const auto amount = trimmed(text.substr(std::min(equals + 1, text.size())));
@@ -162,9 +162,9 @@ std::pair<std::string, Quantity> quantity_in(const Sheet& sheet, const Sheet::Ke
 }
 
 /// The quantities of a key, parted by semicolons; "none" for none.
-Quantities quantities(const Sheet& sheet, std::string_view name) {
+ValuesWithUnits quantities(const Sheet& sheet, std::string_view name) {
   const auto& key = sheet.key(name);
-  Quantities all;
+  ValuesWithUnits all;
   if (key.value == "none") return all;
   std::string_view rest = key.value;
   while (!rest.empty()) {

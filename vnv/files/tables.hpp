@@ -51,19 +51,20 @@ void require_keys(const Sheet& sheet, const std::vector<std::string>& expected);
 /// Throws BadData unless the headings are these, with their units, in this order.
 void require_headings(const Sheet& sheet, const std::vector<std::string>& expected);
 
-struct Quantity {
+struct ValueWithUnit {
   double value;
   std::string unit;  // "-" for a pure number
 };
-using Quantities = std::map<std::string, Quantity, std::less<>>;
+using ValuesWithUnits = std::map<std::string, ValueWithUnit, std::less<>>;
 
 /// Where the numbers of a table come from, and what they hold for. All but the notes must stand in the file.
 struct Provenance {
   std::string title, citation;
-  std::string source;      // who read the numbers from where, and which copy was taken
-  std::string scaling;     // in words; "none" for numbers with units
-  Quantities geometry;     // SI
-  Quantities uncertainty;  // by column without its unit, "L", or by column and kind, "L.repeat"; in the column's unit
+  std::string source;        // who read the numbers from where, and which copy was taken
+  std::string scaling;       // in words; "none" for numbers with units
+  ValuesWithUnits geometry;  // SI
+  ValuesWithUnits
+      uncertainty;  // by column without its unit, "L", or by column and kind, "L.repeat"; in the column's unit
   std::vector<std::string> notes;
   int geometry_line = 0;
 };

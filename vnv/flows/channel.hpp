@@ -29,8 +29,8 @@ inline const std::string grid = "grid at 4 points per cell";
 inline const std::string spacing_ladder = "spacing at fixed h / spacing";
 
 // Quantities that every method is judged by.
-inline const std::string l2_rows = "L2 v_x, row means [%]", linf_rows = "Linf v_x, row means [%]";
-inline const std::string l2 = "L2 v_x, per particle [%]", linf = "Linf v_x, per particle [%]";
+inline const Quantity l2_rows{"L2 v_x, row means", "%", Kind::norm}, linf_rows{"Linf v_x, row means", "%", Kind::norm};
+inline const Quantity l2{"L2 v_x, per particle", "%", Kind::norm}, linf{"Linf v_x, per particle", "%", Kind::norm};
 
 /// Rows as the paper averages them, one per particle row of the start.
 inline Measure by_rows(const Level& level) { return row_means(velocity_x, level.spacing); }
@@ -107,8 +107,8 @@ inline const std::string one_evaluation_words =
     " Here with Adams-Bashforth steps of third order, one evaluation of the rates each.";
 
 /// How much larger an error is at 10 s than at 1 s, for runs that go so far.
-inline const std::string growth = "L2 v_x, per particle, at 10 s over that at 1 s [-]";
-inline std::vector<Error> growth_of(const Level& level, const Run& run, const Truth& truth) {
+inline const Quantity growth{"L2 v_x, per particle, at 10 s over that at 1 s", "", Kind::value, Better::smaller};
+inline std::vector<Value> growth_of(const Level& level, const Run& run, const Truth& truth) {
   const Samples *early = run.at(1), *late = run.at(10);
   if (!early || !late) return {};
   const auto error = [&](const Samples& samples) {

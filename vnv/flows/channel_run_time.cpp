@@ -101,7 +101,7 @@ std::vector<WorkPoint> published_work(const std::string& flow) {
   std::vector<WorkPoint> points;
   for (const char* family : {"MPM", "SPH"}) {
     const DataTable paper = published(flow, family);
-    const Quantities& geometry = paper.provenance().geometry;
+    const ValuesWithUnits& geometry = paper.provenance().geometry;
     const double steps = geometry.at("end_time").value / geometry.at("time_step").value;
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       points.push_back(elsewhere(fmt::format("Sun et al., {}", family), family, paper.words("model")[k],

@@ -58,15 +58,14 @@ std::vector<double> DamFront::look(const Samples& samples) const {
           farthest_particle(samples) / column_length, samples.mass.sum(), static_cast<double>(in_tank)};
 }
 
-std::vector<Error> DamFront::compare(const Level& level, const Run& run) const {
-  std::vector<Error> found;
-  const auto add = [&](std::string quantity, double value) {
-    found.push_back({level.name, level.spacing, run.summary.end_time, std::move(quantity), value});
+std::vector<Value> DamFront::compare(const Level& level, const Run& run) const {
+  std::vector<Value> found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
   if (!run.summary.finished) return found;
-  add("mass over that of the column, less 1 [-]",
-      run.history.seen.back()[mass] / (density * column_length * column_height) - 1);
-  add("particles lost or outside [-]", 0 - largest_departure(run, inside));
+  add(mass_change, run.history.seen.back()[mass] / (density * column_length * column_height) - 1);
+  add(lost, 0 - largest_departure(run, inside));
 
   constexpr double end_of_data = 1.59;  // T when the measured front meets the wall
   if (scaled_time(run.summary.end_time) < end_of_data) return found;
@@ -77,15 +76,16 @@ std::vector<Error> DamFront::compare(const Level& level, const Run& run) const {
   const FrontComparison judged = compare_fronts(ours, measured, judged_times, {slope_times.low, end_of_slope}, shifts);
   const double measured_slope = slope_of("the measured", measured, slope_times);  // 1.34, as its authors give it
   add(rms, judged.rms);
-  add("best shift of T [-]", judged.best_shift);
-  add("RMS of L over T in [1, 1.5], best shift [-]", judged.rms_at_best_shift);
-  add("slope dL/dT from T = 1 to 1.58 or the wall [-]", judged.slope);
+  add({"best-fit time shift in T"}, judged.best_shift);
+  add({"RMS error of L for T in [1, 1.5], with the best time shift", "", Kind::error}, judged.rms_at_best_shift);
+  add({"front speed dL/dT from T = 1 to 1.58 or impact"}, judged.slope);
   add(slope_error, 100 * (judged.slope / measured_slope - 1));
-  add("slope dL/dT less the measured over the same T [%]", 100 * (judged.slope / judged.measured_slope - 1));
-  add("arrival at the far wall, T [-]", arrival(*this, ours));
-  add("RMS of L, no shift, 99.5th percentile [-]",
+  add({"relative error of the front speed dL/dT over the same range of T", "%", Kind::deviation},
+      100 * (judged.slope / judged.measured_slope - 1));
+  add({"impact time at the downstream wall, T"}, arrival(*this, ours));
+  add({"RMS error of L, without time shift, front as 99.5th percentile", "", Kind::error},
       compare_fronts(history_of(*this, run, percentile), measured, judged_times, judged_times, shifts).rms);
-  add("RMS of L, no shift, farthest particle [-]",
+  add({"RMS error of L, without time shift, front as farthest particle", "", Kind::error},
       compare_fronts(history_of(*this, run, farthest), measured, judged_times, judged_times, shifts).rms);
   return found;
 }

@@ -16,9 +16,13 @@ struct DamFront {
   double slab;                          // m  side of the slab that has to be half full
 
   // Quantities of the comparison with Lobovský et al. (2014).
-  inline static const std::string rms = "RMS of L over T in [1, 1.5], no shift [-]";
-  inline static const std::string slope_error =
-      "slope dL/dT from T = 1 to 1.58 or the wall, less the measured 1.34 [%]";
+  inline static const Quantity rms{"RMS error of L for T in [1, 1.5], without time shift", "", Kind::error};
+  inline static const Quantity slope_error{
+      "relative error of the front speed dL/dT from T = 1 to 1.58 or impact (measured 1.34)", "%", Kind::deviation};
+
+  // Of all runs.
+  inline static const Quantity mass_change{"relative mass error", "", Kind::invariant};
+  inline static const Quantity lost{"particles lost or outside the domain", "", Kind::count, Better::smaller};
 
   double scaled_time(double t) const { return t * std::sqrt(gravity * column_height) / column_length; }  // (39)
 
@@ -27,7 +31,7 @@ struct DamFront {
   std::vector<double> look(const Samples& samples) const;
 
   /// Fronts against the measured one, mass and number of particles, of a run that was watched by `look`.
-  std::vector<Error> compare(const Level& level, const Run& run) const;
+  std::vector<Value> compare(const Level& level, const Run& run) const;
 
   /// L over T for the levels named, with Lobovský et al., Martin & Moyce and Ritter's bound.
   Plot history(Figure frame, std::vector<std::string> levels) const;

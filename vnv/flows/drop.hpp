@@ -44,10 +44,10 @@ inline Watch watch_axes() {
           }};
 }
 
-inline const std::string axes_error = "Linf of both half-axes until stretched twofold [%]";
+inline const Quantity axes_error{"Linf of both half-axes until the length has doubled", "%", Kind::norm};
 
 /// The half-axes, relative to those of the particles at the start, against the exact ones, at all times until the end.
-inline std::vector<Error> error_of_axes(const Level& level, const Run& run) {
+inline std::vector<Value> error_of_axes(const Level& level, const Run& run) {
   double largest = 0;
   for (std::size_t k = 0; k < run.history.time.size(); ++k) {
     const auto state = exact.at(run.history.time[k]);

@@ -50,7 +50,7 @@ inline const Scene<Tait, Uniform> scene{
 
 inline double pressure_at(double y, double /*t*/) { return y < exact.h ? exact.p(y) : 0; }
 inline Measure pressures(const Level&) { return per_particle(pressure); }
-inline const std::string l2_p = "L2 p, per particle [%]";
+inline const Quantity l2_p{"L2 p, per particle", "%", Kind::norm};
 
 // The methods that run it, for a scene.
 inline Method printed(const Scene<Tait, Uniform>& seen) { return mpm_as_printed(seen, output_interval, 0.4); }

@@ -36,7 +36,7 @@ Reason compare_orders(const vnv::ObservedOrder& before, const vnv::ObservedOrder
   if (!before.errors.empty() && is_of_rounding(before) && is_of_rounding(after))
     return {Change::same, "errors are rounding and have no order"};
   if (!std::isfinite(before.order) || !std::isfinite(after.order))
-    return compare_values(before.order, after.order, Direction::larger, 0);
+    return compare_values(before.order, after.order, vnv::Better::larger, 0);
   const double rise = after.order - before.order;
   const std::string why =
       fmt::format("by {:+.3g}, intervals +- {:.2g} and +- {:.2g}", rise, before.half_width, after.half_width);

@@ -1,7 +1,7 @@
 #pragma once
 /// Whether a value changed, and which way.
 
-#include "vnv/gate/meaning.hpp"
+#include "vnv/gate/difference.hpp"
 
 #include <optional>
 #include <utility>
@@ -21,11 +21,11 @@ inline constexpr double rounding_of_zero = 1e-12;
 using Reason = std::pair<Change, std::string>;
 
 /// Judges a value by how far it may move, `room` [its own unit], half the width between the limits of its baseline.
-/// Within the room, or within rounding of zero, it is the same, and beyond it better or worse by its direction, or
-/// inconclusive if it has none. A room wider than what must be noticed is not believed: a change for the worse inside
-/// it but beyond `noticed` is inconclusive. A room of half the value and more says that the value is not one to be
-/// compared (the error of a run that need not be right): inside it nothing is judged. What is no
-/// finite number is worse after one that is.
-Reason compare_values(double before, double after, Direction direction, std::optional<double> room);
+/// Within the room, or within rounding of zero, it is the same, and beyond it better or worse by its declared
+/// direction, or inconclusive if none is declared. A room wider than what must be noticed is not believed: a change for
+/// the worse inside it but beyond `noticed` is inconclusive. A room of half the value and more says that the value is
+/// not one to be compared (the error of a run that need not be right): inside it nothing is judged. What is no finite
+/// number is worse after one that is.
+Reason compare_values(double before, double after, vnv::Better better, std::optional<double> room);
 
 }  // namespace touchstone::gate

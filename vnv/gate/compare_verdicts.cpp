@@ -8,7 +8,7 @@
 namespace touchstone::gate {
 namespace {
 
-using vnv::Outcome, vnv::Verdict;
+using vnv::Better, vnv::Outcome, vnv::Verdict;
 
 std::string_view word_of(Outcome outcome) {
   return outcome == Outcome::holds ? "holds" : outcome == Outcome::fails ? "fails" : "is inconclusive";
@@ -19,10 +19,9 @@ int rank_of(Outcome outcome) { return outcome == Outcome::holds ? 2 : outcome ==
 /// Whether a baseline is left on the side on which its value is better.
 bool is_left_for_the_better(const Verdict& before, const Verdict& after) {
   if (!after.author.starts_with("baseline") || !after.lower || !after.upper) return false;
-  const Direction direction = meaning_of(after.quantity).direction;
-  if (direction == Direction::smaller) return after.value < *after.lower;
-  if (direction == Direction::larger) return after.value > *after.upper;
-  return direction == Direction::towards_zero && std::abs(after.value) < std::abs(before.value);
+  if (after.better == Better::smaller) return after.value < *after.lower;
+  if (after.better == Better::larger) return after.value > *after.upper;
+  return after.better == Better::nearer_zero && std::abs(after.value) < std::abs(before.value);
 }
 
 /// Whether a baseline, which follows its value to either side, has got wider than the value has got larger.
@@ -46,7 +45,7 @@ bool is_loosened(const Verdict& before, const Verdict& after) {
 }  // namespace
 
 Reason compare_verdicts(const Verdict& before, const Verdict& after) {
-  if (meaning_of(before.quantity).of_the_machine) return {Change::unjudged, "of the machine"};
+  if (after.kind == vnv::Kind::cost) return {Change::unjudged, "of the machine"};
   const int rise = rank_of(after.outcome) - rank_of(before.outcome);
   if (rise < 0 && is_left_for_the_better(before, after))
     return {Change::better, "better than its baseline allows; to be accepted"};

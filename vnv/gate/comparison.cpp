@@ -14,7 +14,7 @@
 namespace touchstone::gate {
 namespace {
 
-using vnv::Error, vnv::ObservedOrder, vnv::Record, vnv::RunSummary, vnv::Verdict;
+using vnv::Value, vnv::ObservedOrder, vnv::Record, vnv::RunSummary, vnv::Verdict;
 
 const char* const gone = "no longer there";
 const char* const added = "new";
@@ -87,33 +87,30 @@ class Comparison {
   }
 
   void compare_errors(const Record& before, const Record& after) {
-    const auto place = [&](const Error& error) {
-      Difference d = of_method(before, meaning_of(error.quantity).kind, error.quantity);
+    const auto place = [&](const Value& error) {
+      Difference d = of_method(before, kind_of(error.quantity.kind), error.quantity.heading());
       d.level = error.level;
       d.time = error.time;
       return d;
     };
-    for (const Error& was : before.errors) {
-      const Error* is = find_error(after, was);
-      Difference d = place(was);
+    for (const Value& was : before.values) {
+      const Value* is = find_value(after, was);
+      Difference d = place(is ? *is : was);  // records of a former schema declare no kind
       d.before = was.value;
       if (is) d.after = is->value;
       tell(std::move(d), is ? compare_error(was, *is, before) : Reason{Change::worse, gone});
     }
-    for (const Error& is : after.errors)
-      if (!find_error(before, is)) {
+    for (const Value& is : after.values)
+      if (!find_value(before, is)) {
         Difference d = place(is);
         d.after = is.value;
         tell(std::move(d), {Change::unjudged, added});
       }
   }
 
-  static Reason compare_error(const Error& was, const Error& is, const Record& before) {
-    const Meaning meaning = meaning_of(was.quantity);
-    if (meaning.of_the_machine) return {Change::unjudged, "of the machine"};
-    const bool is_named = meaning.direction != Direction::unknown;
-    return compare_values(was.value, is.value, is_named ? meaning.direction : direction_by_claims(before, was.quantity),
-                          room_of(was, before));
+  static Reason compare_error(const Value& was, const Value& is, const Record& before) {
+    if (is.quantity.kind == vnv::Kind::cost) return {Change::unjudged, "of the machine"};
+    return compare_values(was.value, is.value, is.quantity.better, room_of(was, before));
   }
 
   void compare_orders_of(const Record& before, const Record& after) {
@@ -143,7 +140,7 @@ class Comparison {
   static double explained_by_tolerance(const ObservedOrder& order, const Record& record) {
     double share = 0;
     for (std::size_t k = 0; k < order.errors.size(); ++k) {
-      const Error place{order.levels.at(k), order.spacings.at(k), order.time, order.quantity};
+      const Value place{order.levels.at(k), order.spacings.at(k), order.time, vnv::with_heading(order.quantity)};
       const double scale = std::abs(order.errors[k]);
       const double room = room_of(place, record).value_or(allowed_by_default * scale);
       share = std::max(share, std::min(room / scale, noticed));

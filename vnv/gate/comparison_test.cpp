@@ -9,7 +9,7 @@
 namespace touchstone::gate {
 namespace {
 
-using vnv::Error, vnv::ObservedOrder, vnv::Outcome, vnv::Record, vnv::RunSummary, vnv::Verdict;
+using vnv::Value, vnv::ObservedOrder, vnv::Outcome, vnv::Record, vnv::RunSummary, vnv::Verdict;
 
 constexpr double steps_limit = 5.6;  // us
 
@@ -21,6 +21,8 @@ Verdict verdict(std::string level, std::string quantity, double value, std::opti
           .time = 1,
           .quantity = std::move(quantity),
           .unit = "%",
+          .kind = vnv::Kind::norm,
+          .better = vnv::Better::smaller,
           .value = value,
           .lower = lower,
           .upper = upper,
@@ -37,12 +39,13 @@ Record plain() {
   record.suite = "acceptance";
   for (const std::string level : {"M1", "M2"})
     record.runs.push_back({.level = level, .end_time = 1, .finished = true, .outcome = "finished"});
-  record.errors = {{"M1", 2e-5, 1, "L2 v_x [%]", 0.4},
-                   {"M2", 1e-5, 1, "L2 v_x [%]", 0.1},
-                   {"M2", 1e-5, 1, "period, less the exact [%]", -0.2},
-                   {"M2", 1e-5, 1, "slope dL/dT [-]", 1.34},
-                   {"M2", 1e-5, 1, "critical time step, stable end [us]", steps_limit},
-                   {"M2", 1e-5, 1, "peak memory [GB]", 2}};
+  record.values = {
+      {"M1", 2e-5, 1, {"L2 v_x", "%", vnv::Kind::norm}, 0.4},
+      {"M2", 1e-5, 1, {"L2 v_x", "%", vnv::Kind::norm}, 0.1},
+      {"M2", 1e-5, 1, {"relative error of the period", "%", vnv::Kind::deviation}, -0.2},
+      {"M2", 1e-5, 1, {"slope dL/dT"}, 1.34},
+      {"M2", 1e-5, 1, {"largest stable time step, lower bound", "us", vnv::Kind::stability_limit}, steps_limit},
+      {"M2", 1e-5, 1, {"peak memory", "GB", vnv::Kind::cost}, 2}};
   ObservedOrder order;
   order.ladder = "grid";
   order.quantity = "L2 v_x [%]";
@@ -55,7 +58,7 @@ Record plain() {
   record.orders = {order};
   record.verdicts = {verdict("M2", "L2 v_x", 0.1, std::nullopt, 0.17, "literature: table 3, M2"),
                      verdict("M2", "L2 v_x", 0.1, 0.0999, 0.1001, "baseline: rounding"),
-                     verdict("M2", "critical time step, stable end", steps_limit, 0.97 * steps_limit,
+                     verdict("M2", "largest stable time step, lower bound", steps_limit, 0.97 * steps_limit,
                              1.03 * steps_limit, "baseline: bisection")};
   return record;
 }
@@ -87,22 +90,22 @@ TEST(Comparison, OfARecordWithItselfFindsAllTheSame) {
 }
 
 TEST(Comparison, NamesAnErrorThatIsATenthLarger) {
-  const auto found = changes_by([](Record& r) { r.errors[0].value *= 1.1; });
+  const auto found = changes_by([](Record& r) { r.values[0].value *= 1.1; });
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(sentence_of(found.front()),
             "poiseuille.mpm M1: L2 v_x [%] at 1 s: 0.4 before, 0.44 after: worse: by +10 %; allowed are 0.008");
 }
 
 TEST(Comparison, SwappedFindsBetterWhatWasWorse) {
-  const Record worse = changed([](Record& r) { r.errors[0].value *= 1.1; });
+  const Record worse = changed([](Record& r) { r.values[0].value *= 1.1; });
   EXPECT_EQ(changes(worse, plain()).front().change, Change::better);
 }
 
 TEST(Comparison, NamesAStabilityLimitShrunkByATwentieth) {
-  const auto found = changes_by([](Record& r) { r.errors[4].value *= 0.95; });
+  const auto found = changes_by([](Record& r) { r.values[4].value *= 0.95; });
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found.front().kind, Kind::stability);
-  EXPECT_EQ(found.front().quantity, "critical time step, stable end [us]");
+  EXPECT_EQ(found.front().quantity, "largest stable time step, lower bound [us]");
   EXPECT_EQ(found.front().change, Change::worse);
 }
 
@@ -115,7 +118,7 @@ TEST(Comparison, NamesAnOrderFallenByThreeTenthsHoweverWideItsInterval) {
 
 TEST(Comparison, LeavesBaselinesTheirRoomButNoMore) {
   const auto moved = [](double share) {
-    return change_of({changes_by([share](Record& r) { r.errors[1].value *= 1 + share; }).front()});
+    return change_of({changes_by([share](Record& r) { r.values[1].value *= 1 + share; }).front()});
   };
   EXPECT_EQ(moved(0.0009), Change::unjudged);  // only the memory is left
   EXPECT_EQ(moved(0.0011), Change::worse);
@@ -123,30 +126,29 @@ TEST(Comparison, LeavesBaselinesTheirRoomButNoMore) {
 }
 
 TEST(Comparison, ComparesErrorsWithASignByTheirSize) {
-  const auto moved = [](double to) { return changes_by([to](Record& r) { r.errors[2].value = to; }).front().change; };
+  const auto moved = [](double to) { return changes_by([to](Record& r) { r.values[2].value = to; }).front().change; };
   EXPECT_EQ(moved(0.1), Change::better);
   EXPECT_EQ(moved(-0.3), Change::worse);
   EXPECT_EQ(moved(0.3), Change::worse);
 }
 
 TEST(Comparison, LeavesToAPersonWhatHasNoBetterWay) {
-  EXPECT_EQ(changes_by([](Record& r) { r.errors[3].value = 1.5; }).front().change, Change::inconclusive);
+  EXPECT_EQ(changes_by([](Record& r) { r.values[3].value = 1.5; }).front().change, Change::inconclusive);
 }
 
-TEST(Comparison, AsksTheClaimsOfTheoryWhichWayIsBetter) {
-  const auto with_claim = [](Record& r) {
-    r.verdicts.push_back(verdict("M2", "slope dL/dT", 1.34, std::nullopt, 2, "theory: the inviscid bound"));
-  };
-  const auto after = changed([&](Record& r) { with_claim(r), r.errors[3].value = 1.5; });
-  EXPECT_EQ(changes(changed(with_claim), after).front().change, Change::worse);
+TEST(Comparison, AsksTheQuantityWhichWayIsBetterAndOfAFormerRecordThatOfToday) {
+  const auto former = changed([](Record& r) { r.values[3].quantity = vnv::with_heading("slope dL/dT [-]"); });
+  const auto after =
+      changed([](Record& r) { r.values[3].quantity.better = vnv::Better::smaller, r.values[3].value = 1.5; });
+  EXPECT_EQ(changes(former, after).front().change, Change::worse);
 }
 
 TEST(Comparison, FindsWhatIsNoNumberAnyMoreWorse) {
-  const auto found = changes_by([](Record& r) { r.errors[0].value = r.orders[0].order = vnv::not_a_number; });
+  const auto found = changes_by([](Record& r) { r.values[0].value = r.orders[0].order = vnv::not_a_number; });
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found.front().change, Change::worse);
   EXPECT_EQ(found.back().change, Change::worse);
-  EXPECT_EQ(changes(changed([](Record& r) { r.errors[0].value = vnv::not_a_number; }), plain()).front().change,
+  EXPECT_EQ(changes(changed([](Record& r) { r.values[0].value = vnv::not_a_number; }), plain()).front().change,
             Change::better);
 }
 
@@ -164,7 +166,7 @@ TEST(Comparison, FindsARunThatVanishedOrDivergedWorse) {
 
 TEST(Comparison, FindsAnErrorAnOrderOrAClaimThatVanishedWorse) {
   for (const auto& vanish : std::vector<std::function<void(Record&)>>{
-           [](Record& r) { r.errors.erase(r.errors.begin()); }, [](Record& r) { r.orders.clear(); },
+           [](Record& r) { r.values.erase(r.values.begin()); }, [](Record& r) { r.orders.clear(); },
            [](Record& r) { r.verdicts.pop_back(); }}) {
     const auto found = changes_by(vanish);
     EXPECT_EQ(std::ranges::count(found, Change::worse, &Difference::change), 1);
@@ -190,7 +192,7 @@ TEST(Comparison, FindsAClaimWorseThatFailsOrIsInconclusiveNow) {
 
 TEST(Comparison, FindsABaselineBetterThatIsLeftBecauseTheErrorFell) {
   const auto found = changes_by([](Record& r) {
-    r.errors[1].value = r.verdicts[1].value = 0.05;
+    r.values[1].value = r.verdicts[1].value = 0.05;
     r.verdicts[1].outcome = Outcome::fails;
   });
   for (const Difference& d : found)
@@ -223,7 +225,7 @@ TEST(Comparison, LeavesABaselineWithMoreRoomToAPersonButNotOneThatFollowsItsValu
 
 TEST(Comparison, NeverJudgesWhatIsTheMachines) {
   const auto found = changes_by([](Record& r) {
-    r.errors[5].value = 200;
+    r.values[5].value = 200;
     for (RunSummary& run : r.runs) run.cost.cpu = 1e3;
   });
   EXPECT_EQ(change_of(found), Change::unjudged);
@@ -234,7 +236,7 @@ TEST(Comparison, RefusesTwoRecordsOfAMethod) {
 }
 
 TEST(Comparison, OfRepeatedRunsSetsAsideWhatVariedBefore) {
-  const Record other = changed([](Record& r) { r.errors[0].value *= 1.5; });
+  const Record other = changed([](Record& r) { r.values[0].value *= 1.5; });
   const auto find = [](const std::vector<Difference>& all) {
     return std::ranges::find(all, "L2 v_x [%]", &Difference::quantity)->change;
   };

@@ -12,6 +12,23 @@ std::string_view name_of(Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+Kind kind_of(vnv::Kind quantity) {
+  using Of = vnv::Kind;
+  switch (quantity) {
+    case Of::norm:
+    case Of::error:
+    case Of::deviation:
+    case Of::invariant:
+      return Kind::error;
+    case Of::stability_limit:
+      return Kind::stability;
+    case Of::order:
+      return Kind::order;
+    default:
+      return Kind::other;
+  }
+}
+
 std::string_view name_of(Change change) {
   constexpr std::array names{"unjudged", "same", "better", "inconclusive", "worse"};
   return names[static_cast<std::size_t>(change)];

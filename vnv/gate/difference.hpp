@@ -11,6 +11,7 @@ namespace touchstone::gate {
 /// What kind of thing is compared: that a run is there and ends, that a claim holds, or a value.
 enum class Kind { run, claim, error, order, stability, other, cost };
 std::string_view name_of(Kind kind);
+Kind kind_of(vnv::Kind quantity);
 
 /// Which way it went. What is unjudged is told and gates nothing: it is new, or of the machine.
 enum class Change { unjudged, same, better, inconclusive, worse };  // a gate rises with it
@@ -19,7 +20,7 @@ std::string_view name_of(Change change);
 struct Difference {
   std::string case_name, method, level;  // the level may be empty where a thing belongs to a whole ladder
   double time = vnv::not_a_number;       // s  not a number where it belongs to no time
-  std::string quantity;                  // "L2 v_x, row means [%]"
+  std::string quantity;                  // heading, "L2 v_x, row means [%]"
   Kind kind = Kind::other;
   double before = vnv::not_a_number, after = vnv::not_a_number;  // in the unit of the quantity
   Change change = Change::unjudged;

@@ -1,7 +1,6 @@
 #include "vnv/gate/front.hpp"
 
 #include "vnv/gate/compare_values.hpp"
-#include "vnv/gate/meaning.hpp"
 #include "vnv/record/work_precision.hpp"
 
 #include <fmt/format.h>
@@ -12,22 +11,22 @@
 namespace touchstone::gate {
 namespace {
 
-using vnv::Error, vnv::Record, vnv::RunSummary, vnv::WorkPoint;
+using vnv::Value, vnv::Record, vnv::RunSummary, vnv::WorkPoint;
 
 /// The first that is more than rounding.
 std::string error_drawn(const Records& records, const std::string& case_name) {
   for (const Record& record : records)
     if (record.case_name == case_name)
-      for (const Error& error : record.errors)
-        if (meaning_of(error.quantity).kind == Kind::error && std::abs(error.value) > rounding_of_zero)
-          return error.quantity;
+      for (const Value& error : record.values)
+        if (kind_of(error.quantity.kind) == Kind::error && std::abs(error.value) > rounding_of_zero)
+          return error.quantity.heading();
   return "";
 }
 
 double last_value(const Record& record, const std::string& level, const std::string& quantity) {
   double value = vnv::not_a_number;
-  for (const Error& error : record.errors)  // in the order of time
-    if (error.level == level && error.quantity == quantity) value = error.value;
+  for (const Value& error : record.values)  // in the order of time
+    if (error.level == level && error.quantity.heading() == quantity) value = error.value;
   return value;
 }
 

@@ -25,7 +25,7 @@ vnv::Record plain() {
   record.method = "mpm";
   record.suite = "acceptance";
   record.runs = {{.level = "M1", .end_time = 1, .finished = true, .outcome = "finished", .cost = {.cpu = 1}}};
-  record.errors = {{"M1", 1e-5, 1, "L2 v_x [%]", 0.4}};
+  record.values = {{"M1", 1e-5, 1, {"L2 v_x", "%", vnv::Kind::norm}, 0.4}};
   return record;
 }
 
@@ -103,7 +103,7 @@ class Gate : public testing::Test {
   std::ostringstream told_;
 };
 
-const auto less_accurate = [](vnv::Record& record) { record.errors[0].value *= 1.1; };
+const auto less_accurate = [](vnv::Record& record) { record.values[0].value *= 1.1; };
 
 TEST_F(Gate, LetsPassARecordAgainstItself) {
   const std::string file = record_file("flow.mpm.json", plain());
@@ -124,7 +124,7 @@ TEST_F(Gate, StopsALargerErrorAndLetsPassASmallerOne) {
 
 TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
   vnv::Record changed = plain();
-  changed.errors[0].value = vnv::not_a_number;
+  changed.values[0].value = vnv::not_a_number;
   request_.markdown = folder() / "gate.md";
   request_.json = folder() / "gate.json";
   request_.figure = folder() / "figure.json";
@@ -149,9 +149,9 @@ TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
 
 TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
   vnv::Record record = plain();
-  record.errors.insert(record.errors.begin(), record.errors[0]);
-  record.errors[0].quantity = "L2 v_y [%]";
-  record.errors[0].value = 2e-15;
+  record.values.insert(record.values.begin(), record.values[0]);
+  record.values[0].quantity.name = "L2 v_y";
+  record.values[0].value = 2e-15;
   request_.figure = folder() / "figure.json";
   const std::string file = record_file("flow.mpm.json", record);
   EXPECT_EQ(gate(file, file), same_or_better);
@@ -278,7 +278,7 @@ TEST_F(Gate, FindsACaseWorseThatIsGone) {
 
 TEST_F(Gate, NeverJudgesWhatACaseFindsThatJudgesTime) {
   const auto timed = [&](const std::string& name, double value) {
-    const std::string folder = build(name, value, 1, [&](vnv::Record& r) { r.errors[0].value = value; });
+    const std::string folder = build(name, value, 1, [&](vnv::Record& r) { r.values[0].value = value; });
     std::ofstream(folder + "/vnv/flow_tests.cmake", std::ios::app) << "set_tests_properties(x RUN_SERIAL TRUE)\n";
     return folder;
   };

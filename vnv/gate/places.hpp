@@ -12,10 +12,10 @@ namespace touchstone::gate {
 bool same_time(double a, double b);
 
 /// The error at the place of another, or null.
-const vnv::Error* find_error(const vnv::Record& record, const vnv::Error& other);
+const vnv::Value* find_value(const vnv::Record& record, const vnv::Value& other);
 
 /// How far an error may move [its own unit]: half the width between the limits of its baseline, the narrowest of them;
 /// nothing where it has none.
-std::optional<double> room_of(const vnv::Error& error, const vnv::Record& record);
+std::optional<double> room_of(const vnv::Value& error, const vnv::Record& record);
 
 }  // namespace touchstone::gate

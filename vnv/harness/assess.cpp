@@ -3,7 +3,6 @@
 #include "vnv/harness/environment.hpp"
 #include "vnv/harness/run_levels.hpp"
 #include "vnv/judge/order.hpp"
-#include "vnv/record/quantity.hpp"
 #include "vnv/studies/ensemble.hpp"
 
 #include <fmt/format.h>
@@ -17,12 +16,12 @@ namespace {
 void measure_runs(const Case& declared, const Method& method, const std::vector<Run>& runs, Record& record) {
   for (const Run& run : runs) {
     const StopWatch measuring;
-    record.errors.insert(record.errors.end(), run.found.begin(), run.found.end());
+    record.values.insert(record.values.end(), run.found.begin(), run.found.end());
     record.curves.insert(record.curves.end(), run.curves.begin(), run.curves.end());
     const auto level = std::ranges::find(method.levels, run.summary.level, &Level::name);
     for (const Measurement& measure : declared.measurements) {
-      const std::vector<Error> errors = measure(*level, run);
-      record.errors.insert(record.errors.end(), errors.begin(), errors.end());
+      const std::vector<Value> errors = measure(*level, run);
+      record.values.insert(record.values.end(), errors.begin(), errors.end());
     }
     record.runs.push_back(run.summary);
     record.runs.back().cost.harness += measuring.seconds();
@@ -30,11 +29,11 @@ void measure_runs(const Case& declared, const Method& method, const std::vector<
 }
 
 /// The errors of one quantity and time along a ladder, as far as this suite ran it.
-ObservedOrder order_along(const Ladder& ladder, const Record& record, const std::string& quantity, double time) {
+ObservedOrder order_along(const Ladder& ladder, const Record& record, const Quantity& quantity, double time) {
   std::vector<std::string> levels;
   std::vector<double> spacings, errors;
   for (const std::string& level : ladder.levels)
-    for (const Error& e : record.errors)
+    for (const Value& e : record.values)
       if (e.level == level && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time) {
         levels.push_back(level);
         spacings.push_back(e.spacing);
@@ -42,7 +41,7 @@ ObservedOrder order_along(const Ladder& ladder, const Record& record, const std:
       }
   ObservedOrder order = observe_order(spacings, errors);
   order.ladder = ladder.name;
-  order.quantity = quantity;
+  order.quantity = quantity.heading();
   order.time = time;
   order.levels = levels;
   return order;
@@ -51,8 +50,8 @@ ObservedOrder order_along(const Ladder& ladder, const Record& record, const std:
 /// Orders of the norms, at each time that at least two levels of a ladder reached.
 void observe_orders(const Method& method, Record& record) {
   for (const Ladder& ladder : method.ladders)
-    for (const Error& e : record.errors) {
-      if (e.level != ladder.levels.front() || !(e.time > 0) || e.quantity.rfind("L", 0) != 0) continue;
+    for (const Value& e : record.values) {
+      if (e.level != ladder.levels.front() || !(e.time > 0) || e.quantity.kind != Kind::norm) continue;
       ObservedOrder order = order_along(ladder, record, e.quantity, e.time);
       if (order.levels.size() >= 2) record.orders.push_back(std::move(order));
     }
@@ -92,19 +91,19 @@ bool is_run(const Claim& claim, const Method& method, Suite suite) {
   return runs >= (claim.ladder.empty() ? 1 : claim.least_levels);
 }
 
-void judge_claim(const Claim& claim, const Method& method, Suite suite, const std::vector<Error>& values,
+void judge_claim(const Claim& claim, const Method& method, Suite suite, const std::vector<Value>& values,
                  Record& record) {
   const std::size_t before = record.verdicts.size();
   Place place{record.case_name, method.name, claim.level, not_a_number, claim.time};
   if (!claim.ladder.empty()) {
     for (const ObservedOrder& order : record.orders)
-      if (order.ladder == claim.ladder && order.quantity == claim.quantity && claim.covers("", order.time) &&
+      if (order.ladder == claim.ladder && order.quantity == claim.quantity.heading() && claim.covers("", order.time) &&
           std::ssize(order.levels) >= claim.least_levels) {
         place.time = order.time;
         record.verdicts.push_back(judge(claim, place, order));
       }
   } else {
-    for (const Error& e : values)
+    for (const Value& e : values)
       if (e.quantity == claim.quantity && claim.covers(e.level, e.time))
         record.verdicts.push_back(judge(claim, {record.case_name, method.name, e.level, e.spacing, e.time}, e.value));
   }
@@ -113,10 +112,10 @@ void judge_claim(const Claim& claim, const Method& method, Suite suite, const st
 }
 
 /// What claims may speak of: the errors of the runs, and what was found over all of them.
-std::vector<Error> all_values(const Case& declared, const Results& results, const Record& record) {
-  std::vector<Error> values = record.errors;
+std::vector<Value> all_values(const Case& declared, const Results& results, const Record& record) {
+  std::vector<Value> values = record.values;
   for (const Finding& find : declared.findings) {
-    const std::vector<Error> found = find(results, record);
+    const std::vector<Value> found = find(results, record);
     values.insert(values.end(), found.begin(), found.end());
   }
   return values;
@@ -126,8 +125,8 @@ constexpr std::string_view nothing_accepted = "no baseline was accepted for this
 
 /// Each value keeps within the limits that were accepted with the last one.
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
-  for (const Error& e : record.errors) {
-    const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity);
+  for (const Value& e : record.values) {
+    const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity.heading());
     const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
     if (last)
       record.verdicts.push_back(
@@ -142,13 +141,13 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
 void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
   for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
     const Claim alike = at_least(
-        name_and_unit(one.quantity).first + ", chance of an ensemble so unlike the accepted one [-]", least_chance,
+        {one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
         baseline(fmt::format("{} accepted starts; Anderson & Darling's test, by random deals", one.accepted.size())));
     const Place place{record.case_name, record.method, "", not_a_number, one.time};
     if (!one.accepted.empty())
-      record.verdicts.push_back(judge(alike, place, one.chance));
+      record.verdicts.push_back(judge(alike, place, one.p_value));
     else if (suite == Suite::acceptance)
-      record.verdicts.push_back(inconclusive(alike, place, one.chance, nothing_accepted));
+      record.verdicts.push_back(inconclusive(alike, place, one.p_value, nothing_accepted));
   }
 }
 
@@ -157,26 +156,26 @@ void miss_lost_values(const Baselines& baselines, Record& record) {
   for (const Baseline& last : baselines.rows) {
     const auto run = std::ranges::find(record.runs, last.level, &RunSummary::level);
     if (last.method != record.method || run == record.runs.end() || last.time > run->end_time * (1 + 1e-9)) continue;
-    const bool measured = std::ranges::any_of(record.errors, [&](const Error& e) {
-      return baselines.find(record.method, e.level, e.time, e.quantity) == &last;
+    const bool measured = std::ranges::any_of(record.values, [&](const Value& e) {
+      return baselines.find(record.method, e.level, e.time, e.quantity.heading()) == &last;
     });
-    const bool told_later = std::ranges::any_of(record.errors, [&](const Error& e) {
-      return e.level == last.level && e.quantity == last.quantity && e.time > last.time;
+    const bool told_later = std::ranges::any_of(record.values, [&](const Value& e) {
+      return e.level == last.level && e.quantity.heading() == last.quantity && e.time > last.time;
     });
     if (!measured && !told_later)
-      record.verdicts.push_back(judge(between(last.quantity, last.lower, last.upper, baseline(last.basis)),
-                                      {record.case_name, record.method, last.level, run->spacing, last.time},
-                                      not_a_number));
+      record.verdicts.push_back(
+          judge(between(with_heading(last.quantity), last.lower, last.upper, baseline(last.basis)),
+                {record.case_name, record.method, last.level, run->spacing, last.time}, not_a_number));
   }
 }
 
-const std::string end_of_run = "run to the end";
+const Quantity end_of_run{"end time reached", "", Kind::value, Better::larger};
 
 /// Every run is claimed to end where it was meant to, unless that is the question.
 void judge_ends(const Method& method, Record& record) {
   for (const RunSummary& run : record.runs) {
     if (std::ranges::find(method.levels, run.level, &Level::name)->may_diverge) continue;
-    const Claim ends = at_least(end_of_run + " [-]", 1, theory("a stable method answers"));
+    const Claim ends = at_least(end_of_run, 1, theory("a stable method answers"));
     Verdict v =
         judge(ends, {record.case_name, record.method, run.level, run.spacing, run.end_time}, run.finished ? 1 : 0);
     if (!run.finished)
@@ -206,7 +205,7 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
   measure_runs(declared, method, results.runs, record);
   observe_orders(method, record);
   judge_ends(method, record);
-  const std::vector<Error> values = all_values(declared, results, record);
+  const std::vector<Value> values = all_values(declared, results, record);
   for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
   for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
   if (baselines) {
@@ -219,15 +218,15 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
 }
 
 bool claims_more_than_ends(const Record& record) {
-  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run; });
+  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run.name; });
 }
 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
   std::vector<Baseline> rows;
-  for (const Error& e : record.errors) {
+  for (const Value& e : record.values) {
     const double room = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
-    rows.push_back(
-        {record.method, e.level, e.time, e.quantity, e.value, e.value - room, e.value + room, tolerance.basis});
+    rows.push_back({record.method, e.level, e.time, e.quantity.heading(), e.value, e.value - room, e.value + room,
+                    tolerance.basis});
   }
   return rows;
 }

@@ -5,6 +5,8 @@
 namespace touchstone::vnv {
 namespace {
 
+const Quantity l2{"L2 v_x", "%", Kind::norm}, other{"L2 v_y", "%", Kind::norm};
+
 const Level coarse{.name = "coarse", .spacing = 0.2, .acceptance = 1},
     fine{.name = "fine", .spacing = 0.1, .acceptance = 1};
 
@@ -13,9 +15,9 @@ Case second_order() {
   return {
       .title = "Second order",
       .times = {0.5, 1},
-      .measurements = {[](const Level& level, const Run& run) -> std::vector<Error> {
+      .measurements = {[](const Level& level, const Run& run) -> std::vector<Value> {
         if (!run.summary.finished) return {};
-        return {{level.name, level.spacing, 1, "L2 v_x [%]", level.spacing * level.spacing}};
+        return {{level.name, level.spacing, 1, l2, level.spacing * level.spacing}};
       }},
       .methods = {{
           .name = "made_up",
@@ -45,8 +47,8 @@ Baselines accepted(double value, std::string quantity = "L2 v_x [%]") {
 
 TEST(Assess, JudgesEachRungAndTheOrderAlongALadder) {
   Case declared = second_order();
-  declared.methods[0].claims = {at_most("L2 v_x [%]", 0.02, theory("")),
-                                order_between("spacing", "L2 v_x [%]", 1.9, 2.1, theory("")).at(1)};
+  declared.methods[0].claims = {at_most(l2, 0.02, theory("")),
+                                order_between("spacing", l2, 1.9, 2.1, theory("")).at(1)};
   const Record record = assessed(declared);
   ASSERT_EQ(record.orders.size(), 1u);
   EXPECT_NEAR(record.orders[0].order, 2, 1e-12);
@@ -59,7 +61,7 @@ TEST(Assess, FailsARunThatDidNotEndAndWhatWasClaimedOfIt) {
   declared.methods[0].run = [](const Level&, const Schedule&) {
     return vnv::Run{.summary = {.outcome = "diverged at step 3"}};
   };
-  declared.methods[0].claims = {at_most("L2 v_x [%]", 1, theory("")).on("fine").at(1)};
+  declared.methods[0].claims = {at_most(l2, 1, theory("")).on("fine").at(1)};
   const Record record = assessed(declared);
   EXPECT_EQ(count(record, Outcome::fails), 3);  // two ends and the claim
   EXPECT_NE(record.verdicts[0].sentence.find("diverged at step 3"), std::string::npos);
@@ -67,15 +69,15 @@ TEST(Assess, FailsARunThatDidNotEndAndWhatWasClaimedOfIt) {
 
 TEST(Assess, FailsAClaimThatNothingMeasures) {
   Case declared = second_order();
-  declared.methods[0].claims = {at_most("L2 v_y [%]", 1, theory(""))};
+  declared.methods[0].claims = {at_most(other, 1, theory(""))};
   EXPECT_EQ(count(assessed(declared), Outcome::fails), 1);
-  declared.methods[0].claims = {order_between("spacing", "L2 v_y [%]", 1, 2, theory("")).at(1)};
+  declared.methods[0].claims = {order_between("spacing", other, 1, 2, theory("")).at(1)};
   EXPECT_EQ(count(assessed(declared), Outcome::fails), 1);
 }
 
 TEST(Assess, AsksForAnOrderOnlyWhereTheSuiteRunsEnoughRungs) {
   Case declared = second_order();
-  const Claim order = order_at_least("spacing", "L2 v_x [%]", 1.9, 1.75, theory("")).at(1);
+  const Claim order = order_at_least("spacing", l2, 1.9, 1.75, theory("")).at(1);
   declared.methods[0].claims = {order.over(3)};
   EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 0) << "two levels are run";
   declared.methods[0].claims = {order.over(2)};
@@ -84,7 +86,7 @@ TEST(Assess, AsksForAnOrderOnlyWhereTheSuiteRunsEnoughRungs) {
 
 TEST(Assess, RefusesClaimsAndLaddersThatNameNoRung) {
   Case declared = second_order();
-  declared.methods[0].claims = {at_most("L2 v_x [%]", 1, theory("")).on("M9")};
+  declared.methods[0].claims = {at_most(l2, 1, theory("")).on("M9")};
   EXPECT_THROW(assessed(declared), std::invalid_argument);
   declared = second_order();
   declared.methods[0].ladders.push_back({"cells", {"M1"}});
@@ -126,7 +128,7 @@ TEST(Assess, TellsAClaimFromTheEndOfARun) {
   const Record only_ends = assessed(declared);
   EXPECT_FALSE(only_ends.verdicts.empty());
   EXPECT_FALSE(claims_more_than_ends(only_ends));
-  declared.claims = {at_most("L2 v_x [%]", 1, theory(""))};
+  declared.claims = {at_most(l2, 1, theory(""))};
   EXPECT_TRUE(claims_more_than_ends(assessed(declared)));
 }
 
@@ -140,7 +142,7 @@ TEST(Baselines, AreMadeOfTheValuesOfARecord) {
 
 TEST(Baselines, OfWhatIsZeroButForRoundingLeaveRoomForRounding) {
   Record record = assessed(second_order());
-  record.errors[0].value = 2e-15;
+  record.values[0].value = 2e-15;
   const Baseline row = baselines_from(record, {.relative = 0.02}).front();
   EXPECT_LT(row.lower, -1e-14);
   EXPECT_GT(row.upper, 1e-14);
@@ -158,13 +160,13 @@ TEST(Assess, LetsARunDivergeThatIsMadeToSeeWhetherItDoes) {
 
 TEST(Assess, JudgesWhatWasFoundOverAllRunsAndKeepsItOutOfTheErrors) {
   Case declared = second_order();
-  declared.findings = {[](const Results& results, const Record&) -> std::vector<Error> {
-    return {{"", not_a_number, 1, "runs [-]", static_cast<double>(results.runs.size())}};
+  declared.findings = {[](const Results& results, const Record&) -> std::vector<Value> {
+    return {{"", not_a_number, 1, {"runs"}, static_cast<double>(results.runs.size())}};
   }};
-  declared.methods[0].claims = {at_most("runs [-]", 1, theory(""))};
+  declared.methods[0].claims = {at_most({"runs"}, 1, theory(""))};
   const Record record = assessed(declared);
   EXPECT_EQ(count(record, Outcome::fails), 1);
-  EXPECT_TRUE(std::ranges::none_of(record.errors, [](const Error& e) { return e.quantity == "runs [-]"; }));
+  EXPECT_TRUE(std::ranges::none_of(record.values, [](const Value& e) { return e.quantity.name == "runs"; }));
 }
 
 }  // namespace

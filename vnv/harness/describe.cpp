@@ -30,7 +30,7 @@ LevelDescription of(const Method& method, const Level& level) {
 std::vector<ClaimDescription> of(const std::vector<Claim>& claims) {
   std::vector<ClaimDescription> said;
   for (const Claim& claim : claims)
-    said.push_back({.quantity = claim.quantity,
+    said.push_back({.quantity = claim.quantity.heading(),
                     .lower = if_finite(claim.lower),
                     .upper = if_finite(claim.upper),
                     .author = claim.author.words,

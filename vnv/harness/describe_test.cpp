@@ -21,13 +21,15 @@ class ADescription : public testing::Test {
                          ("describe." + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
+const Quantity l2{"L2", "%", Kind::norm};
+
 Case small_case() {
   return {
       .title = "A \"small\" case",
       .description = "Two\n\nparagraphs, ν",
       .times = {0.1, 1},
       .measurements = {},
-      .claims = {at_most("L2 [%]", 10, theory("any method"))},
+      .claims = {at_most(l2, 10, theory("any method"))},
       .methods = {{
           .name = "mpm",
           .description = "grid",
@@ -35,8 +37,8 @@ Case small_case() {
           .levels = {{.name = "M1", .spacing = 0.5, .cell = 1, .acceptance = 0.1, .nightly = 1},
                      {.name = "M2", .spacing = 0.25, .smoothing_length = 3, .time_step = 2, .nightly = 1}},
           .ladders = {{"grid", {"M1", "M2"}}},
-          .claims = {between("L2 [%]", 1, 2, literature("table 3")).on("M2").at(0.1),
-                     order_at_least("grid", "L2 [%]", 1.9, 1.5, theory("second order"))},
+          .claims = {between(l2, 1, 2, literature("table 3")).on("M2").at(0.1),
+                     order_at_least("grid", l2, 1.9, 1.5, theory("second order"))},
           .tolerance = {0.02, "tuned builds", 1e-9},
           .relative_cost = 7,
       }},

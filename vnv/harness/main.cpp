@@ -67,7 +67,7 @@ class MethodTest : public testing::Test {
   /// What a report shall say of a method that could not be assessed.
   Record failed(const std::string& why) const {
     Record record = record_of(case_name, declared_, method_, options.suite);
-    Verdict verdict = judge(at_least(fmt::format("{} [-]", could_be_assessed), 1, theory("a method can be assessed")),
+    Verdict verdict = judge(at_least({std::string(could_be_assessed)}, 1, theory("a method can be assessed")),
                             Place{.case_name = case_name, .method = method_.name, .level = ""}, 0);
     verdict.sentence = fmt::format("{}.{}: {}: FAILS", case_name, method_.name, why);
     record.verdicts.push_back(verdict);
@@ -128,7 +128,7 @@ int explore(const Case& declared) {
     unjudged.plots.clear();
     const Record record = assess(case_name, unjudged, custom, Suite::acceptance, std::nullopt);
     print(record);
-    for (const Error& e : record.errors) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity, e.value, e.time);
+    for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);
     if (!record.runs.front().finished) return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -56,7 +56,7 @@ std::string at(double time) { return std::isnan(time) ? "" : fmt::format(", {:.4
 void add_orders(const Record& record, Lines& lines) {
   for (const ObservedOrder& order : record.orders)
     if (order.errors.size() > 2)
-      lines.add(fmt::format("order of {} over {}{}", name_and_unit(order.quantity).first, order.ladder, at(order.time)),
+      lines.add(fmt::format("order of {} over {}{}", with_heading(order.quantity).name, order.ladder, at(order.time)),
                 order.order);
 }
 

@@ -32,7 +32,7 @@ class Writer {
     values(field);
   }
   void operator()(const Samples& s);
-  void operator()(const Error& e);
+  void operator()(const Value& e);
   void operator()(const Curve& c);
 
   std::string bytes;
@@ -64,7 +64,7 @@ class Reader {
   void operator()(Vectors& field) { values(field); }
   void operator()(Scalars& field) { values(field); }
   void operator()(Samples& s);
-  void operator()(Error& e);
+  void operator()(Value& e);
   void operator()(Curve& c);
 
   bool is_at_end() const { return left_.empty(); }
@@ -98,8 +98,10 @@ class Reader {
 void each(auto& field, auto& s, std::type_identity<Samples>) {
   field(s.time), field(s.x), field(s.v), field(s.mass), field(s.density), field(s.pressure);
 }
-void each(auto& field, auto& e, std::type_identity<Error>) {
-  field(e.level), field(e.spacing), field(e.time), field(e.quantity), field(e.value);
+void each(auto& field, auto& e, std::type_identity<Value>) {
+  auto& q = e.quantity;
+  field(e.level), field(e.spacing), field(e.time), field(e.value);
+  field(q.name), field(q.unit), field(q.kind), field(q.better);
 }
 void each(auto& field, auto& c, std::type_identity<Curve>) {
   field(c.figure), field(c.label), field(c.role), field(c.x), field(c.y), field(c.points);
@@ -112,11 +114,11 @@ void each(auto& field, auto& run, std::type_identity<Run>) {
 }
 
 void Writer::operator()(const Samples& s) { each(*this, s, std::type_identity<Samples>{}); }
-void Writer::operator()(const Error& e) { each(*this, e, std::type_identity<Error>{}); }
+void Writer::operator()(const Value& e) { each(*this, e, std::type_identity<Value>{}); }
 void Writer::operator()(const Curve& c) { each(*this, c, std::type_identity<Curve>{}); }
 void Reader::operator()(Curve& c) { each(*this, c, std::type_identity<Curve>{}); }
 void Reader::operator()(Samples& s) { each(*this, s, std::type_identity<Samples>{}); }
-void Reader::operator()(Error& e) { each(*this, e, std::type_identity<Error>{}); }
+void Reader::operator()(Value& e) { each(*this, e, std::type_identity<Value>{}); }
 
 }  // namespace
 

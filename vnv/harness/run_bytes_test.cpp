@@ -17,7 +17,7 @@ ARun made_up() {
                   .density = Scalars::Random(3),
                   .pressure = Scalars::Random(3)}};
   run.history = {{0.1, 0.2}, {{1, 2}, {3}}};
-  run.found = {{"M2", 0.1, 0.5, "L2", 0.125}};
+  run.found = {{"M2", 0.1, 0.5, {"L2", "%", Kind::norm}, 0.125}};
   run.curves = {{"map", "stable", Role::ours, {1, 2}, {0.5, 0.25}, true}};
   return run;
 }

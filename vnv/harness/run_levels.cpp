@@ -85,7 +85,7 @@ Run run_of(const Attempt& attempt) {
   cost = cost_of_repeats(all);
   run.summary.level = attempt.level.name;
   run.summary.spacing = attempt.level.spacing;
-  for (Error& found : run.found) found.level = attempt.level.name, found.spacing = attempt.level.spacing;
+  for (Value& found : run.found) found.level = attempt.level.name, found.spacing = attempt.level.spacing;
   return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
+#include "vnv/record/former.hpp"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ Baseline baseline_in(const Sheet& sheet, const Sheet::Row& row) {
   const Baseline found{.method = row.cells[0],
                        .level = row.cells[1],
                        .time = sheet.number(row, 2, true),
-                       .quantity = row.cells[3],
+                       .quantity = current_name(row.cells[3]),
                        .value = sheet.number(row, 4),
                        .lower = sheet.number(row, 5),
                        .upper = sheet.number(row, 6),

@@ -1,6 +1,8 @@
 #pragma once
 /// Baselines: the values that were last accepted, with the two limits that a new value must keep.
 
+#include "vnv/record/quantity.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>

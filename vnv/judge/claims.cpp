@@ -1,7 +1,5 @@
 #include "vnv/judge/claims.hpp"
 
-#include "vnv/record/quantity.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,16 +28,22 @@ std::string word_of(Outcome outcome) {
   return outcome == Outcome::holds ? "HOLDS" : outcome == Outcome::fails ? "FAILS" : "INCONCLUSIVE";
 }
 
+Quantity order_of(const Quantity& quantity, const std::string& ladder) {
+  return {fmt::format("order of {} over {}", quantity.name, ladder), "", Kind::order};
+}
+
 Verdict verdict_of(const Claim& claim, const Place& place, double value) {
-  const auto [name, unit] = name_and_unit(claim.quantity);
+  const Quantity quantity = claim.ladder.empty() ? claim.quantity : order_of(claim.quantity, claim.ladder);
   Verdict v;
   v.case_name = place.case_name;
   v.method = place.method;
   v.level = place.level;
   v.spacing = place.spacing;
   v.time = place.time;
-  v.quantity = claim.ladder.empty() ? name : fmt::format("order of {} over {}", name, claim.ladder);
-  v.unit = claim.ladder.empty() ? unit : "";
+  v.quantity = quantity.name;
+  v.unit = quantity.unit;
+  v.kind = quantity.kind;
+  v.better = quantity.better;
   v.value = value;
   v.lower = claim.lower;
   v.upper = claim.upper;

@@ -17,9 +17,9 @@ inline Author theory(std::string_view source) { return {"theory: " + std::string
 inline Author baseline(std::string_view source) { return {"baseline: " + std::string(source)}; }
 inline Author literature(std::string_view source) { return {"literature: " + std::string(source)}; }
 
-/// A quantity lies between limits, in the unit that its name ends with ("L2 v_x, row means [%]").
+/// A quantity lies between limits, in its unit.
 struct Claim {
-  std::string quantity;
+  Quantity quantity;
   std::optional<double> lower, upper;
   Author author;
   std::string level = "";                             // where it holds; empty: on every level
@@ -47,18 +47,18 @@ struct Claim {
   bool covers(std::string_view its_level, double its_time) const;
 };
 
-inline Claim at_most(std::string_view quantity, double limit, Author author) {
-  return {std::string(quantity), std::nullopt, limit, std::move(author)};
+inline Claim at_most(const Quantity& quantity, double limit, Author author) {
+  return {quantity, std::nullopt, limit, std::move(author)};
 }
-inline Claim at_least(std::string_view quantity, double limit, Author author) {
-  return {std::string(quantity), limit, std::nullopt, std::move(author)};
+inline Claim at_least(const Quantity& quantity, double limit, Author author) {
+  return {quantity, limit, std::nullopt, std::move(author)};
 }
-inline Claim between(std::string_view quantity, double low, double high, Author author) {
-  return {std::string(quantity), low, high, std::move(author)};
+inline Claim between(const Quantity& quantity, double low, double high, Author author) {
+  return {quantity, low, high, std::move(author)};
 }
 /// The observed order of a quantity over a ladder. Judged only where its 95 % interval is narrower than 0.3 to each
 /// side; else the verdict is inconclusive, which is no pass.
-inline Claim order_between(std::string_view ladder, std::string_view quantity, double low, double high, Author author) {
+inline Claim order_between(std::string_view ladder, const Quantity& quantity, double low, double high, Author author) {
   Claim claim = between(quantity, low, high, std::move(author));
   claim.ladder = ladder;
   return claim;
@@ -67,7 +67,7 @@ inline Claim order_between(std::string_view ladder, std::string_view quantity, d
 /// The claim of a method that it converges: its order, above a floor if one was found, is no less than `low`, and the
 /// whole 95 % interval lies above `surely_above`. An inconclusive trend is inconclusive here too; stalled or diverging
 /// errors fail.
-inline Claim order_at_least(std::string_view ladder, std::string_view quantity, double low, double surely_above,
+inline Claim order_at_least(std::string_view ladder, const Quantity& quantity, double low, double surely_above,
                             Author author) {
   Claim claim = at_least(quantity, low, std::move(author));
   claim.ladder = ladder;

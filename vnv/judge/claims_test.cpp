@@ -8,17 +8,18 @@
 namespace touchstone::vnv {
 namespace {
 
+const Quantity l2{"L2 v_x", "%", Kind::norm};
 const Place here{"poiseuille", "sph", "S2", 1.25e-5, 1};
-const Claim small = at_most("L2 v_x [%]", 2.33, literature("Sun et al., table 3, S2"));
+const Claim small = at_most(l2, 2.33, literature("Sun et al., table 3, S2"));
 
 TEST(Claim, HoldsUpToItsLimitAndNotBeyond) {
   EXPECT_EQ(judge(small, here, 2.33).outcome, Outcome::holds);
   EXPECT_EQ(judge(small, here, 2.3301).outcome, Outcome::fails);
-  EXPECT_EQ(judge(at_least("order [-]", 1, theory("")), here, 0.99).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least({"order"}, 1, theory("")), here, 0.99).outcome, Outcome::fails);
 }
 
 TEST(Claim, IsTwoSidedBetweenLimits) {
-  const Claim claim = between("L2 [%]", 1, 3, theory(""));
+  const Claim claim = between(l2, 1, 3, theory(""));
   EXPECT_EQ(judge(claim, here, 0.9).outcome, Outcome::fails);
   EXPECT_EQ(judge(claim, here, 2).outcome, Outcome::holds);
   EXPECT_EQ(judge(claim, here, 3.1).outcome, Outcome::fails);
@@ -27,8 +28,8 @@ TEST(Claim, IsTwoSidedBetweenLimits) {
 
 TEST(Claim, FailsForWhatIsNotANumber) {
   EXPECT_EQ(judge(small, here, not_a_number).outcome, Outcome::fails);
-  EXPECT_EQ(judge(at_least("x", -1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
-  EXPECT_EQ(judge(between("x", -1e300, 1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(at_least({"x"}, -1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
+  EXPECT_EQ(judge(between({"x"}, -1e300, 1e300, theory("")), here, not_a_number).outcome, Outcome::fails);
 }
 
 TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
@@ -38,12 +39,12 @@ TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
 }
 
 TEST(Claim, OfAValueThatNothingJudgesTellsTheValueAndWhy) {
-  const Verdict v = inconclusive(between("L2 v_x [%]", -INFINITY, INFINITY, baseline("")), here, 2.51, "nobody knows");
+  const Verdict v = inconclusive(between(l2, -INFINITY, INFINITY, baseline("")), here, 2.51, "nobody knows");
   EXPECT_EQ(v.outcome, Outcome::inconclusive);
   EXPECT_EQ(v.sentence, "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s: nobody knows: INCONCLUSIVE");
 }
 
-TEST(Claim, CoversItsRungAndTimeOnly) {
+TEST(Claim, CoversItsLevelAndTimeOnly) {
   const Claim claim = small.on("S2").at(0.1);
   EXPECT_TRUE(claim.covers("S2", 0.1 + 1e-12));
   EXPECT_FALSE(claim.covers("S3", 0.1));
@@ -60,7 +61,7 @@ ObservedOrder order(double value, double half_width) {
 }
 
 TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
-  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  const Claim claim = order_between("grid", l2, 1.9, 2.1, theory(""));
   EXPECT_EQ(judge(claim, here, order(2, 0.1)).outcome, Outcome::holds);
   EXPECT_EQ(judge(claim, here, order(2, 0.5)).outcome, Outcome::inconclusive);
   EXPECT_EQ(judge(claim, here, order(2, std::numeric_limits<double>::infinity())).outcome, Outcome::inconclusive);
@@ -68,7 +69,7 @@ TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
 }
 
 TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
-  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  const Claim claim = order_at_least("grid", l2, 1.9, 1.75, theory(""));
   EXPECT_EQ(judge(claim, here, order(3, 0.1)).outcome, Outcome::holds);
   EXPECT_EQ(judge(claim, here, order(1.95, 0.25)).outcome, Outcome::fails);
   EXPECT_EQ(judge(claim, here, order(1.85, 0.01)).outcome, Outcome::fails);
@@ -78,7 +79,7 @@ TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
 }
 
 TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
-  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  const Claim claim = order_at_least("grid", l2, 1.9, 1.75, theory(""));
   ObservedOrder found = order(2, 0.1);
   for (const auto& [trend, outcome] :
        {std::pair(Trend::stalled, Outcome::fails), std::pair(Trend::diverging, Outcome::fails),
@@ -89,7 +90,7 @@ TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
 }
 
 TEST(OrderClaim, OfConvergenceIsJudgedAboveTheFloor) {
-  const Claim claim = order_at_least("grid", "L2 v_x [%]", 1.9, 1.75, theory(""));
+  const Claim claim = order_at_least("grid", l2, 1.9, 1.75, theory(""));
   ObservedOrder found = order(1.5, 0.1);
   found.floor = 0.01;
   found.order_to_floor = 2;
@@ -101,7 +102,7 @@ TEST(OrderClaim, OfConvergenceIsJudgedAboveTheFloor) {
 }
 
 TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {
-  const Claim claim = order_between("grid", "L2 v_x [%]", 1.9, 2.1, theory(""));
+  const Claim claim = order_between("grid", l2, 1.9, 2.1, theory(""));
   EXPECT_EQ(judge(claim, here, order(-2, 0.1)).outcome, Outcome::fails);
   EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
 }

@@ -79,7 +79,7 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
   return distance_of(pooled(a, b));
 }
 
-double chance_of_being_so_unlike(const std::vector<double>& a, const std::vector<double>& b, long deals) {
+double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals) {
   if (!is_finite(a) || !is_finite(b)) return 0;
   Pooled both = pooled(a, b);
   const double found =

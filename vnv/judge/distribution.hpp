@@ -17,6 +17,6 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
 /// Anderson & Darling (Pettitt, Biometrika 63 (1976), 161), the share of random ways to deal all values to two samples
 /// of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39). The same for the same
 /// samples. 0 where a sample is empty or holds what is not finite.
-double chance_of_being_so_unlike(const std::vector<double>& a, const std::vector<double>& b, long deals = 100'000);
+double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals = 100'000);
 
 }  // namespace touchstone::vnv

@@ -40,24 +40,24 @@ TEST(WassersteinDistance, IsHowFarASampleIsMoved) {
 TEST(WassersteinDistance, IsNoneWhereThereIsNoNumber) {
   EXPECT_TRUE(std::isnan(wasserstein_distance({}, {1})));
   EXPECT_TRUE(std::isnan(wasserstein_distance({1}, {std::numeric_limits<double>::infinity()})));
-  EXPECT_EQ(chance_of_being_so_unlike({1}, {std::nan("")}), 0);
+  EXPECT_EQ(p_value({1}, {std::nan("")}), 0);
 }
 
 TEST(ChanceOfBeingSoUnlike, IsExactForSamplesOfWhichAllDealsAreKnown) {
   // Of the 20 ways to deal six values, two are as unlike as this one.
-  EXPECT_NEAR(chance_of_being_so_unlike({1, 2, 3}, {11, 12, 13}), 0.1, 0.005);
-  EXPECT_EQ(chance_of_being_so_unlike({1, 1}, {1, 1}), 1);
+  EXPECT_NEAR(p_value({1, 2, 3}, {11, 12, 13}), 0.1, 0.005);
+  EXPECT_EQ(p_value({1, 1}, {1, 1}), 1);
 }
 
 TEST(ChanceOfBeingSoUnlike, CountsEqualValuesOnce) {
-  EXPECT_EQ(chance_of_being_so_unlike({1, 1, 2}, {1, 1, 2}), 1);
-  EXPECT_NEAR(chance_of_being_so_unlike({1, 1, 1}, {2, 2, 2}), 0.1, 0.005);
+  EXPECT_EQ(p_value({1, 1, 2}, {1, 1, 2}), 1);
+  EXPECT_NEAR(p_value({1, 1, 1}, {2, 2, 2}), 0.1, 0.005);
 }
 
 TEST(ChanceOfBeingSoUnlike, IsEvenAmongSamplesOfOneDistribution) {
   int below_a_tenth = 0, below_a_hundredth = 0;
   for (int k = 0; k < 400; ++k) {
-    const double chance = chance_of_being_so_unlike(normal(2 * k, 1, 0.3), normal(2 * k + 1, 1, 0.3), 999);
+    const double chance = p_value(normal(2 * k, 1, 0.3), normal(2 * k + 1, 1, 0.3), 999);
     below_a_tenth += chance <= 0.1;
     below_a_hundredth += chance <= 0.01;
   }
@@ -66,8 +66,8 @@ TEST(ChanceOfBeingSoUnlike, IsEvenAmongSamplesOfOneDistribution) {
 }
 
 TEST(ChanceOfBeingSoUnlike, IsSmallForAnotherMeanAndForAnotherSpread) {
-  EXPECT_LT(chance_of_being_so_unlike(normal(1, 1, 0.3), normal(2, 1.6, 0.3)), 1e-3);
-  EXPECT_LT(chance_of_being_so_unlike(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
+  EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1.6, 0.3)), 1e-3);
+  EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
 }
 
 }  // namespace

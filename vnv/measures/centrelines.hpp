@@ -36,11 +36,14 @@ struct Centreline {
   Direction direction;           // v_y on the horizontal one, v_x on the vertical one
   std::vector<double> at;        // -  places along it, by the side of the cavity, walls left out
   std::vector<double> velocity;  // -  by the speed of the lid
-
-  const char* field() const {
-    return direction == vertical ? "v_x, vertical centreline" : "v_y, horizontal centreline";
-  }
 };
+
+/// A norm of the error on a centreline, "L2" or "Linf", in per cent of the lid's speed.
+inline Quantity norm_of(std::string_view norm, Centreline::Direction direction) {
+  return {fmt::format("{} {}", norm,
+                      direction == Centreline::vertical ? "v_x, vertical centreline" : "v_y, horizontal centreline"),
+          "%", Kind::norm};
+}
 
 /// What Ghia, Ghia & Shin (1982) print for a Reynolds number, without its doubtful entries. Throws BadData where they
 /// have none.
@@ -84,15 +87,14 @@ struct Cavity {
   }
 
   /// L2 and Linf of a line at the end of a run, in per cent of the lid's speed: "L2 v_x, vertical centreline [%]".
-  std::vector<Error> compare(const Level& level, const Run& run, const Centreline& line) const {
+  std::vector<Value> compare(const Level& level, const Run& run, const Centreline& line) const {
     if (!run.summary.finished) return {};
     // Norms are relative to the truth: with one that is the lid's speed everywhere they are relative to it.
     std::vector<double> found = along(run.samples.back(), line, level.spacing);
     const std::vector<double> lid(found.size(), 1), equal = lid;
     for (std::size_t k = 0; k < found.size(); ++k) found[k] += lid[k] - line.velocity[k];
     const auto error = [&](const char* norm, double value) {
-      return Error{level.name, level.spacing, run.summary.end_time, fmt::format("{} {} [%]", norm, line.field()),
-                   100 * value};
+      return Value{level.name, level.spacing, run.summary.end_time, norm_of(norm, line.direction), 100 * value};
     };
     return {error("L2", relative_l2(found, lid, equal)), error("Linf", relative_linf(found, lid))};
   }

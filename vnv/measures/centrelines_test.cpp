@@ -68,25 +68,25 @@ TEST(FittedAt, WhereThereAreNoParticlesIsNotANumber) {
 TEST(CentrelineErrors, OfWhatWasPublishedAreNone) {
   const vnv::Run run = ended_with(scattered(bowl));
   for (const Centreline& line : {published(Centreline::vertical, 1), published(Centreline::horizontal, -1)})
-    for (const Error& e : cavity.compare(level, run, line)) EXPECT_NEAR(e.value, 0, 1e-8) << e.quantity;
+    for (const Value& e : cavity.compare(level, run, line)) EXPECT_NEAR(e.value, 0, 1e-8) << e.quantity.name;
 }
 
 TEST(CentrelineErrors, AreInPerCentOfTheSpeedOfTheLid) {
   Centreline line = published(Centreline::vertical, 1);
   line.velocity[1] += 0.03;
-  const std::vector<Error> errors = cavity.compare(level, ended_with(scattered(bowl)), line);
+  const std::vector<Value> errors = cavity.compare(level, ended_with(scattered(bowl)), line);
   ASSERT_EQ(errors.size(), 2u);
-  EXPECT_EQ(errors[0].quantity, "L2 v_x, vertical centreline [%]");
+  EXPECT_EQ(errors[0].quantity.heading(), "L2 v_x, vertical centreline [%]");
   EXPECT_NEAR(errors[0].value, 3 / std::sqrt(3), 1e-8);
-  EXPECT_EQ(errors[1].quantity, "Linf v_x, vertical centreline [%]");
+  EXPECT_EQ(errors[1].quantity.heading(), "Linf v_x, vertical centreline [%]");
   EXPECT_NEAR(errors[1].value, 3, 1e-8);
 }
 
 TEST(CentrelineErrors, OfWhatIsNoNumberAreNoNumbers) {
   Samples s = scattered(bowl);
   s.v.row(1).setConstant(not_a_number);
-  for (const Error& e : cavity.compare(level, ended_with(s), published(Centreline::horizontal, -1)))
-    EXPECT_TRUE(std::isnan(e.value)) << e.quantity;
+  for (const Value& e : cavity.compare(level, ended_with(s), published(Centreline::horizontal, -1)))
+    EXPECT_TRUE(std::isnan(e.value)) << e.quantity.name;
 }
 
 TEST(CentrelineErrors, OfARunThatDivergedAreNotTold) {
@@ -119,7 +119,7 @@ TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
         net += flow;
         all += std::abs(flow);
       }
-      EXPECT_LT(std::abs(net), 0.08 * all) << Re << line.field();  // the trapezia between sixteen points
+      EXPECT_LT(std::abs(net), 0.08 * all) << Re << norm_of("L2", line.direction).name;  // the trapezia between sixteen points
     }
 }
 

@@ -17,9 +17,9 @@ inline double kinetic_energy(const Samples& samples) {
 }
 
 /// Kinetic energy at each time of a run, over `unit` [J/m], as that quantity.
-inline Measurement kinetic_energy_over(double unit, const std::string& quantity) {
+inline Measurement kinetic_energy_over(double unit, const Quantity& quantity) {
   return [=](const Level& level, const Run& run) {
-    std::vector<Error> found;
+    std::vector<Value> found;
     for (const Samples& s : run.samples)
       found.push_back({level.name, level.spacing, s.time, quantity, kinetic_energy(s) / unit});
     return found;
@@ -37,10 +37,10 @@ inline double rate_of_decay(const std::vector<double>& times, const std::vector<
   return -slope;
 }
 
-/// "decay rate of energy, less the exact [%]", of the kinetic energy that a run was watched for in `column`.
-inline const std::string decay_error = "decay rate of energy, less the exact [%]";
+/// "relative error of the kinetic-energy decay rate [%]", of the kinetic energy that a run was watched for in `column`.
+inline const Quantity decay_error{"relative error of the kinetic-energy decay rate", "%", Kind::deviation};
 inline Measurement decay_of_energy(std::size_t column, double exact_rate) {
-  return [=](const Level& level, const Run& run) -> std::vector<Error> {
+  return [=](const Level& level, const Run& run) -> std::vector<Value> {
     if (!run.summary.finished) return {};
     std::vector<double> energy;
     for (const std::vector<double>& seen : run.history.seen) energy.push_back(seen[column]);

@@ -15,8 +15,9 @@ namespace touchstone::vnv {
 using VelocityTruth = std::function<Vec2(const Vec2& x, double t)>;
 using PressureTruth = std::function<double(const Vec2& x, double t)>;
 
-inline const std::string l2_velocity = "L2 v, per particle [%]", linf_velocity = "Linf v, per particle [%]";
-inline const std::string l2_pressure = "L2 p less its mean, per particle [%]";
+inline const Quantity l2_velocity{"L2 v, per particle", "%", Kind::norm},
+    linf_velocity{"Linf v, per particle", "%", Kind::norm};
+inline const Quantity l2_pressure{"L2 p - mean(p), per particle", "%", Kind::norm};
 
 /// Relative L2 norm of the velocity's error, weighted by volume: sqrt(sum V |e - n|² / sum V |e|²).
 inline double relative_l2_of_velocity(const Samples& samples, const VelocityTruth& truth) {
@@ -46,7 +47,7 @@ inline double relative_linf_of_velocity(const Samples& samples, const VelocityTr
 /// Both norms of the velocity, in per cent, at every time of a run.
 inline Measurement velocity_errors(VelocityTruth truth) {
   return [truth = std::move(truth)](const Level& level, const Run& run) {
-    std::vector<Error> errors;
+    std::vector<Value> errors;
     for (const Samples& s : run.samples) {
       errors.push_back({level.name, level.spacing, s.time, l2_velocity, 100 * relative_l2_of_velocity(s, truth)});
       errors.push_back({level.name, level.spacing, s.time, linf_velocity, 100 * relative_linf_of_velocity(s, truth)});
@@ -59,7 +60,7 @@ inline Measurement velocity_errors(VelocityTruth truth) {
 /// of pressure move anything: the volume means of both are taken off.
 inline Measurement pressure_errors(PressureTruth truth) {
   return [truth = std::move(truth)](const Level& level, const Run& run) {
-    std::vector<Error> errors;
+    std::vector<Value> errors;
     for (const Samples& s : run.samples) {
       const Scalars volumes = s.volumes();
       Scalars exact(s.size());

@@ -24,8 +24,8 @@ Samples turning_samples(double t) {
   return s;
 }
 
-double value_of(const std::vector<Error>& errors, const std::string& quantity) {
-  for (const Error& e : errors)
+double value_of(const std::vector<Value>& errors, const Quantity& quantity) {
+  for (const Value& e : errors)
     if (e.quantity == quantity) return e.value;
   return not_a_number;
 }

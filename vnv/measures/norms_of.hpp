@@ -3,6 +3,8 @@
 #include "vnv/judge/norms.hpp"
 #include "vnv/measures/profile.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -15,14 +17,17 @@ using Truth = std::function<double(double y, double t)>;
 /// field and measure: "v_x, row means" gives "L2 v_x, row means [%]". The measure may depend on the level.
 inline Measurement norms_of(std::string what, std::function<Measure(const Level&)> measure, Truth truth) {
   return [=](const Level& level, const Run& run) {
-    std::vector<Error> errors;
+    std::vector<Value> errors;
     for (const Samples& samples : run.samples) {
       const Profile profile = measure(level)(samples);
       std::vector<double> exact;
       for (const double y : profile.at) exact.push_back(truth(y, samples.time));
       const auto add = [&](const char* norm, double value) {
-        errors.push_back(
-            {level.name, level.spacing, samples.time, std::string(norm) + " " + what + " [%]", 100 * value});
+        errors.push_back({level.name,
+                          level.spacing,
+                          samples.time,
+                          {fmt::format("{} {}", norm, what), "%", Kind::norm},
+                          100 * value});
       };
       add("L2", relative_l2(profile.value, exact, profile.weight));
       add("Linf", relative_linf(profile.value, exact));

@@ -56,15 +56,17 @@ inline double roughness(const Samples& samples, const Field& field, double radiu
   return std::sqrt(squares / count);
 }
 
-/// "roughness of NAME over SCALE_NAME [%]", with neighbours within 2.5 spacings, at those times [s] of a run, or at
+/// "NAME roughness over SCALE_NAME [%]", with neighbours within 2.5 spacings, at those times [s] of a run, or at
 /// all.
 inline Measurement roughness_of(std::string name, Field field, std::string scale_name, double scale,
                                 std::vector<double> times = {}) {
   return [=](const Level& level, const Run& run) {
-    std::vector<Error> errors;
+    std::vector<Value> errors;
     const auto tell = [&](const Samples& samples) {
-      errors.push_back({level.name, level.spacing, samples.time,
-                        fmt::format("roughness of {} over {} [%]", name, scale_name),
+      errors.push_back({level.name,
+                        level.spacing,
+                        samples.time,
+                        {fmt::format("{} roughness over {}", name, scale_name), "%", Kind::error},
                         100 * roughness(samples, field, 2.5 * level.spacing) / scale});
     };
     if (times.empty()) std::ranges::for_each(run.samples, tell);

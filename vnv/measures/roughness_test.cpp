@@ -49,9 +49,10 @@ TEST(Roughness, LeavesOutParticlesThatAreAlone) {
 
 TEST(Roughness, IsToldOfEveryTimeOfARun) {
   const vnv::Run run{.samples = {square_of([](double x, double y) { return x * y; })}};
-  const std::vector<Error> errors = roughness_of("p", pressure, "rho g h", 100)({.name = "M1", .spacing = 1}, run);
+  const std::vector<Value> errors =
+      roughness_of("pressure", pressure, "rho g h", 100)({.name = "M1", .spacing = 1}, run);
   ASSERT_EQ(errors.size(), 1u);
-  EXPECT_EQ(errors[0].quantity, "roughness of p over rho g h [%]");
+  EXPECT_EQ(errors[0].quantity.heading(), "pressure roughness over rho g h [%]");
   EXPECT_NEAR(errors[0].value, 100 * roughness(run.samples[0], pressure, 2.5) / 100, 1e-12);
 }
 

@@ -5,12 +5,12 @@
 
 namespace touchstone::vnv {
 
-/// "change of kinetic energy [%/s]" at the end of each run: the slope of the line through the logs of the energies that
-/// it was watched for in `column`, over its last `span` [s]. Of a run that diverged nothing is told.
-inline const std::string change_of_energy = "change of kinetic energy [%/s]";
+/// "rate of change of kinetic energy [%/s]" at the end of each run: the slope of the line through the logs of the
+/// energies that it was watched for in `column`, over its last `span` [s]. Of a run that diverged nothing is told.
+inline const Quantity change_of_energy{"rate of change of kinetic energy", "%/s", Kind::error};
 inline Finding unsteadiness(std::size_t column, double span) {
   return [=](const Results& results, const Record&) {
-    std::vector<Error> found;
+    std::vector<Value> found;
     for (const Run& run : results.runs) {
       if (!run.summary.finished) continue;
       std::vector<double> times, energies;

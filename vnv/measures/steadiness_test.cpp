@@ -18,13 +18,13 @@ vnv::Run slowing() {
   return run;
 }
 
-std::vector<Error> found_in(const vnv::Run& run, double span) {
+std::vector<Value> found_in(const vnv::Run& run, double span) {
   const Method method{.name = "mpm"};
   return unsteadiness(1, span)({method, Suite::acceptance, {run}}, {});
 }
 
 TEST(Unsteadiness, IsTheChangeOfEnergyAtTheEnd) {
-  const std::vector<Error> found = found_in(slowing(), 2);
+  const std::vector<Value> found = found_in(slowing(), 2);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].level, "M1");
   EXPECT_EQ(found[0].time, 10);

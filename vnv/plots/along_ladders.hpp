@@ -15,9 +15,9 @@ namespace touchstone::vnv {
 /// A number of a run, in SI or, for an error, in its own unit; none where the run has not got it.
 using Pick = std::function<std::optional<double>(const Record&, const Run&)>;
 
-inline Pick error_of(std::string quantity, double time) {
+inline Pick error_of(Quantity quantity, double time) {
   return [=](const Record& record, const Run& run) -> std::optional<double> {
-    for (const Error& e : record.errors)
+    for (const Value& e : record.values)
       if (e.level == run.summary.level && e.quantity == quantity && std::abs(e.time - time) <= 1e-9 * time)
         return e.value;
     return std::nullopt;

@@ -60,8 +60,8 @@ inline Plot ensemble_table() {
     const Baselines accepted =
         read_baselines(data_folder() / "baselines" / (record.case_name + ".csv")).value_or(Baselines{});
     for (const EnsembleComparison& one : compare_with_accepted(record, accepted))
-      table.rows.push_back({results.method.name, one.quantity, one.time, median(one.members), band(one.members),
-                            median(one.accepted), band(one.accepted), one.distance, one.chance});
+      table.rows.push_back({results.method.name, one.quantity.heading(), one.time, median(one.members),
+                            band(one.members), median(one.accepted), band(one.accepted), one.distance, one.p_value});
     record.tables.push_back(std::move(table));
   };
 }

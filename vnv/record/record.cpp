@@ -1,6 +1,7 @@
 #include "vnv/record/record.hpp"
 
 #include "vnv/files/whole_file.hpp"
+#include "vnv/record/former.hpp"
 #include "vnv/record/json.hpp"
 
 #include <cerrno>
@@ -12,11 +13,12 @@ namespace touchstone::vnv {
 TOUCHSTONE_FIELDS(Cost, particles, boundary_particles, steps, repeats, cpu, cpu_lowest, cpu_highest, wall, stepping,
                   harness, peak_memory)
 TOUCHSTONE_FIELDS(RunSummary, level, spacing, time_step, end_time, finished, outcome, cost)
-TOUCHSTONE_FIELDS(Error, level, spacing, time, quantity, value)
+TOUCHSTONE_FIELDS(Quantity, name, unit, kind, better)
+TOUCHSTONE_FIELDS(Value, level, spacing, time, quantity, value)
 TOUCHSTONE_FIELDS(ObservedOrder, ladder, quantity, time, order, half_width, trend, asymptotic, floor, floor_half_width,
                   order_to_floor, order_to_floor_half_width, levels, spacings, errors, pairwise)
-TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, unit, value, lower, upper, author,
-                  outcome, margin, sentence)
+TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, unit, kind, better, value, lower, upper,
+                  author, outcome, margin, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
 TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
@@ -26,7 +28,7 @@ TOUCHSTONE_FIELDS(WorkDiagram, id, title, caption, quantity, targets, ranked_by)
 TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles, per_step, error, cpu, cpu_lowest,
                   cpu_highest)
 TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, suite, revision, compiler,
-                  flags, machine, finished_at, runs, errors, orders, verdicts, figures, curves, clouds, tables,
+                  flags, machine, finished_at, runs, values, orders, verdicts, figures, curves, clouds, tables,
                   diagrams, work)
 
 namespace {
@@ -46,13 +48,33 @@ void check_lengths(const Record& record) {
       require_equal(row.size(), t.columns.size(), fmt::format("a row of table '{}'", t.id));
 }
 
-Record record_from(const json::Json& json) {
+/// Schema 3 had the headings of quantities only, and values were called errors.
+void bring_up_from_3(json::Json& json) {
+  const auto declared = [](const json::Json& heading) {
+    return json::Writer::json(with_heading(current_name(heading.get<std::string>())));
+  };
+  json["schema"] = 4;
+  json["values"] = std::move(json.at("errors"));
+  for (auto& value : json.at("values")) value["quantity"] = declared(value.at("quantity"));
+  for (auto& diagram : json.at("diagrams")) diagram["quantity"] = declared(diagram.at("quantity"));
+  for (auto& order : json.at("orders")) order["quantity"] = current_name(order.at("quantity"));
+  for (auto& verdict : json.at("verdicts")) {
+    verdict["quantity"] = current_name(verdict.at("quantity"));
+    verdict["kind"] = json::Writer::json(Kind::value);
+    verdict["better"] = json::Writer::json(Better::undeclared);
+  }
+}
+
+Record record_from(json::Json json) {
   int schema = 0;
-  const json::Reader reader(json);
-  reader("schema", schema);
-  if (schema != Record{}.schema)
-    throw json::Misfit{"schema", fmt::format("is {}, expected {}, the only one known here", schema, Record{}.schema)};
+  const json::Reader header(json);
+  header("schema", schema);
+  if (schema == 3)
+    bring_up_from_3(json);
+  else if (schema != Record{}.schema)
+    throw json::Misfit{"schema", fmt::format("is {}, expected {} or 3, those known here", schema, Record{}.schema)};
   Record record;
+  const json::Reader reader(json);
   describe(reader, record);
   check_lengths(record);
   return record;

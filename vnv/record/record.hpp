@@ -3,6 +3,8 @@
 /// Numbers are SI unless a name says otherwise; only a report rescales. Not a number is a value like another: it is
 /// written and read back.
 
+#include "vnv/record/quantity.hpp"
+
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -52,15 +54,15 @@ struct RunSummary {
   bool operator==(const RunSummary&) const = default;
 };
 
-/// One error norm of one run.
-struct Error {
+/// One number that was measured of one run.
+struct Value {
   std::string level;
-  double spacing = 0;    // m
-  double time = 0;       // s
-  std::string quantity;  // "L2 v_x, row means"
-  double value = not_a_number;
+  double spacing = 0;  // m
+  double time = 0;     // s
+  Quantity quantity;
+  double value = not_a_number;  // in the unit of the quantity
 
-  bool operator==(const Error&) const = default;
+  bool operator==(const Value&) const = default;
 };
 
 /// What a ladder of errors says of a method; `observe_order` tells them apart.
@@ -73,7 +75,7 @@ std::string_view name_of(Trend trend);
 /// An observed order of convergence with its 95 % interval, and the floor that the errors fall to, if one was found.
 struct ObservedOrder {
   std::string ladder;    // "grid, 4 points per cell"
-  std::string quantity;  // as in Error
+  std::string quantity;  // heading of what was measured, "L2 v_x, row means [%]"
   double time = 0;       // s
   double order = not_a_number;
   double half_width = not_a_number;  // of the 95 % interval
@@ -95,10 +97,12 @@ constexpr auto words(Outcome) { return std::to_array<std::string_view>({"holds",
 /// A claim, judged.
 struct Verdict {
   std::string case_name, method, level;
-  double spacing = not_a_number;       // m
-  double time = not_a_number;          // s
-  std::string quantity;                // "L2 v_x, row means", "order of L2 over grid"
-  std::string unit;                    // "%", "m"; empty for a pure number
+  double spacing = not_a_number;  // m
+  double time = not_a_number;     // s
+  std::string quantity;           // "L2 v_x, row means", "order of L2 over grid"
+  std::string unit;               // "%", "m"; empty for a pure number
+  Kind kind = Kind::value;
+  Better better = Better::undeclared;
   double value = not_a_number;         // in `unit`
   std::optional<double> lower, upper;  // in `unit`; the limits that are claimed
   std::string author;                  // "theory: ...", "literature: ...", "baseline: ..."
@@ -171,7 +175,7 @@ struct WorkDiagram {
   std::string id;                   // "work"; also the stem of its files
   std::string title;                // "Error against run time"
   std::string caption;              // which error, at which time
-  std::string quantity;             // of the error, "L2 v_x [%]"; also the label of its axis
+  Quantity quantity;                // the error; its heading labels the axis
   std::vector<double> targets;      // in its unit, falling
   double ranked_by = not_a_number;  // the target that ranks the methods
 
@@ -198,7 +202,7 @@ struct WorkPoint {
 inline constexpr std::string_view could_be_assessed = "assessed";
 
 struct Record {
-  int schema = 3;
+  int schema = 4;
   std::string case_name;    // "poiseuille"
   std::string title;        // "Start-up of plane Poiseuille flow"
   std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs
@@ -207,7 +211,7 @@ struct Record {
   std::string suite;  // "acceptance", "report" or "nightly"
   std::string revision, compiler, flags, machine, finished_at;
   std::vector<RunSummary> runs;
-  std::vector<Error> errors;
+  std::vector<Value> values;
   std::vector<ObservedOrder> orders;
   std::vector<Verdict> verdicts;
   std::vector<Figure> figures;

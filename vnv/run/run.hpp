@@ -39,16 +39,14 @@ struct Run {
   RunSummary summary{};
   std::vector<Samples> samples{};
   History history{};
-  std::vector<Error> found{};   // values that the run itself measured, such as a critical time step
+  std::vector<Value> found{};   // values that the run itself measured, such as a critical time step
   std::vector<Curve> curves{};  // that the run itself drew, of figures that a plot of the case declares
 
   /// Adds a value that the run itself measured.
-  void add(std::string_view quantity, double value) {
-    found.push_back({"", 0, not_a_number, std::string(quantity), value});
-  }
+  void add(const Quantity& quantity, double value) { found.push_back({"", 0, not_a_number, quantity, value}); }
   /// Such a value; not a number if there is none.
-  double value_of(std::string_view quantity) const {
-    const auto named = std::ranges::find(found, quantity, &Error::quantity);
+  double value_of(const Quantity& quantity) const {
+    const auto named = std::ranges::find(found, quantity, &Value::quantity);
     return named == found.end() ? not_a_number : named->value;
   }
 
@@ -66,7 +64,7 @@ struct Run {
 Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping = Stepping::as_given);
 
 /// What a run says whose step was shortened.
-inline const std::string shortest_step_taken = "shortest step over the one given [-]";
+inline const Quantity shortest_step_taken{"shortest time step over the nominal one", ""};
 
 /// A run that is made of many simulations, to find something out: what they cost together, by the meter, the number
 /// of their particles and the steps of all.

@@ -39,13 +39,13 @@ double largest_step(const SolverWith& solver_with, const StepSearch& search);
 /// steps.
 double growth_per_step(Simulation simulation, const StepSearch& search);
 
-inline const std::string stable_end = "critical time step, stable end [us]",
-                         unstable_end = "critical time step, unstable end [us]",
-                         over_courant = "critical time step over (31) [-]",
-                         growth_beyond = "growth per step, with a step longer by a twentieth [-]";
+inline const Quantity stable_end{"largest stable time step, lower bound", "us", Kind::stability_limit},
+    unstable_end{"largest stable time step, upper bound", "us", Kind::stability_limit},
+    over_courant{"largest stable time step over the Courant limit (31)", "", Kind::stability_limit},
+    growth_beyond{"growth per step at 1.05 times the largest stable step", "", Kind::value, Better::smaller};
 
 /// The step that a method takes where a scene names none, and that it is a stable one.
-inline const std::string step_chosen = "step chosen over largest stable [-]";
+inline const Quantity step_chosen{"chosen time step over the largest stable one", "", Kind::value, Better::smaller};
 inline const Claim chosen_is_stable =
     at_most(step_chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"));
 
@@ -58,7 +58,8 @@ Run search_critical_step(const SolverWith& solver_with, const StepSearch& search
 
 /// A column of a table of limits, and the quantity in it.
 struct LimitColumn {
-  std::string heading, quantity;
+  std::string heading;
+  Quantity quantity;
 };
 
 /// A table of what each run found; `levels` heads the column of their names.

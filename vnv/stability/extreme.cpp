@@ -10,8 +10,8 @@
 namespace touchstone::vnv {
 namespace {
 
-const std::string ending_met = "ending: 0 refused, 1 diverged, 2 stable, 3 accurate [-]",
-                  ending_declared = "ending declared [-]", error_at_end = "error at the end [%]";
+const Quantity ending_met{"outcome: 0 refused, 1 diverged, 2 stable, 3 accurate", ""},
+    ending_declared{"declared outcome", ""}, error_at_end{"error at the end time", "%", Kind::error};
 
 Run meet(const Extreme& extreme, const Schedule& when) {
   Run run;

@@ -25,7 +25,7 @@ struct Extreme {
   Stepping stepping = Stepping::adaptive;
 };
 
-inline const std::string ends_as_declared = "ends as declared [-]";
+inline const Quantity ends_as_declared{"outcome as declared", "", Kind::value, Better::larger};
 
 /// A method and what it is to meet: each scene a level, the claim that it ends as declared, a table of endings and
 /// pictures of those that are drawn.

@@ -11,7 +11,7 @@ namespace touchstone::vnv {
 namespace {
 
 double found_step(const Run& run) {
-  const auto step = std::ranges::find(run.found, critical_step_found, &Error::quantity);
+  const auto step = std::ranges::find(run.found, critical_step_found, &Value::quantity);
   return step == run.found.end() ? not_a_number : step->value * us;
 }
 
@@ -66,14 +66,14 @@ Method ablation(Method method, const Level& level, std::vector<Variant> variants
   return method;
 }
 
-Plot ablation_table(std::string quantity, std::vector<std::string> with_more) {
+Plot ablation_table(Quantity quantity, std::vector<std::string> with_more) {
   return [=](const Results& results, Record& record) {
     Table table{"ablation",
                 "What each ingredient is needed for",
                 "Each variant lacks one ingredient of the whole method, or has another in its place. An ingredient is "
                 "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "
                 "not end or the critical step falls by more than a twentieth. Errors are those at the end of the run.",
-                {"method", "variant", "end [s]", quantity, "change [%]", "critical step [us]", "change [%]",
+                {"method", "variant", "end [s]", quantity.heading(), "change [%]", "critical step [us]", "change [%]",
                  "ns per particle-step", "change [%]", "needed for"},
                 {}};
     const Pick error = error_of(quantity, results.runs.front().summary.end_time);

@@ -31,7 +31,7 @@ struct Outcomes {
 /// does not end, or the critical step falls by more than a twentieth.
 std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
 
-inline const std::string critical_step_found = "critical time step [us]";
+inline const Quantity critical_step_found{"largest stable time step", "us", Kind::stability_limit};
 
 /// A run of a variant and, in the same process but not on its account, its critical step.
 inline Run run_and_search(const SolverWith& solver_with, double time_step, const Schedule& when,
@@ -47,6 +47,6 @@ Method ablation(Method method, const Level& level, std::vector<Variant> variants
 /// A row for each variant: error at the end of the whole method's run, critical step and cost, their changes, and what
 /// that which is missing is needed for. The variants `with_more` have an ingredient that the whole method has not:
 /// there it is the whole method that lacks it.
-Plot ablation_table(std::string quantity, std::vector<std::string> with_more = {});
+Plot ablation_table(Quantity quantity, std::vector<std::string> with_more = {});
 
 }  // namespace touchstone::vnv

@@ -5,7 +5,7 @@
 namespace touchstone::vnv {
 namespace {
 
-bool is_told_of(const Error& e, const EnsembleComparison& one) {
+bool is_told_of(const Value& e, const EnsembleComparison& one) {
   return e.quantity == one.quantity && (e.time == one.time || (std::isnan(e.time) && std::isnan(one.time)));
 }
 
@@ -13,16 +13,16 @@ bool is_told_of(const Error& e, const EnsembleComparison& one) {
 
 std::vector<EnsembleComparison> compare_with_accepted(const Record& record, const Baselines& baselines) {
   std::vector<EnsembleComparison> all;
-  for (const Error& e : record.errors) {
+  for (const Value& e : record.values) {
     auto one = std::ranges::find_if(all, [&](const EnsembleComparison& known) { return is_told_of(e, known); });
     if (one == all.end()) one = all.insert(all.end(), {e.quantity, e.time, {}, {}, not_a_number, not_a_number});
     one->members.push_back(e.value);
-    if (const Baseline* accepted = baselines.find(record.method, e.level, e.time, e.quantity))
+    if (const Baseline* accepted = baselines.find(record.method, e.level, e.time, e.quantity.heading()))
       one->accepted.push_back(accepted->value);
   }
   for (EnsembleComparison& one : all) {
     one.distance = wasserstein_distance(one.members, one.accepted);
-    one.chance = one.accepted.empty() ? not_a_number : chance_of_being_so_unlike(one.members, one.accepted);
+    one.p_value = one.accepted.empty() ? not_a_number : p_value(one.members, one.accepted);
   }
   return all;
 }

@@ -54,17 +54,17 @@ struct Ensemble {
 
 /// One number of an ensemble beside that of the ensemble that was accepted.
 struct EnsembleComparison {
-  std::string quantity;  // "arrival at the far wall, T [-]"
-  double time;           // s
+  Quantity quantity;
+  double time;  // s
   std::vector<double> members, accepted;
   double distance;  // in the unit of the quantity, of Wasserstein
-  double chance;    // that two ensembles of one distribution are so unlike
+  double p_value;   // of two ensembles of one distribution, by Anderson and Darling's test
 };
 
 /// Each number of a record's members, in the order of the record. Nothing is accepted where a baseline is missing.
 std::vector<EnsembleComparison> compare_with_accepted(const Record& record, const Baselines& baselines);
 
 /// Ensembles of one distribution are less alike once in so many comparisons.
-inline constexpr double least_chance = 1e-4;
+inline constexpr double least_p_value = 1e-4;
 
 }  // namespace touchstone::vnv

@@ -7,7 +7,7 @@
 namespace touchstone::vnv {
 namespace {
 
-const std::string height = "height [m]";
+const Quantity height{"height", "m"};
 
 /// A case of 16 starts, of which each has a height that follows from its number.
 Case splashing(double mean, double spread) {
@@ -15,7 +15,7 @@ Case splashing(double mean, double spread) {
   return {
       .title = "Made up",
       .times = {1},
-      .measurements = {[=](const Level& level, const Run&) -> std::vector<Error> {
+      .measurements = {[=](const Level& level, const Run&) -> std::vector<Value> {
         const double number = std::stod(level.name.substr(6));
         return {{level.name, level.spacing, 1, height, mean + spread * std::sin(100 * number)}};
       }},

@@ -6,16 +6,6 @@
 #include <fmt/format.h>
 
 namespace touchstone::vnv {
-namespace {
-
-/// "%" of "L2 v_x [%]".
-std::string unit_of(const std::string& quantity) {
-  const auto open = quantity.rfind('['), close = quantity.rfind(']');
-  return open == std::string::npos ? "" : quantity.substr(open + 1, close - open - 1);
-}
-
-}  // namespace
-
 std::string family_of(const std::string& method) { return method.starts_with("mpm") ? "MPM" : "SPH"; }
 
 std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, const Results& results,
@@ -53,15 +43,15 @@ Plot error_against_run_time(WorkDiagram diagram, double time, std::vector<WorkPo
   };
 }
 
-std::string price_of(const WorkDiagram& diagram, double target) {
-  const std::string unit = unit_of(diagram.quantity);
-  return fmt::format("CPU time to {:g}{} [s]", target, unit.empty() || unit == "-" ? "" : " " + unit);
+Quantity price_of(const WorkDiagram& diagram, double target) {
+  const std::string& unit = diagram.quantity.unit;
+  return {fmt::format("CPU time to {:g}{}", target, unit.empty() ? "" : " " + unit), "s", Kind::cost};
 }
 
 Finding prices(WorkDiagram diagram, double time) {
   return [=](const Results& results, const Record& record) {
     const std::vector<WorkPoint> points = work_points(diagram, time, results, record);
-    std::vector<Error> found;
+    std::vector<Value> found;
     for (const double target : diagram.targets)
       found.push_back({"", not_a_number, time, price_of(diagram, target), time_to_error(points, target).cpu});
     return found;

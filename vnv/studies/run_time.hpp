@@ -1,5 +1,5 @@
 #pragma once
-/// Error against run time: the runs of a method as points, and what an error costs as a value that claims may judge.
+/// Value against run time: the runs of a method as points, and what an error costs as a value that claims may judge.
 
 #include "vnv/case.hpp"
 
@@ -19,7 +19,7 @@ std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, cons
 Plot error_against_run_time(WorkDiagram diagram, double time, std::vector<WorkPoint> elsewhere = {});
 
 /// The name of the CPU time to an error of a diagram: "CPU time to 1 % [s]".
-std::string price_of(const WorkDiagram& diagram, double target);
+Quantity price_of(const WorkDiagram& diagram, double target);
 
 /// The CPU times to the diagram's targets; not a number where none of the method's runs is good enough.
 Finding prices(WorkDiagram diagram, double time);

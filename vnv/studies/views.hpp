@@ -85,7 +85,7 @@ struct SeveralViews {
   std::vector<View> views;  // the first is the plain flow
   double spacing, cell;     // m
   double end;               // s  when all are looked at
-  std::string error;        // the quantity
+  Quantity error;
 
   /// The view of a level; the plain flow for a run at any resolution.
   const View& of(const Level& level) const {
@@ -110,11 +110,11 @@ struct SeveralViews {
   }
 
   /// By how much each view changes the error of the plain flow.
-  std::string change() const { return "change of the error against the plain flow [%]"; }
+  Quantity change() const { return {"change of the error relative to the untransformed flow", "%", Kind::deviation}; }
   Finding changes() const {
     return [*this](const Results& results, const Record& record) {
       const double in_plain_flow = error_in(views.front(), results, record);
-      std::vector<Error> found;
+      std::vector<Value> found;
       for (const View& view : std::span(views).subspan(1))
         found.push_back(
             {view.name, spacing, end, change(), 100 * (error_in(view, results, record) / in_plain_flow - 1)});
@@ -127,7 +127,7 @@ struct SeveralViews {
     return [*this, words](const Results& results, Record& record) {
       Table table{"views",
                   "The same flow in several views",
-                  fmt::format("\"{}\" at t = {:g} s. {}", error, end, words),
+                  fmt::format("\"{}\" at t = {:g} s. {}", error.heading(), end, words),
                   {"method"},
                   {}};
       std::vector<Cell> row{results.method.name};

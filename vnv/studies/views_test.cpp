@@ -60,14 +60,14 @@ TEST(Views, NumberedAnewThePlacesAreTheSame) {
 
 TEST(Views, ARunAtAnyResolutionIsOfThePlainFlow) {
   const SeveralViews flows{
-      .views = {views::plain(), views::mirrored_about_x(0)}, .spacing = 1, .cell = 2, .end = 1, .error = "e"};
+      .views = {views::plain(), views::mirrored_about_x(0)}, .spacing = 1, .cell = 2, .end = 1, .error = {"e"}};
   EXPECT_EQ(flows.of({.name = "mirrored", .spacing = 1}).name, "mirrored");
   EXPECT_EQ(flows.of({.name = "", .spacing = 1}).name, "plain");
 }
 
 TEST(Views, TheChangeIsToldInPerCentOfTheErrorOfThePlainFlow) {
   const SeveralViews flows{
-      .views = {views::plain(), views::mirrored_about_x(0)}, .spacing = 1, .cell = 2, .end = 1, .error = "e"};
+      .views = {views::plain(), views::mirrored_about_x(0)}, .spacing = 1, .cell = 2, .end = 1, .error = {"e"}};
   const Method method{.name = "m", .levels = flows.levels()};
   Record record;
   Results results{method, Suite::acceptance, {}};
@@ -75,9 +75,9 @@ TEST(Views, TheChangeIsToldInPerCentOfTheErrorOfThePlainFlow) {
     vnv::Run run;
     run.summary.level = level;
     results.runs.push_back(run);
-    record.errors.push_back({level, 1, 1, "e", error});
+    record.values.push_back({level, 1, 1, {"e"}, error});
   }
-  const std::vector<Error> found = flows.changes()(results, record);
+  const std::vector<Value> found = flows.changes()(results, record);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].level, "mirrored");
   EXPECT_DOUBLE_EQ(found[0].value, 25);

@@ -20,7 +20,7 @@ Case vnv::the_case() {
                 return Run{.summary = {.finished = true, .outcome = "finished"}, .samples = {Samples{.time = 1}}};
               },
           .levels = {{.name = "only", .spacing = 1, .acceptance = 1}},
-          .claims = {at_most("L2 v_x [%]", 1e300, theory("there must be something to compare"))},
+          .claims = {at_most({"L2 v_x", "%", Kind::norm}, 1e300, theory("there must be something to compare"))},
       }},
   };
 }

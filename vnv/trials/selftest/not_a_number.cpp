@@ -9,14 +9,14 @@ Case touchstone::vnv::the_case() {
       .title = "Not a number",
       .times = {1},
       .measurements = {[](const Level& level, const Run&) {
-        return std::vector<Error>{{level.name, level.spacing, 1, "L2 v_x [%]", not_a_number}};
+        return std::vector<Value>{{level.name, level.spacing, 1, {"L2 v_x", "%", Kind::norm}, not_a_number}};
       }},
       .methods = {{
           .name = "broken",
           .run = [](const Level&,
                     const Schedule&) { return Run{.summary = {.finished = true, .outcome = "finished"}}; },
           .levels = {{.name = "only", .spacing = 1, .acceptance = 1}},
-          .claims = {at_most("L2 v_x [%]", 1e300, theory("not a number is no small number"))},
+          .claims = {at_most({"L2 v_x", "%", Kind::norm}, 1e300, theory("not a number is no small number"))},
       }},
   };
 }

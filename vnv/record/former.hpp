@@ -1,0 +1,12 @@
+#pragma once
+/// What former versions wrote, read as if it were of today: names of quantities by data/renames.csv, records by schema.
+
+#include <string>
+
+namespace touchstone::vnv {
+
+/// The name of today for a former name of a quantity, with its unit or without, also within "order of NAME over
+/// LADDER"; any other name comes back as it is. Throws BadData if the list of names cannot be read.
+std::string current_name(const std::string& name);
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,54 @@
+#include "vnv/record/former.hpp"
+
+#include "vnv/record/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace touchstone::vnv {
+namespace {
+
+TEST(FormerNames, AreThoseOfTodayWithAndWithoutTheirUnit) {
+  EXPECT_EQ(current_name("critical time step [us]"), "largest stable time step [us]");
+  EXPECT_EQ(current_name("period, less the exact"), "relative error of the period");
+  EXPECT_EQ(current_name("L2 v_x, row means [%]"), "L2 v_x, row means [%]");
+}
+
+TEST(FormerNames, AreFoundWithinOrdersAndAtTheEndsOfNames) {
+  EXPECT_EQ(current_name("order of L2 p less its mean, per particle over particles across"),
+            "order of L2 p - mean(p), per particle over particles across");
+  EXPECT_EQ(current_name("arrival at the far wall, chance of an ensemble so unlike the accepted one [-]"),
+            "impact time at the downstream wall, p-value against the accepted ensemble [-]");
+}
+
+/// A record as schema 3 had it.
+constexpr const char* of_schema_3 =
+    R"json({"schema":3,"case_name":"critical_step","title":"","description":"","method":"mpm",
+"method_description":"","suite":"acceptance","revision":"","compiler":"","flags":"","machine":"","finished_at":"","runs":[],
+"errors":[{"level":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31) [-]","value":1.11}],
+"orders":[{"ladder":"grid","quantity":"L2 p less its mean, per particle [%]","time":1,"order":2,"half_width":0.1,"trend":"converging",
+"asymptotic":true,"floor":"nan","floor_half_width":"nan","order_to_floor":"nan","order_to_floor_half_width":"nan","levels":[],
+"spacings":[],"errors":[],"pairwise":[]}],
+"verdicts":[{"case_name":"critical_step","method":"mpm","level":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31)",
+"unit":"","value":1.11,"lower":1,"upper":null,"author":"theory: x","outcome":"holds","margin":0.11,"sentence":"x"}],
+"figures":[],"curves":[],"clouds":[],"tables":[],
+"diagrams":[{"id":"work","title":"","caption":"","quantity":"L2 v_x [%]","targets":[1],"ranked_by":1}],"work":[]})json";
+
+TEST(FormerRecords, AreReadAsThoseOfToday) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "former.json";
+  std::ofstream(file) << of_schema_3;
+  const Record record = read_record(file);
+  EXPECT_EQ(record.schema, Record{}.schema);
+  ASSERT_EQ(record.values.size(), 1u);
+  EXPECT_EQ(record.values[0].quantity.heading(), "largest stable time step over the Courant limit (31) [-]");
+  EXPECT_EQ(record.values[0].value, 1.11);
+  EXPECT_EQ(record.orders[0].quantity, "L2 p - mean(p), per particle [%]");
+  EXPECT_EQ(record.verdicts[0].quantity, "largest stable time step over the Courant limit (31)");
+  EXPECT_EQ(record.verdicts[0].lower, 1);
+  EXPECT_EQ(record.diagrams[0].quantity.unit, "%");
+}
+
+}  // namespace
+}  // namespace touchstone::vnv
