@@ -34,12 +34,12 @@ Description described_by(const Words& call) {
 }
 
 /// By name, as the cases of the list are.
-std::vector<std::string> cases_meant(const std::vector<std::string>& patterns, const std::vector<std::string>& all) {
+std::vector<std::string> chosen_cases(const std::vector<std::string>& patterns, const std::vector<std::string>& all) {
   if (patterns.empty()) return all;
-  std::set<std::string> meant;
+  std::set<std::string> chosen;
   for (const std::string& pattern : patterns)
-    for (std::string& name : possible_cases(pattern, all)) meant.insert(std::move(name));
-  return {meant.begin(), meant.end()};
+    for (std::string& name : possible_cases(pattern, all)) chosen.insert(std::move(name));
+  return {chosen.begin(), chosen.end()};
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ std::vector<Chosen> Catalogue::methods() const {
 
 Catalogue read_catalogue(const Build& build, const std::vector<std::string>& patterns) {
   Catalogue catalogue;
-  for (const std::string& name : cases_meant(patterns, case_names(build))) {
+  for (const std::string& name : chosen_cases(patterns, case_names(build))) {
     if (fs::is_regular_file(build.program(name)))
       catalogue.cases.push_back(described_by(build.call(name, {"--describe"})));
     else
@@ -95,9 +95,9 @@ std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std
   return choose(catalogue, patterns, suite);
 }
 
-void tell_not_built(const Catalogue& catalogue) {
+void warn_of_not_built(const Catalogue& catalogue) {
   if (!catalogue.not_built.empty())
-    fmt::print(stderr, "vnv: {} cases are not built, so not told: cmake --build BUILD\n", catalogue.not_built.size());
+    fmt::print(stderr, "vnv: {} cases are not built and not listed: cmake --build BUILD\n", catalogue.not_built.size());
 }
 
 }  // namespace touchstone::vnv::command

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <memory>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -100,9 +99,11 @@ void explain_case(const Description& one, const std::vector<Chosen>& methods, bo
   print_data(one);
 }
 
-int explain(const Build& build, const std::string& pattern) {
-  const Catalogue catalogue = read_catalogue(build, {pattern});
-  const std::vector<Chosen> methods = choose_all(catalogue, {pattern}, "");
+}  // namespace
+
+int explain(const Build& build, const ExplainOptions& options) {
+  const Catalogue catalogue = read_catalogue(build, {options.pattern});
+  const std::vector<Chosen> methods = choose_all(catalogue, {options.pattern}, "");
   const bool whole = methods.size() == 1;
   const Description* last = nullptr;
   for (const Chosen& chosen : methods) {
@@ -112,19 +113,6 @@ int explain(const Build& build, const std::string& pattern) {
     explain_case(*chosen.of, methods, whole);
   }
   return all_holds;
-}
-
-}  // namespace
-
-void add_explain(CLI::App& app, Session& session) {
-  const auto pattern = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "explain", "Tells what a case solves, what is claimed on whose word, and where its data come from.");
-  command->footer(
-      "One method alone is told with its claims and levels.\n"
-      "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
-  command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
-  set_todo(*command, session, explain, pattern);
 }
 
 }  // namespace touchstone::vnv::command
