@@ -8,7 +8,6 @@ scratch folder. A trial is a line. Exit status: 0 all trials passed; 1 one faile
 Example: vnv/trials/interruptions/try.py build --kills 20 --seed 7
 """
 
-import argparse
 import contextlib
 import os
 import pathlib
@@ -21,16 +20,15 @@ import sys
 import tempfile
 import time
 
-import left
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import left  # noqa: E402
+from shared import BadInput, Parser, exit_with  # noqa: E402
 
 WHOM = ("all of it", "the command alone", "one of its programs")
 CAUSES = re.compile("No space left on device|File too large|Read-only file system|Not a directory|disk.* full")
 LONGEST = 300  # s, of a program
 PARTS = ("run", "ctest", "report", "full", "forbidden")
-
-
-class BadInput(Exception):
-    """Where, what, and what was expected, in one line."""
 
 
 class Failure(Exception):
@@ -344,8 +342,7 @@ def forbid_writing(programs, folder, trials, records, has_disks):
 
 
 def options_of(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.error = lambda message: (_ for _ in ()).throw(BadInput(f"try.py: {message}"))
+    parser = Parser(__doc__)
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
     parser.add_argument("--kills", type=int, default=20, help="of vnv run, of ctest and of touchstone_report each")
     parser.add_argument("--seed", type=int, default=1, help="of the moments")
@@ -383,8 +380,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except BadInput as error:
-        print(error, file=sys.stderr)
-        sys.exit(3)
+    exit_with(main)
