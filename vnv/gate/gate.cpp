@@ -1,7 +1,7 @@
 #include "vnv/gate/gate.hpp"
 
+#include "vnv/gate/findings.hpp"
 #include "vnv/gate/front.hpp"
-#include "vnv/gate/telling.hpp"
 #include "vnv/gate/turns.hpp"
 
 #include <fmt/format.h>
@@ -14,14 +14,12 @@ namespace touchstone::gate {
 namespace {
 
 Difference of_whole_method(const std::string& case_name, const std::string& method, Change change, std::string why) {
-  Difference d;
-  d.case_name = case_name;
-  d.method = method;
-  d.kind = Kind::run;
-  d.quantity = "method";
-  d.change = change;
-  d.why = std::move(why);
-  return d;
+  return {.case_name = case_name,
+          .method = method,
+          .quantity = "method",
+          .kind = Kind::run,
+          .change = change,
+          .why = std::move(why)};
 }
 
 /// What both builds can run, and in `found` what is only in one of them or need not be run.
@@ -77,7 +75,7 @@ std::vector<Difference> compare_costs(const std::vector<Contest>& contests, cons
             return timing.case_name == contest.before.case_name && timing.method == contest.method;
           }))
         again.push_back(contest);
-    const Turns longer = take_turns(again, request.repeats * second_look, request.suite, progress);
+    const Turns longer = take_turns(again, request.repeats * times_the_pairs, request.suite, progress);
     std::vector<Timing> second;
     for (const Contest& contest : again) second.push_back(timing_of(contest, longer));
     return second;
@@ -126,7 +124,7 @@ void require_sense(const GateRequest& request) {
 
 }  // namespace
 
-Status gate(const GateRequest& request, std::ostream& told, std::ostream& progress) {
+Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
   require_sense(request);
   const Choice choice{request.suite, request.cases, request.only};
   Source before = open_source(request.before, choice, progress), after = open_source(request.after, choice, progress);
@@ -137,7 +135,7 @@ Status gate(const GateRequest& request, std::ostream& told, std::ostream& progre
   Findings found{request.before, request.after, {}, {}, {}};
   const Turns turns = before.build ? compare_builds(*before.build, *after.build, request, progress, found)
                                    : compare_records(before, after, found);
-  told << text_of(found) << std::flush;
+  output << text_of(found) << std::flush;
   write_text(request.markdown, markdown_of(found));
   write_text(request.json, json_of(found));
   if (!request.figure.empty()) {

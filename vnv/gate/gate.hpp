@@ -13,7 +13,7 @@ namespace touchstone::gate {
 struct GateRequest {
   std::string before, after;         // each a record, a folder of records, a build folder or a git revision
   std::string suite = "acceptance";  // that builds run; records say their own
-  std::vector<std::string> cases{};  // to look at; empty: all
+  std::vector<std::string> cases{};  // empty: all
   std::string only{};                // regular expression found in "case.method"; empty: all
   long repeats = 6;                  // pairs of runs in turn, of builds; 0: values are compared and cost is not
   bool all = false;                  // run programs that are the same, too
@@ -25,9 +25,9 @@ struct GateRequest {
 /// What the gate came to, as the exit status of a program.
 enum Status { same_or_better = 0, worse = 1, inconclusive = 2, bad_input = 3 };
 
-/// Compares and says what it finds; what it does meanwhile it says to `progress`. Builds are run in turn, those methods
-/// again whose cost the first look leaves in doubt. Throws BadInput, with one line that says why, for what cannot be
-/// compared: the status `bad_input`.
-Status gate(const GateRequest& request, std::ostream& told, std::ostream& progress);
+/// Compares, and writes the findings to `output` and what is being done to `progress`. Builds are run in turn, those
+/// methods again whose cost the first runs leave in doubt. Throws BadInput, with one line that says why, for what
+/// cannot be compared: the status `bad_input`.
+Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress);
 
 }  // namespace touchstone::gate

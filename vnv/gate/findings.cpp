@@ -1,4 +1,4 @@
-#include "vnv/gate/telling.hpp"
+#include "vnv/gate/findings.hpp"
 
 #include "vnv/record/json.hpp"
 
@@ -37,8 +37,8 @@ std::string cell_of(const std::vector<const Difference*>& all) {
   const Change worst = (*std::ranges::max_element(all, {}, &Difference::change))->change;
   if (all.front()->kind == Kind::cost) return fmt::format("{}: {}", name_of(worst), all.front()->why);
   const auto count = std::ranges::count(all, worst, &Difference::change);
-  const std::string share = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
-  return fmt::format("{}, {}{}", name_of(worst), share, all.size());
+  const std::string counted = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
+  return fmt::format("{}, {}{}", name_of(worst), counted, all.size());
 }
 
 /// The headings, and below them a row for each method of each case.
@@ -54,7 +54,7 @@ std::vector<Row> table_of(const Findings& findings) {
   return rows;
 }
 
-/// What must be looked at, worst first and runs before values; what got better last.
+/// What needs attention, worst first and runs before values; what got better last.
 std::vector<const Difference*> changes_of(const Findings& findings) {
   std::vector<const Difference*> changes;
   for (const Difference& d : findings.differences)
