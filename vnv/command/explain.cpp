@@ -65,7 +65,7 @@ void print_method(const MethodDescription& method, bool whole) {
   print_levels(method);
   for (const LadderDescription& ladder : method.ladders)
     print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.levels, ", ")), 4);
-  print_wrapped(fmt::format("New baselines have {:g} % of room, or {:g}: {}", 100 * method.tolerance.relative,
+  print_wrapped(fmt::format("New baselines allow a change by {:g} %, or by {:g}: {}", 100 * method.tolerance.relative,
                             method.tolerance.absolute, method.tolerance.basis),
                 4);
 }
