@@ -177,7 +177,7 @@ class Results(InAFolder):
     def test_are_a_line_for_a_person_and_a_table_for_the_report(self):
         lines = [self.line("far", matrix.NOTICED, -9.0), self.line("lives", matrix.SURVIVED, 0.5, False),
                  self.line("nan", matrix.NOTICED, float("-inf")), self.line("unit", matrix.NOTICED, None)]
-        self.assertEqual(matrix.summary(lines), "4 faults: 3 noticed by day (75.0 %), 3 in all; look at lives")
+        self.assertEqual(matrix.summary(lines), "4 faults: 3 noticed by day (75.0 %), 3 in all; not as expected: lives")
         matrix.write(lines, self.folder / "results.csv", {"revision": "abc"})
         rows = (self.folder / "results.csv").read_text(encoding="utf-8").splitlines()
         self.assertEqual(rows[0], "# revision: abc")

@@ -30,7 +30,7 @@ RECORDED = FOLDER / "trials.csv"
 SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 
-def look(source, build, patterns, environment, options):
+def run_tests(source, build, patterns, environment, options):
     """Runs tests; what each says: {name: {failed, margin, sentence}}."""
     for case in (source / "vnv" / "cases").glob("*.cpp"):  # ctest wants all lists, also of what is not built
         tests = build / "vnv" / f"{case.stem}_tests.cmake"
@@ -106,8 +106,8 @@ def tried(scratch, fault, options):
             scratch.configure(build, fault.configure)
             targets = ["all"] if options.suite else scratch.targets(build, fault.tests)
             said = scratch.make(build, targets) if targets else ""
-            tests = {} if said else look(scratch.source, build, fault.tests, fault.environment, options)
-            for test in tests.values():  # where the copy lies tells nobody anything
+            tests = {} if said else run_tests(scratch.source, build, fault.tests, fault.environment, options)
+            for test in tests.values():  # where the copy lies is of no interest
                 test["sentence"] = test["sentence"].replace(f"{scratch.source}/", "").replace("../source/", "")
     finally:
         if own_build:
@@ -165,10 +165,10 @@ def what_is_run(options):
 
 def revision():
     """Of the sources, but for those that no trial is made from."""
-    told = run(["git", "-C", ROOT, "describe", "--always"]).stdout.strip()
+    described = run(["git", "-C", ROOT, "describe", "--always"]).stdout.strip()
     changed = run(["git", "-C", ROOT, "status", "--porcelain", "--", ".", ":!*.md",
                    *(f":!{folder}" for folder in UNREAD)]).stdout.strip()
-    return told + ("-dirty" if changed else "")
+    return described + ("-dirty" if changed else "")
 
 
 def own_digest(fault):
@@ -178,10 +178,10 @@ def own_digest(fault):
 def write(lines, faults, file, options):
     """The faults in their order, with what is known today of why one survives."""
     of_name = {line["fault"]: line for line in lines}
-    told = [of_name[fault.name] | {"why": fault.why} for fault in faults if fault.name in of_name]
-    matrix.write(told, file, {"title": "What came of each seeded fault, test by test", "machine": matrix.machine(),
-                              "tests": what_is_run(options), "untried": len(faults) - len(told)})
-    return told
+    rows = [of_name[fault.name] | {"why": fault.why} for fault in faults if fault.name in of_name]
+    matrix.write(rows, file, {"title": "What came of each seeded fault, test by test", "machine": matrix.machine(),
+                              "tests": what_is_run(options), "untried": len(faults) - len(rows)})
+    return rows
 
 
 class Record:
@@ -225,15 +225,15 @@ def try_all(faults, options):
             print(f"{len(fresh) - k} of {len(fresh)} left: the same command goes on with them")
             break
         require_green(scratch, ("all",) if options.suite else fault.tests, options, green)
-        told = {"key": keys[fault.name], "digest": own_digest(fault), "revision": revision()}
-        lines.append(keep(tried(scratch, fault, options) | told))
+        provenance = {"key": keys[fault.name], "digest": own_digest(fault), "revision": revision()}
+        lines.append(keep(tried(scratch, fault, options) | provenance))
         record.renew(lines)
         print(f"{k + 1}/{len(fresh)} {fault.name}: {lines[-1]['conclusion']}{matrix.by_whom(lines[-1])}, "
               f"{lines[-1]['seconds']} s", flush=True)
     record.renew(lines)
-    told = write(lines, faults, options.results.with_suffix(".csv"), options)
-    print(matrix.summary(told))
-    return 1 if any(line["conclusion"] in matrix.BAD for line in told) else 0
+    rows = write(lines, faults, options.results.with_suffix(".csv"), options)
+    print(matrix.summary(rows))
+    return 1 if any(line["conclusion"] in matrix.BAD for line in rows) else 0
 
 
 def options_of(arguments):

@@ -88,8 +88,8 @@ def try_itself(options):
         status, found = gate(options.build / "vnv" / "vnv", options.build, options.build,
                              options.scratch / "self.json", ["--all", "--only", options.only])
         counts[CONCLUSIONS[status]] += 1
-        told = [sentence_of(difference) for difference in found if difference["change"] in CONCLUSIONS[1:]]
-        print(f"{k + 1}/{options.self} {CONCLUSIONS[status]}" + "".join(f"\n    {words}" for words in told), flush=True)
+        changes = [sentence_of(difference) for difference in found if difference["change"] in CONCLUSIONS[1:]]
+        print(f"{k + 1}/{options.self} {CONCLUSIONS[status]}" + "".join(f"\n    {words}" for words in changes), flush=True)
     rows = sum(difference["change"] != "unjudged" for difference in found)
     print(f"{options.self} gates of a build against itself, {rows} rows each, "
           f"{(time.monotonic() - began) / options.self:.0f} s each: "
