@@ -27,18 +27,9 @@ std::string history_of(const Build& build, const ReportOptions& options) {
   return options.history.empty() && is_own_night ? configured(build, "TOUCHSTONE_HISTORY") : options.history;
 }
 
-std::string known_failures_of(const Build& build, const ReportOptions& options) {
-  if (!options.known_failures.empty()) return options.known_failures;
-  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
-  const fs::path file = (build.data.empty() ? sources / "data" : build.data) / "known_failures.csv";
-  return fs::exists(file) ? file.string() : "";
-}
-
-/// The results of the seeded faults that the sources hold.
-std::string faults_of(const Build& build, const ReportOptions& options) {
-  if (!options.faults.empty()) return options.faults;
-  const fs::path file = fs::path(configured(build, "CMAKE_HOME_DIRECTORY")) / "vnv/trials/faults/trials.csv";
-  return fs::exists(file) ? file.string() : "";
+/// The file that was named, else the usual one if it is there, else none.
+std::string named_or(const std::string& named, const fs::path& usual) {
+  return !named.empty() ? named : fs::exists(usual) ? usual.string() : "";
 }
 
 }  // namespace
@@ -59,8 +50,10 @@ int report(const Build& build, const ReportOptions& options) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});
   };
   pass_on("--history", history_of(build, options));
-  pass_on("--known-failures", known_failures_of(build, options));
-  pass_on("--faults", faults_of(build, options));
+  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
+  const fs::path data = build.data.empty() ? sources / "data" : build.data;
+  pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
+  pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));
   make_pages(build, arguments);
   fmt::print("{}\n", (fs::path(site) / "index.html").string());
   return all_holds;

@@ -104,20 +104,7 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '|') escaped += '\\';
-    escaped += letter;
-  }
-  return escaped;
-}
-
-std::string markdown_row(const Row& row) {
-  std::string line = "|";
-  for (const std::string& cell : row) line += fmt::format(" {} |", escaped(cell));
-  return line + "\n";
-}
+std::string markdown_row(const Row& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
 
 }  // namespace
 
@@ -174,13 +161,12 @@ std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
 }
 
 vnv::Table page_table_of(const Findings& findings) {
+  const std::vector<Row> rows = table_of(findings);
   vnv::Table table{.id = "gate",
                    .title = "Before and after",
-                   .caption = fmt::format("{}.", summary_of(findings)),
-                   .columns = {},
+                   .caption = summary_of(findings) + ".",
+                   .columns = rows.front(),
                    .rows = {}};
-  const std::vector<Row> rows = table_of(findings);
-  table.columns = rows.front();
   for (std::size_t k = 1; k < rows.size(); ++k) table.rows.emplace_back(rows[k].begin(), rows[k].end());
   return table;
 }

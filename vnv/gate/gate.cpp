@@ -1,5 +1,6 @@
 #include "vnv/gate/gate.hpp"
 
+#include "vnv/files/whole_file.hpp"
 #include "vnv/gate/findings.hpp"
 #include "vnv/gate/front.hpp"
 #include "vnv/gate/turns.hpp"
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace touchstone::gate {
@@ -110,34 +110,19 @@ Turns compare_records(Source& before, Source& after, Findings& found) try {
   throw BadInput(error.what());
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  if (file.empty()) return;
-  if (!(std::ofstream(file, std::ios::binary) << text << std::flush))
-    throw BadInput(fmt::format("{}: cannot be written", file.string()));
-}
-
-void require_sense(const GateRequest& request) {
-  if (request.repeats < 0) throw BadInput(fmt::format("repeats = {}, expected none or more", request.repeats));
-  if (request.suite != "acceptance" && request.suite != "report" && request.suite != "nightly")
-    throw BadInput(fmt::format("suite '{}', expected acceptance, report or nightly", request.suite));
-}
-
 }  // namespace
 
 Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
-  require_sense(request);
-  const Choice choice{request.suite, request.cases, request.only};
-  Source before = open_source(request.before, choice, progress), after = open_source(request.after, choice, progress);
+  Source before = open_source(request.before, request, progress), after = open_source(request.after, request, progress);
   if (before.build.has_value() != after.build.has_value())
-    throw BadInput(fmt::format("{} is a {} and {} is none, expected two of a kind",
-                               before.build ? before.name : after.name, "build",
-                               before.build ? after.name : before.name));
+    throw BadInput(fmt::format("{} is a build and {} is none, expected two of a kind",
+                               before.build ? before.name : after.name, before.build ? after.name : before.name));
   Findings found{request.before, request.after, {}, {}, {}};
   const Turns turns = before.build ? compare_builds(*before.build, *after.build, request, progress, found)
                                    : compare_records(before, after, found);
   output << text_of(found) << std::flush;
-  write_text(request.markdown, markdown_of(found));
-  write_text(request.json, json_of(found));
+  if (!request.markdown.empty()) files::write_whole(request.markdown, markdown_of(found));
+  if (!request.json.empty()) files::write_whole(request.json, json_of(found));
   if (!request.figure.empty()) {
     vnv::Record page = front_of(turns.before, turns.after);
     page.verdicts = verdicts_of(found);

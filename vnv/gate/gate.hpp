@@ -1,20 +1,31 @@
 #pragma once
 /// Gate: whether what comes after is worse than what was before.
 
-#include "vnv/gate/bad_input.hpp"
-
 #include <filesystem>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace touchstone::gate {
 
-struct GateRequest {
-  std::string before, after;         // each a record, a folder of records, a build folder or a git revision
+/// What the caller asked for cannot be compared; one line says why.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Which methods of which cases to compare.
+struct Choice {
   std::string suite = "acceptance";  // that builds run; records say their own
-  std::vector<std::string> cases{};  // empty: all
+  std::vector<std::string> cases{};  // names; empty: all
   std::string only{};                // regular expression found in "case.method"; empty: all
+
+  bool includes_case(const std::string& name) const;
+  bool includes(const std::string& case_name, const std::string& method) const;
+};
+
+struct GateRequest : Choice {
+  std::string before{}, after{};     // each a record, a folder of records, a build folder or a git revision
   long repeats = 6;                  // pairs of runs in turn, of builds; 0: values are compared and cost is not
   bool all = false;                  // run programs that are the same, too
   std::filesystem::path markdown{};  // files to write; empty: none

@@ -1,8 +1,8 @@
 #pragma once
 /// What BEFORE and AFTER are: records that were written before, or builds whose programs can be run.
 
-#include "vnv/gate/bad_input.hpp"
 #include "vnv/gate/comparison.hpp"
+#include "vnv/gate/gate.hpp"
 #include "vnv/programs/programs.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
@@ -11,16 +11,6 @@
 #include <ostream>
 
 namespace touchstone::gate {
-
-/// Which methods of which cases to compare.
-struct Choice {
-  std::string suite = "acceptance";
-  std::vector<std::string> cases{};  // names; empty: all
-  std::string only{};                // regular expression found in "case.method"; empty: all
-
-  bool includes_case(const std::string& name) const;
-  bool includes(const std::string& case_name, const std::string& method) const;
-};
 
 /// The program of one case, with the methods that a suite runs.
 struct Program {
