@@ -1,6 +1,5 @@
 #include "vnv/command/catalogue.hpp"
 
-#include "vnv/command/joined.hpp"
 #include "vnv/command/patterns.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ std::vector<std::string> case_names(const Build& build) {
 
 Description described_by(const Words& call) {
   const programs::Heard heard = programs::run_and_hear(call);
-  const std::string source = joined(call, " ");
+  const std::string source = fmt::format("{}", fmt::join(call, " "));
   if (!heard.ending.well()) throw std::runtime_error(fmt::format("{}: {}", source, heard.complaint()));
   return description_in(heard.output, source);
 }
@@ -83,7 +82,7 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
     throw std::invalid_argument(expected.empty()
                                     ? "no case is built; expected at least one: cmake --build BUILD"
                                     : fmt::format("{}: the suite {} runs none of it, expected at least one method",
-                                                  joined(expected, ", "), suite));
+                                                  fmt::join(expected, ", "), suite));
   return methods;
 }
 
@@ -91,7 +90,7 @@ std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std
                                const std::string& suite) {
   if (!catalogue.not_built.empty())
     throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
-                                            joined(catalogue.not_built)));
+                                            fmt::join(catalogue.not_built, ", ")));
   return choose(catalogue, patterns, suite);
 }
 

@@ -1,7 +1,6 @@
 /// vnv completion: a script by which a shell completes subcommands, options and names of methods.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +13,7 @@ std::string completion_script(const std::string& shell, const CommandWords& vnv,
   for (const CommandWords& command : subcommands) {
     names.push_back(command.name);
     const char* methods = command.takes_methods ? " $(\"${COMP_WORDS[0]}\" list --names 2>/dev/null)" : "";
-    cases += fmt::format("    {}) words=\"{}{}\" ;;\n", command.name, joined(command.options, " "), methods);
+    cases += fmt::format("    {}) words=\"{}{}\" ;;\n", command.name, fmt::join(command.options, " "), methods);
   }
   const char* for_zsh = "autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n";
   return (shell == "zsh" ? for_zsh : "") +
@@ -35,7 +34,7 @@ std::string completion_script(const std::string& shell, const CommandWords& vnv,
              "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
              "}}\n"
              "complete -F _vnv vnv\n",
-             joined(names, " "), cases, joined(vnv.options, " "), joined(suites, " "));
+             fmt::join(names, " "), cases, fmt::join(vnv.options, " "), fmt::join(suites, " "));
 }
 
 }  // namespace touchstone::vnv::command

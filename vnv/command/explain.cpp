@@ -1,7 +1,6 @@
 /// vnv explain: what a case solves, what is claimed of it on whose word, and where its data come from.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/files/tables.hpp"
 
@@ -64,7 +63,7 @@ void print_method(const MethodDescription& method, bool whole) {
   fmt::print("    Levels:\n");
   print_levels(method);
   for (const LadderDescription& ladder : method.ladders)
-    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.levels, ", ")), 4);
+    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, fmt::join(ladder.levels, ", ")), 4);
   print_wrapped(fmt::format("New baselines allow a change by {:g} %, or by {:g}: {}", 100 * method.tolerance.relative,
                             method.tolerance.absolute, method.tolerance.basis),
                 4);

@@ -1,7 +1,6 @@
 /// vnv list: cases, methods, levels, and which suite runs what.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +44,7 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
     fmt::print("  {}\n", one.method->name);
     for (const std::string& suite : suites)
       if (one.method->is_run_in(suite) && (only.empty() || suite == only))
-        fmt::print("    {:<10}  {}\n", suite, joined(levels_of(*one.method, suite), ", "));
+        fmt::print("    {:<10}  {}\n", suite, fmt::join(levels_of(*one.method, suite), ", "));
   }
 }
 

@@ -1,7 +1,6 @@
 /// vnv report: records to pages.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +37,7 @@ void make_pages(const Build& build, const Words& arguments) {
   Words call = {(build.folder / "reports" / "touchstone_report").string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
   if (const programs::Ending ending = programs::run_here(call); !ending.well())
-    throw std::runtime_error(fmt::format("{} {}", joined(call, " "), ending.sentence()));
+    throw std::runtime_error(fmt::format("{} {}", fmt::join(call, " "), ending.sentence()));
 }
 
 /// Without options as the test SUITE.pages does.

@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-SOLVER = re.compile(r"^[0-9a-f]+ [tTW] (?:\S+ )*?(touchstone::(?:mpm|sph)::[^(]*)\(")
+FUNCTION_OF_SOLVER = re.compile(r"^(.*?):[0-9a-f]* [tTW] (_ZNK?10touchstone3(?:mpm|sph)\w+)", re.M)  # as compilers mangle it
 
 
 def objects_below_O3(build):
@@ -23,17 +23,18 @@ def objects_below_O3(build):
             yield pathlib.Path(entry["directory"]) / re.search(r" -o (\S+)", entry["command"])[1]
 
 
-def functions_of_solvers(file):
-    symbols = subprocess.run(["nm", "-C", "--defined-only", file], capture_output=True, text=True, check=True).stdout
-    return [found[1] for line in symbols.splitlines() if (found := SOLVER.match(line))]
+def functions_of_solvers(files):
+    """{file: one function of a solver that it holds}, of those that hold any."""
+    symbols = subprocess.run(["nm", "-A", "--defined-only", *files], capture_output=True, text=True, check=True).stdout
+    return dict(FUNCTION_OF_SOLVER.findall(symbols))
 
 
 def main(build):
     files = [file for file in objects_below_O3(build) if file.is_file()]
-    found = {file: functions for file in files if (functions := functions_of_solvers(file))}
-    for file, functions in found.items():
-        print(f"{file.relative_to(build)}: holds {functions[0]} and is not compiled at -O3, expected its target to be "
-              "linked with touchstone_optimised")
+    found = functions_of_solvers(files) if files else {}
+    for file, function in found.items():
+        name = subprocess.run(["c++filt", "-p", function], capture_output=True, text=True, check=True).stdout.strip()
+        print(f"{file}: holds {name} and is not compiled at -O3, expected its target to be linked with touchstone_optimised")
     if not found:
         print(f"{len(files)} objects below -O3 hold no solver")
     return 1 if found else 0
