@@ -35,7 +35,7 @@ void print_for_people(const std::vector<Task>& tasks, int at_once) {
   const Estimate all = estimate(tasks, at_once);
   fmt::print("{} tasks, {:.3g} CPU s", tasks.size(), all.cpu);
   if (all.unknown > 0) fmt::print(" and {} of unknown cost", all.unknown);
-  fmt::print("; with {} at once no less than {:.3g} s\n", at_once, all.shortest_wall);
+  fmt::print("; at least {:.3g} s with {} at once\n", all.shortest_wall, at_once);
 }
 
 }  // namespace

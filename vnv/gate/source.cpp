@@ -90,11 +90,8 @@ Records records_in(const fs::path& path, const Choice& choice) {
 /// The commit that a name means in the repository around a folder; empty if there is none.
 std::string commit_of(const std::string& name) {
   if (name.empty() || name.front() == '-') return "";
-  const programs::ScratchFolder scratch;
-  const fs::path output = scratch.path() / "commit";
-  const std::string expected = name + "^{commit}";
-  if (!programs::run_into(output, {"git", "rev-parse", "--verify", "--quiet", expected}).well()) return "";
-  return programs::last_lines(output, 1);
+  const programs::Heard heard = programs::run_and_hear({"git", "rev-parse", "--verify", "--quiet", name + "^{commit}"});
+  return heard.ending.well() ? heard.output.substr(0, heard.output.find('\n')) : "";
 }
 
 }  // namespace
