@@ -2,7 +2,7 @@
 #
 #   ctest -S .ci/nightly.cmake -V [-DBUILD=FOLDER] [-DHISTORY=FOLDER] [-DDROP_SITE=HOST -DDROP_LOCATION=PATH -DDROP_METHOD=http]
 #
-# BUILD          folder to build in; build/ beside this room if none is named
+# BUILD          folder to build in; build/ in the sources if none is named
 # HISTORY        folder of the summaries of all nights; history/ in BUILD. Outside of it they outlive the build
 # LABEL          regular expression of the labels to run; units and the nightly suite
 # DROP_SITE      host of a CDash server that gets the results; none: nothing leaves this machine

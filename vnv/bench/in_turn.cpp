@@ -1,11 +1,12 @@
 #include "vnv/bench/in_turn.hpp"
 
+#include "vnv/record/median.hpp"
+
 #include <time.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 namespace touchstone::bench {
 namespace {
@@ -30,12 +31,7 @@ double wall_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) throw std::invalid_argument("median: no values, expected at least one");
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
+using vnv::median;
 
 double Times::of(std::size_t work) const { return median(of_works_.at(work)); }
 

@@ -15,7 +15,7 @@ double wall_time();
 using Work = std::function<void()>;
 using Clock = double (*)();
 
-/// How long to look.
+/// How long to time.
 struct Effort {
   int rounds = 9;
   double seconds = 0.02;  // of each work in each round, at least one call
@@ -40,10 +40,7 @@ class Times {
   std::vector<std::vector<double>> of_works_;
 };
 
-/// Each work is called once unseen, to warm up and to find how many calls fill its time.
+/// Each work is called once untimed, to warm up, and once to find how many calls fill its time.
 Times time_in_turn(const std::vector<Work>& works, const Effort& effort = {});
-
-/// The middle one, or the mean of the two in the middle. Throws std::invalid_argument if there is none.
-double median(std::vector<double> values);
 
 }  // namespace touchstone::bench

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 namespace touchstone::bench {
 namespace {
 
@@ -41,12 +39,6 @@ TEST(TimeInTurn, CountsTheCpuTimeOfThisProcess) {
   volatile double x = 0;
   while (cpu_time() == start) x = x + 1;
   EXPECT_GT(cpu_time(), start);
-}
-
-TEST(Median, IsTheMiddleOneOrTheMeanOfTwo) {
-  EXPECT_EQ(median({3, 1, 2}), 2);
-  EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
-  EXPECT_THROW(median({}), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,10 +16,10 @@
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
-#include "vnv/case.hpp"
 #include "vnv/run/lap_clock.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <map>
 
@@ -117,45 +117,41 @@ void add_loop(const std::string& name, Make make) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { time_loop(state, make()); });
 }
 
-/// M1 to M4 and S1 to S4 of table 2.
-void add_channels() {
-  for (const int k : {1, 2, 3, 4}) {
-    const vnv::Level level{.name = std::to_string(k), .spacing = channel_cell / k, .cell = channel_cell};
-    add_solver("mpm/channel/M" + level.name, mpm_work, [=] {
-      return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-          channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step});
-    });
-    add_loop("plain_musl/channel/M" + level.name,
-             [=] { return PlainMusl(plain(channel()), level.cell, level.spacing, channel_step); });
-    add_loop("mls_mpm/channel/M" + level.name,
-             [=] { return MlsMpm(plain(channel()), level.cell, level.spacing, channel_step); });
-    add_solver("sph/channel/S" + level.name, sph_work, [=] {
-      const double h = 1.2 * level.spacing;
-      const Newtonian water = channel().fluid;
-      return sph::printed<sph::CubicSpline>(
-          channel(), {.spacing = level.spacing, .smoothing_length = h, .time_step = channel_step},
-          sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = water.kinematic_viscosity(), .eta = 0.1 * h},
-                        sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h}));
-    });
-    add_loop("plain_sph/channel/S" + level.name,
-             [=] { return PlainSph(plain(channel()), level.spacing, channel_step); });
-  }
+template <class AnyScene>
+void add_mpm(const std::string& model, const AnyScene& scene, double cell, double spacing, double time_step) {
+  add_solver("mpm/" + model, mpm_work, [=] {
+    return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+        scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
+  });
+  add_loop("plain_musl/" + model, [=] { return PlainMusl(plain(scene), cell, spacing, time_step); });
 }
 
-void add_dams() {
-  const double spacing = dam_cell / 4, h = 1.2 * spacing;
-  add_solver("mpm/dam/M4", mpm_work, [=] {
-    return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-        dam(), {.cell = dam_cell, .spacing = spacing, .time_step = dam_mpm_step});
-  });
-  add_loop("plain_musl/dam/M4", [=] { return PlainMusl(plain(dam()), dam_cell, spacing, dam_mpm_step); });
-  add_solver("sph/dam/S4", sph_work, [=] {
+/// With pressure, `term` and artificial viscosity.
+template <class AnyScene, class... Terms>
+void add_sph(const std::string& model, const AnyScene& scene, double spacing, double time_step, const Terms&... term) {
+  add_solver("sph/" + model, sph_work, [=] {
+    const double h = 1.2 * spacing;
     return sph::printed<sph::CubicSpline>(
-        dam(), {.spacing = spacing, .smoothing_length = h, .time_step = dam_sph_step},
-        sph::momentum(sph::Pressure{},
-                      sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = dam().fluid.sound_speed(), .h = h}));
+        scene, {.spacing = spacing, .smoothing_length = h, .time_step = time_step},
+        sph::momentum(sph::Pressure{}, term...,
+                      sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}));
   });
-  add_loop("plain_sph/dam/S4", [=] { return PlainSph(plain(dam()), spacing, dam_sph_step); });
+  add_loop("plain_sph/" + model, [=] { return PlainSph(plain(scene), spacing, time_step); });
+}
+
+/// M1 to M4 and S1 to S4 of table 2, and the dam break with 16 particles per cell.
+void add_flows() {
+  const auto water = channel();
+  for (const int k : {1, 2, 3, 4}) {
+    const double spacing = channel_cell / k;
+    add_mpm(fmt::format("channel/M{}", k), water, channel_cell, spacing, channel_step);
+    add_loop(fmt::format("mls_mpm/channel/M{}", k),
+             [=] { return MlsMpm(plain(water), channel_cell, spacing, channel_step); });
+    add_sph(fmt::format("channel/S{}", k), water, spacing, channel_step,
+            sph::LaminarViscosity{.nu = water.fluid.kinematic_viscosity(), .eta = 0.12 * spacing});
+  }
+  add_mpm("dam/M4", dam(), dam_cell, dam_cell / 4, dam_mpm_step);
+  add_sph("dam/S4", dam(), dam_cell / 4, dam_sph_step);
 }
 
 }  // namespace
@@ -165,8 +161,7 @@ int main(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
   touchstone::bench::measure_machine();
-  touchstone::bench::add_channels();
-  touchstone::bench::add_dams();
+  touchstone::bench::add_flows();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -7,7 +7,7 @@
 
 namespace touchstone::bench {
 
-/// Places sorted into upright cells at least as wide as the reach of what is looked for; along x the cells may go
+/// Places sorted into upright cells at least as wide as the reach of a search; along x the cells may go
 /// round.
 class PlainCells {
  public:

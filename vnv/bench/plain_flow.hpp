@@ -1,11 +1,13 @@
 #pragma once
-/// What the plain loops of this folder are told of a flow. They are what the solvers are timed against: clear scalar
-/// C++ on an array of structures, as a textbook has it (with a vector library's small vectors they take twice as long),
-/// and nothing shared with the solvers but lattice and vectors.
+/// What the plain loops of this folder need to know of a flow. They are what the solvers are timed against: clear
+/// scalar C++ on an array of structures, as a textbook has it (with a vector library's small vectors they take twice as
+/// long), and nothing shared with the solvers but lattice and vectors.
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/lattice.hpp"
+
+#include <vector>
 
 namespace touchstone::bench {
 
@@ -40,7 +42,17 @@ struct PlainFlow {
   Lattice lattice(double spacing) const { return touchstone::lattice({.high = filled}, spacing, {.high = size}); }
 };
 
-/// What a plain loop is told of a scene: no more than the flows of `flows.hpp` have.
+/// The particles of a flow at the start, which have place, mass [kg/m] and density.
+template <class Particle>
+std::vector<Particle> particles_at_rest(const PlainFlow& flow, double spacing) {
+  const Lattice points = flow.lattice(spacing);
+  std::vector<Particle> particles;
+  for (const Vectors places = points.places(); const auto& x : places.colwise())
+    particles.push_back({.x = x.x(), .y = x.y(), .mass = flow.density * points.volume(), .density = flow.density});
+  return particles;
+}
+
+/// What a plain loop needs of a scene: no more than the flows of `flows.hpp` have.
 template <class FluidLaw>
 PlainFlow plain(const Scene<FluidLaw, Uniform>& scene) {
   double viscosity = 0;

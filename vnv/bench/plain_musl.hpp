@@ -16,12 +16,11 @@ class PlainMusl {
   };
 
   PlainMusl(const PlainFlow& flow, double cell, double spacing, double time_step)
-      : flow_(flow), grid_(flow, cell, 0), dt_(time_step), nodes_(grid_.nodes()) {
-    const Lattice points = flow.lattice(spacing);
-    const double mass = flow.density * points.volume();
-    for (const Vectors places = points.places(); const auto& x : places.colwise())
-      particles_.push_back({.x = x.x(), .y = x.y(), .mass = mass, .density = flow.density});
-  }
+      : flow_(flow),
+        grid_(flow, cell, 0),
+        dt_(time_step),
+        particles_(particles_at_rest<Particle>(flow, spacing)),
+        nodes_(grid_.nodes()) {}
 
   void step() {
     for (Node& node : nodes_) node = {};

@@ -12,7 +12,7 @@ namespace touchstone::bench {
 /// Smoothed particle hydrodynamics as textbooks have it (Monaghan 1992; Morris, Fox & Zhu 1997): for each particle a
 /// loop over all its neighbours; cubic spline with a support of 2.4 spacings, which is 20 neighbours; continuity,
 /// conservative pressure and laminar viscosity; the midpoint rule. Behind the plates of a channel stand dummies that
-/// mirror the velocity of the particle that looks at them; a tank has no walls here: its column is for timing alone.
+/// mirror the velocity of the particle whose sum they enter; a tank has no walls here: its column is for timing alone.
 class PlainSph {
  public:
   struct Particle {
@@ -98,8 +98,8 @@ class PlainSph {
     i.density_rate = density_rate;
   }
 
-  /// Dummies have the pressure and density of the particle that looks at them and, at their distance from the wall, its
-  /// velocity mirrored (Morris, Fox & Zhu 1997, section 2.7).
+  /// Dummies have the pressure and density of the particle whose sum they enter and, at their distance from the wall,
+  /// its velocity mirrored (Morris, Fox & Zhu 1997, section 2.7).
   void sum_over_dummies(std::size_t self) {
     Particle& i = particles_[self];
     const double nu = flow_.viscosity / flow_.density, eta2 = 0.01 * h_ * h_;

@@ -14,7 +14,7 @@
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "vnv/flows/dam_front.hpp"
-#include "vnv/studies/ablation.hpp"
+#include "vnv/stability/ablation.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

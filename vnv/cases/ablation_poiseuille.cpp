@@ -15,7 +15,7 @@
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/channel.hpp"
-#include "vnv/studies/ablation.hpp"
+#include "vnv/stability/ablation.hpp"
 
 #include <numbers>
 

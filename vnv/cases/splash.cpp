@@ -7,7 +7,7 @@
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/front.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
-#include "vnv/plots/ensembles.hpp"
+#include "vnv/studies/ensembles.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

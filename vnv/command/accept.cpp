@@ -6,20 +6,13 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 namespace touchstone::vnv::command {
 namespace {
-
-struct Options {
-  std::vector<std::string> patterns{};
-  std::string reason{}, suite = "acceptance";
-};
 
 Baselines accepted_of(const Description& one) { return read_baselines(one.baseline_file).value_or(Baselines{}); }
 
 /// Whether the program accepted; it refuses where a claim of theory or literature fails, and within a test.
-bool accept_one(const Build& build, const Options& options, const Chosen& one) {
+bool accept_one(const Build& build, const AcceptOptions& options, const Chosen& one) {
   const Baselines before = accepted_of(*one.of);
   const programs::Heard heard = programs::run_and_hear(
       build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}));
@@ -34,7 +27,9 @@ bool accept_one(const Build& build, const Options& options, const Chosen& one) {
   return true;
 }
 
-int accept(const Build& build, const Options& options) {
+}  // namespace
+
+int accept(const Build& build, const AcceptOptions& options) {
   if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw std::invalid_argument(
         fmt::format("--reason '{}': expected the reason why the new values are right", options.reason));
@@ -48,19 +43,6 @@ int accept(const Build& build, const Options& options) {
     line.clear();
   }
   return refused == 0 ? all_holds : something_fails;
-}
-
-}  // namespace
-
-void add_accept(CLI::App& app, Session& session) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "accept", "Runs methods and makes their values the baselines, unless a claim of theory or literature fails.");
-  command->footer("Example:\n  vnv accept couette.mpm --reason \"the wall moves with the fluid now: second order\"");
-  add_patterns(*command, options->patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
-  command->add_option("--reason", options->reason, "why the new values are right; it stands in the file")->required();
-  add_suite(*command, options->suite)->capture_default_str();
-  set_todo(*command, session, accept, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -1,6 +1,5 @@
 #include "vnv/command/catalogue.hpp"
 
-#include "vnv/command/joined.hpp"
 #include "vnv/command/patterns.hpp"
 
 #include <fmt/format.h>
@@ -28,18 +27,18 @@ std::vector<std::string> case_names(const Build& build) {
 
 Description described_by(const Words& call) {
   const programs::Heard heard = programs::run_and_hear(call);
-  const std::string source = joined(call, " ");
+  const std::string source = fmt::format("{}", fmt::join(call, " "));
   if (!heard.ending.well()) throw std::runtime_error(fmt::format("{}: {}", source, heard.complaint()));
   return description_in(heard.output, source);
 }
 
 /// By name, as the cases of the list are.
-std::vector<std::string> cases_meant(const std::vector<std::string>& patterns, const std::vector<std::string>& all) {
+std::vector<std::string> chosen_cases(const std::vector<std::string>& patterns, const std::vector<std::string>& all) {
   if (patterns.empty()) return all;
-  std::set<std::string> meant;
+  std::set<std::string> chosen;
   for (const std::string& pattern : patterns)
-    for (std::string& name : possible_cases(pattern, all)) meant.insert(std::move(name));
-  return {meant.begin(), meant.end()};
+    for (std::string& name : possible_cases(pattern, all)) chosen.insert(std::move(name));
+  return {chosen.begin(), chosen.end()};
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ std::vector<Chosen> Catalogue::methods() const {
 
 Catalogue read_catalogue(const Build& build, const std::vector<std::string>& patterns) {
   Catalogue catalogue;
-  for (const std::string& name : cases_meant(patterns, case_names(build))) {
+  for (const std::string& name : chosen_cases(patterns, case_names(build))) {
     if (fs::is_regular_file(build.program(name)))
       catalogue.cases.push_back(described_by(build.call(name, {"--describe"})));
     else
@@ -83,7 +82,7 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
     throw std::invalid_argument(expected.empty()
                                     ? "no case is built; expected at least one: cmake --build BUILD"
                                     : fmt::format("{}: the suite {} runs none of it, expected at least one method",
-                                                  joined(expected, ", "), suite));
+                                                  fmt::join(expected, ", "), suite));
   return methods;
 }
 
@@ -91,13 +90,13 @@ std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std
                                const std::string& suite) {
   if (!catalogue.not_built.empty())
     throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
-                                            joined(catalogue.not_built)));
+                                            fmt::join(catalogue.not_built, ", ")));
   return choose(catalogue, patterns, suite);
 }
 
-void tell_not_built(const Catalogue& catalogue) {
+void warn_of_not_built(const Catalogue& catalogue) {
   if (!catalogue.not_built.empty())
-    fmt::print(stderr, "vnv: {} cases are not built, so not told: cmake --build BUILD\n", catalogue.not_built.size());
+    fmt::print(stderr, "vnv: {} cases are not built and not listed: cmake --build BUILD\n", catalogue.not_built.size());
 }
 
 }  // namespace touchstone::vnv::command

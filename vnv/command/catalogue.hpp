@@ -52,7 +52,7 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
 std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std::string>& patterns,
                                const std::string& suite);
 
-/// Tells on stderr how many cases are not built, if any.
-void tell_not_built(const Catalogue& catalogue);
+/// Says on stderr how many cases are not built, if any.
+void warn_of_not_built(const Catalogue& catalogue);
 
 }  // namespace touchstone::vnv::command

@@ -20,8 +20,8 @@ std::string values(const Change& change) {
   if (!change.before) return fmt::format("{:.6g}, new", change.after->value);
   if (!change.after) return fmt::format("{:.6g}, gone", change.before->value);
   const double margin = change.margin();
-  return fmt::format("{:.6g} -> {:.6g}, margin {:.2g} of its old room{}", change.before->value, change.after->value,
-                     margin, margin >= 0 ? "" : ": beyond it");
+  return fmt::format("{:.6g} -> {:.6g}, margin {:.2g} of the old tolerance{}", change.before->value,
+                     change.after->value, margin, margin >= 0 ? "" : ", beyond it");
 }
 
 }  // namespace

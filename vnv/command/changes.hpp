@@ -13,10 +13,10 @@ namespace touchstone::vnv::command {
 struct Change {
   std::optional<Baseline> before, after;
 
-  /// The share of the old room, on the side the value went to, that is left; negative beyond the old limits, and not a
-  /// number for a value that is new or gone.
+  /// What is left of the old tolerance on the side the value went to, over it; negative beyond the old limits, and not
+  /// a number for a value that is new or gone.
   double margin() const;
-  /// "poiseuille.mpm M2, 0.1 s, L2 [%]: 1.2 -> 1.3, margin -0.5 of its old room: beyond it"
+  /// "poiseuille.mpm M2, 0.1 s, L2 [%]: 1.2 -> 1.3, margin -0.5 of the old tolerance, beyond it"
   std::string sentence(const std::string& case_name) const;
 };
 

@@ -18,7 +18,7 @@ TEST(Changes, TellOldAndNewAndTheRoomLeft) {
   const std::vector<Change> found = changes(with({l2("M1", 2), l2("M2", 3)}), with({l2("M1", 2), l2("M2", 3.25)}));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].margin(), 0.75);
-  EXPECT_EQ(found[0].sentence("small"), "small.mpm M2, 0.1 s, L2 [%]: 3 -> 3.25, margin 0.75 of its old room");
+  EXPECT_EQ(found[0].sentence("small"), "small.mpm M2, 0.1 s, L2 [%]: 3 -> 3.25, margin 0.75 of the old tolerance");
 }
 
 TEST(Changes, BeyondTheOldLimitsHaveNegativeMargin) {

@@ -1,12 +1,10 @@
 #pragma once
-/// The subcommands of `vnv`: a file each, and a line each here.
+/// The subcommands of `vnv`: a function each, with what its options say. Each returns an ExitStatus.
 
 #include "vnv/command/catalogue.hpp"
+#include "vnv/gate/gate.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
-#include <memory>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,39 +12,66 @@ namespace touchstone::vnv::command {
 
 enum ExitStatus { all_holds = 0, something_fails = 1, bad_input = 3, bad_usage = 4 };
 
-/// What all subcommands share.
-struct Session {
-  Build build{};
-  std::function<int()> todo{};  // what the command line asks for; returns an ExitStatus
-};
-
-/// Each adds its subcommand, which sets what is to do.
-void add_list(CLI::App& app, Session& session);
-void add_run(CLI::App& app, Session& session);
-void add_report(CLI::App& app, Session& session);
-void add_accept(CLI::App& app, Session& session);
-void add_gate(CLI::App& app, Session& session);
-void add_explain(CLI::App& app, Session& session);
-void add_plan(CLI::App& app, Session& session);
-void add_completion(CLI::App& app, Session& session);
-
-inline constexpr void (*subcommands[])(CLI::App&, Session&) = {add_list, add_run,     add_report, add_accept,
-                                                               add_gate, add_explain, add_plan,   add_completion};
-
 inline const std::vector<std::string> suites{"acceptance", "report", "nightly"};
 
-/// The option --suite, as several have it.
-CLI::Option* add_suite(CLI::App& command, std::string& suite);
-/// Which methods, as several ask.
-CLI::Option* add_patterns(CLI::App& command, std::vector<std::string>& patterns);
-/// The option -j.
-CLI::Option* add_at_once(CLI::App& command, int& at_once);
+using Patterns = std::vector<std::string>;  // see patterns.hpp
 
-/// What is to do once the command line has asked for a subcommand: `work`, with the options as they were read by then.
-template <class Options>
-void set_todo(CLI::App& command, Session& session, auto work, const std::shared_ptr<Options>& options) {
-  command.callback([=, &session] { session.todo = [=, &session] { return work(session.build, *options); }; });
-}
+struct ListOptions {
+  Patterns patterns{};
+  std::string suite{};  // empty: all
+  bool as_json = false, names_only = false;
+};
+int list(const Build& build, const ListOptions& options);
+
+struct RunOptions {
+  Patterns patterns{};
+  std::string suite = "acceptance";
+  int at_once = 1;
+  std::filesystem::path records{};  // empty: those of the build
+  bool again = false;
+};
+int run(const Build& build, const RunOptions& options);
+
+/// What is empty is found in the build folder.
+struct ReportOptions {
+  std::string records{}, site{}, suite = "acceptance", history{}, known_failures{}, faults{};
+};
+int report(const Build& build, const ReportOptions& options);
+
+struct AcceptOptions {
+  Patterns patterns{};
+  std::string reason{}, suite = "acceptance";
+};
+int accept(const Build& build, const AcceptOptions& options);
+
+struct GateOptions {
+  gate::GateRequest request{};
+  std::filesystem::path site{};  // empty: no pages
+};
+int run_gate(const Build& build, const GateOptions& options);
+
+struct ExplainOptions {
+  std::string pattern{};
+};
+int explain(const Build& build, const ExplainOptions& options);
+
+struct PlanOptions {
+  Patterns patterns{};
+  std::string suite = "acceptance";
+  int at_once = 1;
+  bool as_json = false;
+};
+int plan(const Build& build, const PlanOptions& options);
+
+/// What may follow a command on the command line.
+struct CommandWords {
+  std::string name;
+  Words options;
+  bool takes_methods = false;
+};
+/// A script for bash or zsh by which the shell completes commands, options and names of methods.
+std::string completion_script(const std::string& shell, const CommandWords& vnv,
+                              const std::vector<CommandWords>& subcommands);
 
 /// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot.
 void make_pages(const Build& build, const Words& arguments);

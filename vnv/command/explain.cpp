@@ -1,14 +1,12 @@
 /// vnv explain: what a case solves, what is claimed of it on whose word, and where its data come from.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
 
 #include <map>
-#include <memory>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -65,8 +63,8 @@ void print_method(const MethodDescription& method, bool whole) {
   fmt::print("    Levels:\n");
   print_levels(method);
   for (const LadderDescription& ladder : method.ladders)
-    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, joined(ladder.levels, ", ")), 4);
-  print_wrapped(fmt::format("New baselines have {:g} % of room, or {:g}: {}", 100 * method.tolerance.relative,
+    print_wrapped(fmt::format("Ladder {}: {}", ladder.name, fmt::join(ladder.levels, ", ")), 4);
+  print_wrapped(fmt::format("New baselines allow a change by {:g} %, or by {:g}: {}", 100 * method.tolerance.relative,
                             method.tolerance.absolute, method.tolerance.basis),
                 4);
 }
@@ -100,9 +98,11 @@ void explain_case(const Description& one, const std::vector<Chosen>& methods, bo
   print_data(one);
 }
 
-int explain(const Build& build, const std::string& pattern) {
-  const Catalogue catalogue = read_catalogue(build, {pattern});
-  const std::vector<Chosen> methods = choose_all(catalogue, {pattern}, "");
+}  // namespace
+
+int explain(const Build& build, const ExplainOptions& options) {
+  const Catalogue catalogue = read_catalogue(build, {options.pattern});
+  const std::vector<Chosen> methods = choose_all(catalogue, {options.pattern}, "");
   const bool whole = methods.size() == 1;
   const Description* last = nullptr;
   for (const Chosen& chosen : methods) {
@@ -112,19 +112,6 @@ int explain(const Build& build, const std::string& pattern) {
     explain_case(*chosen.of, methods, whole);
   }
   return all_holds;
-}
-
-}  // namespace
-
-void add_explain(CLI::App& app, Session& session) {
-  const auto pattern = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "explain", "Tells what a case solves, what is claimed on whose word, and where its data come from.");
-  command->footer(
-      "One method alone is told with its claims and levels.\n"
-      "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm");
-  command->add_option("PATTERN", *pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
-  set_todo(*command, session, explain, pattern);
 }
 
 }  // namespace touchstone::vnv::command

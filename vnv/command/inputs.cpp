@@ -1,9 +1,9 @@
 #include "vnv/command/inputs.hpp"
 
+#include "vnv/files/whole_file.hpp"
+
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -16,16 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path inputs_file(const fs::path& records, const std::string& name) { return records / "inputs" / name; }
-
-/// What a killed program left of its record.
-std::vector<fs::path> half_written(const fs::path& records, const std::string& name) {
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(records)) {
-    const std::string file = entry.path().filename().string();
-    if (file.starts_with(fmt::format(".{}.json.", name)) && file.ends_with(".part")) found.push_back(entry.path());
-  }
-  return found;
-}
 
 std::string text_of(const Inputs& inputs) { return fmt::format("suite {}\nhash {}\n", inputs.suite, inputs.hash); }
 
@@ -71,15 +61,13 @@ bool is_done(const fs::path& records, const std::string& name, const Inputs& inp
 void set_done(const fs::path& records, const std::string& name, const Inputs& inputs) {
   const fs::path file = inputs_file(records, name);
   fs::create_directories(file.parent_path());
-  errno = 0;
-  if (!(std::ofstream(file) << text_of(inputs) << std::flush))
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  files::write_whole(file, text_of(inputs));
 }
 
 void forget(const fs::path& records, const std::string& name) {
   fs::remove(inputs_file(records, name));
   fs::remove(record_file(records, name));
-  for (const fs::path& file : half_written(records, name)) fs::remove(file);
+  files::remove_what_the_killed_left(record_file(records, name));
 }
 
 }  // namespace touchstone::vnv::command

@@ -55,12 +55,12 @@ TEST_F(FinishedWork, WithoutItsRecordIsNone) {
 
 TEST_F(FinishedWork, ThatIsForgottenIsGone) {
   put("records/small.mpm.json", "{}");
-  put("records/.small.mpm.json.123.part", "{");
-  put("records/.small.mpm_float.json.123.part", "{");
+  put("records/.small.mpm.json.2147483647.part", "{");
+  put("records/.small.mpm_float.json.2147483647.part", "{");
   set_done(records(), "small.mpm", inputs());
   forget(records(), "small.mpm");
-  EXPECT_FALSE(fs::exists(records() / ".small.mpm.json.123.part"));
-  EXPECT_TRUE(fs::exists(records() / ".small.mpm_float.json.123.part")) << "of another method";
+  EXPECT_FALSE(fs::exists(records() / ".small.mpm.json.2147483647.part"));
+  EXPECT_TRUE(fs::exists(records() / ".small.mpm_float.json.2147483647.part")) << "of another method";
   EXPECT_FALSE(fs::exists(record_file(records(), "small.mpm")));
   EXPECT_FALSE(is_done(records(), "small.mpm", inputs()));
 }

@@ -1,22 +1,14 @@
 /// vnv list: cases, methods, levels, and which suite runs what.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/command/joined.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace touchstone::vnv::command {
 namespace {
-
-struct Options {
-  std::vector<std::string> patterns{};
-  std::string suite{};  // empty: all
-  bool as_json = false, names_alone = false;
-};
 
 std::vector<std::string> levels_of(const MethodDescription& method, const std::string& suite) {
   std::vector<std::string> names;
@@ -52,34 +44,23 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
     fmt::print("  {}\n", one.method->name);
     for (const std::string& suite : suites)
       if (one.method->is_run_in(suite) && (only.empty() || suite == only))
-        fmt::print("    {:<10}  {}\n", suite, joined(levels_of(*one.method, suite), ", "));
+        fmt::print("    {:<10}  {}\n", suite, fmt::join(levels_of(*one.method, suite), ", "));
   }
 }
 
-int list(const Build& build, const Options& options) {
+}  // namespace
+
+int list(const Build& build, const ListOptions& options) {
   const Catalogue catalogue = read_catalogue(build, options.patterns);
-  if (!options.names_alone) tell_not_built(catalogue);
+  if (!options.names_only) warn_of_not_built(catalogue);
   const std::vector<Chosen> methods = choose(catalogue, options.patterns, options.suite);
-  if (options.names_alone)
+  if (options.names_only)
     print_names(methods);
   else if (options.as_json)
     print_json(methods);
   else
     print_for_people(methods, options.suite);
   return all_holds;
-}
-
-}  // namespace
-
-void add_list(CLI::App& app, Session& session) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("list", "Names cases, methods and levels, and which suite runs what.");
-  command->footer("Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json");
-  add_patterns(*command, options->patterns);
-  add_suite(*command, options->suite);
-  CLI::Option* json = command->add_flag("--json", options->as_json, "for other programs");
-  command->add_flag("--names", options->names_alone, "CASE.METHOD alone, a line each")->excludes(json);
-  set_todo(*command, session, list, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -1,53 +1,206 @@
-/// vnv: one command for people. What it does, the programs do; ctest calls the same programs.
+/// vnv: one command for people; what it does is done by the programs that ctest calls. Here is its command line, and no
+/// other file of it knows CLI11.
 
 #include "vnv/command/commands.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <memory>
 
 namespace touchstone::vnv::command {
 namespace {
 
-namespace fs = std::filesystem;
+struct Session {
+  CLI::App app{"Runs cases, judges them by their claims and explains them."};
+  Build build{};
+  std::function<int()> work{};  // what the command line asks for
+};
 
-/// This program lies in BUILD/vnv/.
-fs::path own_build_folder() { return fs::read_symlink("/proc/self/exe").parent_path().parent_path(); }
-
-/// With the help of the subcommand that the command line got to.
-int complain(const CLI::App& app, const CLI::ParseError& error) {
-  fmt::print(stderr, "vnv: {}\n\n{}", error.what(), app.help());
-  return bad_usage;
+/// Adds a subcommand that calls `work` with the options that `declare` declares.
+template <class Options>
+void add(Session& session, const std::string& name, const std::string& what, const std::string& footer,
+         int (*work)(const Build&, const Options&), void (*declare)(CLI::App&, Options&)) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = session.app.add_subcommand(name, what);
+  command->footer(footer);
+  declare(*command, *options);
+  command->callback([=, &session] { session.work = [=, &session] { return work(session.build, *options); }; });
 }
 
-int run(int count, char** arguments) {
-  CLI::App app{"Runs cases, judges them by their claims, and tells what they are."};
+CLI::Option* add_suite(CLI::App& command, std::string& suite) {
+  return command.add_option("--suite", suite, "acceptance, report or nightly")
+      ->check(CLI::IsMember(suites))
+      ->capture_default_str();
+}
+
+CLI::Option* add_patterns(CLI::App& command, Patterns& patterns) {
+  return command.add_option("PATTERN", patterns, "a case, CASE.METHOD, a glob or a part of one; default: all");
+}
+
+void add_at_once(CLI::App& command, int& at_once) {
+  command.add_option("-j", at_once, "programs to run at once; what judges time runs alone")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+}
+
+void declare_list(CLI::App& command, ListOptions& options) {
+  add_patterns(command, options.patterns);
+  add_suite(command, options.suite);
+  CLI::Option* json = command.add_flag("--json", options.as_json, "as JSON, for other programs");
+  command.add_flag("--names", options.names_only, "only CASE.METHOD, one per line")->excludes(json);
+}
+
+void declare_run(CLI::App& command, RunOptions& options) {
+  add_patterns(command, options.patterns);
+  add_suite(command, options.suite);
+  add_at_once(command, options.at_once);
+  command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
+  command.add_flag("--again", options.again, "run also what would be skipped");
+}
+
+void declare_report(CLI::App& command, ReportOptions& options) {
+  command.add_option("RECORDS", options.records, "folder of records; default: BUILD/records/SUITE");
+  command.add_option("SITE", options.site, "folder for the pages, replaced; default: BUILD/site/SUITE");
+  add_suite(command, options.suite);
+  command.add_option("--history", options.history,
+                     "folder of earlier nights, to which these records are added; default: that of the build, for its "
+                     "own nights");
+  command.add_option("--known-failures", options.known_failures,
+                     "claims that are known to fail; default: known_failures.csv of the data");
+  command.add_option("--faults", options.faults,
+                     "results of the seeded faults; default: vnv/trials/faults/trials.csv of the sources");
+}
+
+void declare_accept(CLI::App& command, AcceptOptions& options) {
+  add_patterns(command, options.patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
+  command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
+  add_suite(command, options.suite);
+}
+
+void declare_gate(CLI::App& command, GateOptions& options) {
+  gate::GateRequest& request = options.request;
+  command.add_option("BEFORE", request.before, "what to compare with")->required();
+  command.add_option("AFTER", request.after, "what to judge")->required();
+  add_suite(command, request.suite);
+  command.add_option("--case", request.cases, "only this case; may be given several times")->allow_extra_args(false);
+  command.add_option("--only", request.only, "only methods whose CASE.METHOD contains this regular expression");
+  command.add_option("--repeats", request.repeats, "pairs of runs in turn, 6 or more; 0: CPU times are not compared")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--all", request.all, "run also programs that are the same in both");
+  command.add_option("--markdown", request.markdown, "file for the findings, to be pasted in a review");
+  command.add_option("--json", request.json, "file for all findings, for other programs");
+  command.add_option("--site", options.site, "folder for pages with error against run time, before and after");
+}
+
+void declare_explain(CLI::App& command, ExplainOptions& options) {
+  command.add_option("PATTERN", options.pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
+}
+
+void declare_plan(CLI::App& command, PlanOptions& options) {
+  add_patterns(command, options.patterns);
+  add_suite(command, options.suite);
+  add_at_once(command, options.at_once);
+  command.add_flag("--json", options.as_json, "one line of JSON per task; \"cpu\" is null where it is unknown");
+}
+
+CommandWords words_of(const CLI::App& command) {
+  CommandWords words{command.get_name(), {}, command.get_option_no_throw("PATTERN") != nullptr};
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) words.options.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) words.options.push_back("-" + name);
+  }
+  if (command.get_option_no_throw("SHELL")) words.options.insert(words.options.end(), {"bash", "zsh"});
+  return words;
+}
+
+int print_completion(const CLI::App& app, const std::string& shell) {
+  std::vector<CommandWords> subcommands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    subcommands.push_back(words_of(*command));
+  fmt::print("{}", completion_script(shell, words_of(app), subcommands));
+  return all_holds;
+}
+
+void add_completion(Session& session) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* command = session.app.add_subcommand(
+      "completion", "Prints a script by which a shell completes commands, options and methods.");
+  command->footer("Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)");
+  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->callback([=, &session] { session.work = [=, &session] { return print_completion(session.app, *shell); }; });
+}
+
+void add_subcommands(Session& session) {
+  add(session, "list", "Lists cases, methods and levels, and which suite runs what.",
+      "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
+  add(session, "run", "Runs methods and judges them by their claims.",
+      "A method is skipped if the folder of records has one of the same program, data and suite.\n"
+      "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine",
+      run, declare_run);
+  add(session, "report", "Turns records into pages and prints the path of the first.",
+      "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,
+      declare_report);
+  add(session, "accept",
+      "Runs methods and makes their values the baselines, unless a claim of theory or literature fails.",
+      "Example:\n  vnv accept couette.mpm --reason \"the wall moves with the fluid now: second order\"", accept,
+      declare_accept);
+  add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
+      "BEFORE and AFTER are records, folders of records, build folders, or git revisions, which are built in temporary\n"
+      "folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
+      "95 % confidence interval.\n"
+      "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
+      "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
+      "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n"
+      "  vnv gate nights/monday nights/tuesday --json gate.json",
+      run_gate, declare_gate);
+  add(session, "explain", "Explains what a case solves, what is claimed on whose word, and where its data come from.",
+      "A single method is explained with its claims and levels.\n"
+      "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm",
+      explain, declare_explain);
+  add(session, "plan", "Lists the methods and levels that a suite runs, with their last recorded cost.",
+      "Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json", plan, declare_plan);
+  add_completion(session);
+}
+
+/// This program lies in BUILD/vnv/.
+std::filesystem::path own_build_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+}
+
+int work(int count, char** arguments) {
+  Session session;
+  CLI::App& app = session.app;
   app.name("vnv");
   app.footer(
       "Examples:\n"
       "  vnv run poiseuille              judge each method of a case\n"
       "  vnv explain poiseuille.mpm      what is solved, claimed and cited\n"
-      "  vnv run --suite nightly -j 4    all of a suite, four programs at once\n"
-      "Each method is a test as well: ctest -R '^poiseuille.mpm$', or '^nightly.poiseuille.mpm$'. Unit tests are of "
-      "ctest alone: ctest -L unit.\n"
+      "  vnv run --suite nightly -j 4    a whole suite, four programs at once\n"
+      "Each method is also a test: ctest -R '^poiseuille.mpm$', or '^nightly.poiseuille.mpm$'. Unit tests are run by "
+      "ctest only: ctest -L unit.\n"
       "Exit status: 0 all claims hold, 1 some do not, 3 bad input, 4 bad usage.");
-  app.require_subcommand(0, 1);  // that there is one is asked last, so that a misspelt one is named
+  app.require_subcommand(0, 1);  // that there is one is checked last, so that a misspelt one is named
   app.fallthrough();
-  Session session;
   session.build.folder = own_build_folder();
-  app.add_option("--build", session.build.folder, "build folder; else that of this program");
-  app.add_option("--data", session.build.data, "folder of experiments, papers and baselines; else that of the sources");
-  for (const auto add : subcommands) add(app, session);
+  app.add_option("--build", session.build.folder, "build folder; default: that of this program");
+  app.add_option("--data", session.build.data,
+                 "folder of experiments, papers and baselines; default: that of the sources");
+  add_subcommands(session);
   try {
     app.parse(count, arguments);
-    if (!session.todo) throw CLI::RequiredError::Subcommand(1);
+    if (!session.work) throw CLI::RequiredError::Subcommand(1);
   } catch (const CLI::ParseError& error) {
-    const bool is_help = error.get_exit_code() == 0;
-    return is_help ? app.exit(error) : complain(app, error);
+    if (error.get_exit_code() == 0) return app.exit(error);         // help was asked for
+    fmt::print(stderr, "vnv: {}\n\n{}", error.what(), app.help());  // that of the subcommand, if it got so far
+    return bad_usage;
   }
-  return session.todo();
+  return session.work();
 }
 
 }  // namespace
@@ -55,10 +208,10 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   try {
-    return touchstone::vnv::command::run(count, arguments);
-  } catch (const touchstone::programs::Interrupted& told) {
-    fmt::print(stderr, "vnv: {}\n", told.sentence());
-    touchstone::programs::end_by(told.signal);
+    return touchstone::vnv::command::work(count, arguments);
+  } catch (const touchstone::programs::Interrupted& interrupted) {
+    fmt::print(stderr, "vnv: {}\n", interrupted.sentence());
+    touchstone::programs::end_by(interrupted.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "vnv: {}\n", error.what());
     return touchstone::vnv::command::bad_input;

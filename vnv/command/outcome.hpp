@@ -25,7 +25,7 @@ MethodOutcome outcome_in(const Record& record);
 MethodOutcome outcome_of(const std::string& name, const Ending& ending, const std::filesystem::path& record,
                          const std::filesystem::path& log);
 
-/// Whether a record tells all there is to tell: then the method need not run again.
+/// Whether another run would give the same: then the method need not run again.
 bool is_conclusive(const MethodOutcome& outcome, const Ending& ending);
 
 }  // namespace touchstone::vnv::command

@@ -5,18 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace touchstone::vnv::command {
 namespace {
-
-struct Options {
-  std::vector<std::string> patterns{};
-  std::string suite = "acceptance";
-  int at_once = 1;
-  bool as_json = false;
-};
 
 std::string seconds(const std::optional<double>& cpu) { return cpu ? fmt::format("{:.3g}", *cpu) : "unknown"; }
 
@@ -43,10 +35,12 @@ void print_for_people(const std::vector<Task>& tasks, int at_once) {
   const Estimate all = estimate(tasks, at_once);
   fmt::print("{} tasks, {:.3g} CPU s", tasks.size(), all.cpu);
   if (all.unknown > 0) fmt::print(" and {} of unknown cost", all.unknown);
-  fmt::print("; with {} at once no less than {:.3g} s\n", at_once, all.shortest_wall);
+  fmt::print("; at least {:.3g} s with {} at once\n", all.shortest_wall, at_once);
 }
 
-int plan(const Build& build, const Options& options) {
+}  // namespace
+
+int plan(const Build& build, const PlanOptions& options) {
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
   const std::vector<Task> tasks = tasks_of(methods, options.suite, build.records(options.suite));
@@ -55,20 +49,6 @@ int plan(const Build& build, const Options& options) {
   else
     print_for_people(tasks, options.at_once);
   return all_holds;
-}
-
-}  // namespace
-
-void add_plan(CLI::App& app, Session& session) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("plan", "Tells each method and level of a suite, and what it cost by the last records.");
-  command->footer("Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json");
-  add_patterns(*command, options->patterns);
-  add_suite(*command, options->suite)->capture_default_str();
-  add_at_once(*command, options->at_once);
-  command->add_flag("--json", options->as_json, "a line of JSON for each task; \"cpu\" is null where it is unknown");
-  set_todo(*command, session, plan, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -5,16 +5,12 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <memory>
+#include <stdexcept>
 
 namespace touchstone::vnv::command {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Options {
-  std::string records{}, site{}, suite = "acceptance", history{}, known_failures{}, faults{};
-};
 
 /// What a build folder was configured with; empty if it does not say.
 std::string configured(const Build& build, const std::string& name) {
@@ -24,28 +20,28 @@ std::string configured(const Build& build, const std::string& name) {
   return "";
 }
 
-/// Only a build's own nights join its history by themselves.
-std::string history_of(const Build& build, const Options& options) {
+/// Only a build's own nights are added to its history by default.
+std::string history_of(const Build& build, const ReportOptions& options) {
   const bool is_own_night = options.records.empty() && options.suite == "nightly";
   return options.history.empty() && is_own_night ? configured(build, "TOUCHSTONE_HISTORY") : options.history;
 }
 
-std::string known_failures_of(const Build& build, const Options& options) {
-  if (!options.known_failures.empty()) return options.known_failures;
-  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
-  const fs::path file = (build.data.empty() ? sources / "data" : build.data) / "known_failures.csv";
-  return fs::exists(file) ? file.string() : "";
+/// The file that was named, else the usual one if it is there, else none.
+std::string named_or(const std::string& named, const fs::path& usual) {
+  return !named.empty() ? named : fs::exists(usual) ? usual.string() : "";
 }
 
-/// Of a build in its sources, what came of the seeded faults there.
-std::string faults_of(const Build& build, const Options& options) {
-  if (!options.faults.empty()) return options.faults;
-  const fs::path file = fs::path(configured(build, "CMAKE_HOME_DIRECTORY")) / "vnv/trials/faults/trials.csv";
-  return fs::exists(file) ? file.string() : "";
+}  // namespace
+
+void make_pages(const Build& build, const Words& arguments) {
+  Words call = {(build.folder / "reports" / "touchstone_report").string()};
+  call.insert(call.end(), arguments.begin(), arguments.end());
+  if (const programs::Ending ending = programs::run_here(call); !ending.well())
+    throw std::runtime_error(fmt::format("{} {}", fmt::join(call, " "), ending.sentence()));
 }
 
-/// As the test SUITE.pages does, where nothing else is asked for.
-int report(const Build& build, const Options& options) {
+/// Without options as the test SUITE.pages does.
+int report(const Build& build, const ReportOptions& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
   const std::string site = options.site.empty() ? (build.folder / "site" / options.suite).string() : options.site;
   Words arguments{records, site};
@@ -53,29 +49,13 @@ int report(const Build& build, const Options& options) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});
   };
   pass_on("--history", history_of(build, options));
-  pass_on("--known-failures", known_failures_of(build, options));
-  pass_on("--faults", faults_of(build, options));
+  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
+  const fs::path data = build.data.empty() ? sources / "data" : build.data;
+  pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
+  pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));
   make_pages(build, arguments);
   fmt::print("{}\n", (fs::path(site) / "index.html").string());
   return all_holds;
-}
-
-}  // namespace
-
-void add_report(CLI::App& app, Session& session) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("report", "Turns records into pages, and tells where they begin.");
-  command->footer("Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights");
-  command->add_option("RECORDS", options->records, "folder of records; else BUILD/records/SUITE");
-  command->add_option("SITE", options->site, "folder for the pages, replaced; else BUILD/site/SUITE");
-  add_suite(*command, options->suite)->capture_default_str();
-  command->add_option("--history", options->history,
-                      "folder of all nights, which these records join; else that of the build, for its own nights");
-  command->add_option("--known-failures", options->known_failures,
-                      "claims that are known to fail; else known_failures.csv of the data");
-  command->add_option("--faults", options->faults,
-                      "what came of seeded faults; else vnv/trials/faults/trials.csv of the sources, if it is there");
-  set_todo(*command, session, report, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 class AReport : public testing::Test {
  protected:
   AReport() {
-    session_.build.folder = scratch_.path();
+    build_.folder = scratch_.path();
     put("CMakeCache.txt", "TOUCHSTONE_HISTORY:PATH=/nights\nCMAKE_HOME_DIRECTORY:INTERNAL=" + root() + "\n");
     put("data/known_failures.csv", "");
     put("reports/touchstone_report", "#!/bin/sh\necho \"$@\" > \"$0.asked\"\n");
@@ -30,11 +30,8 @@ class AReport : public testing::Test {
   }
 
   /// What the page maker is asked for.
-  std::string asked_by(const std::string& arguments) {
-    CLI::App app;
-    add_report(app, session_);
-    app.parse("report " + arguments);
-    session_.todo();
+  std::string asked_by(const ReportOptions& options) {
+    report(build_, options);
     std::ifstream asked(scratch_.path() / "reports/touchstone_report.asked");
     std::string line;
     std::getline(asked, line);
@@ -42,29 +39,31 @@ class AReport : public testing::Test {
   }
 
   const programs::ScratchFolder scratch_;
-  Session session_;
+  Build build_;
 };
 
 TEST_F(AReport, KnowsWhichClaimsAreKnownToFail) {
   const std::string pages = root() + "/records/acceptance " + root() + "/site/acceptance";
-  EXPECT_EQ(asked_by(""), pages + " --known-failures " + root() + "/data/known_failures.csv");
-  EXPECT_EQ(asked_by("--known-failures mine.csv"), pages + " --known-failures mine.csv");
+  EXPECT_EQ(asked_by({}), pages + " --known-failures " + root() + "/data/known_failures.csv");
+  EXPECT_EQ(asked_by({.known_failures = "mine.csv"}), pages + " --known-failures mine.csv");
   fs::remove(root() + "/data/known_failures.csv");
-  EXPECT_EQ(asked_by(""), pages);
+  EXPECT_EQ(asked_by({}), pages);
 }
 
 TEST_F(AReport, ShowsWhatCameOfSeededFaults) {
   fs::remove(root() + "/data/known_failures.csv");
-  EXPECT_EQ(asked_by("records site --faults mine.csv"), "records site --faults mine.csv");
+  EXPECT_EQ(asked_by({.records = "records", .site = "site", .faults = "mine.csv"}), "records site --faults mine.csv");
   put("vnv/trials/faults/trials.csv", "");
-  EXPECT_EQ(asked_by("records site"), "records site --faults " + root() + "/vnv/trials/faults/trials.csv");
+  EXPECT_EQ(asked_by({.records = "records", .site = "site"}),
+            "records site --faults " + root() + "/vnv/trials/faults/trials.csv");
 }
 
 TEST_F(AReport, LetsOnlyTheNightsOfABuildJoinItsHistory) {
   fs::remove(root() + "/data/known_failures.csv");
-  EXPECT_EQ(asked_by("--suite nightly"), root() + "/records/nightly " + root() + "/site/nightly --history /nights");
-  EXPECT_EQ(asked_by("my_records my_site --suite nightly"), "my_records my_site");
-  EXPECT_EQ(asked_by("my_records my_site --history my_nights"), "my_records my_site --history my_nights");
+  EXPECT_EQ(asked_by({.suite = "nightly"}), root() + "/records/nightly " + root() + "/site/nightly --history /nights");
+  EXPECT_EQ(asked_by({.records = "my_records", .site = "my_site", .suite = "nightly"}), "my_records my_site");
+  EXPECT_EQ(asked_by({.records = "my_records", .site = "my_site", .history = "my_nights"}),
+            "my_records my_site --history my_nights");
 }
 
 }  // namespace

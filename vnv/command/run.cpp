@@ -10,21 +10,12 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <memory>
 
 namespace touchstone::vnv::command {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-struct Options {
-  std::vector<std::string> patterns{};
-  std::string suite = "acceptance";
-  int at_once = 1;
-  fs::path records{};
-  bool again = false;
-};
 
 struct Job {
   Chosen chosen;
@@ -59,7 +50,7 @@ void add(Sum& sum, const std::string& name, const MethodOutcome& outcome, bool s
 /// Runs jobs, the dearest first, and those whose claims are of time alone, last.
 class Runner {
  public:
-  Runner(const Build& build, const Options& options, Sum& sum) : build_(build), options_(options), sum_(sum) {}
+  Runner(const Build& build, const RunOptions& options, Sum& sum) : build_(build), options_(options), sum_(sum) {}
 
   void run(std::vector<Job> jobs) {
     std::ranges::sort(jobs, [](const Job& a, const Job& b) {
@@ -123,7 +114,7 @@ class Runner {
   }
 
   const Build& build_;
-  const Options& options_;
+  const RunOptions& options_;
   Sum& sum_;
   ProgressLine line_;
   programs::Running programs_;
@@ -133,7 +124,8 @@ class Runner {
 };
 
 /// The jobs that are still to do; what was done before is added to the sum.
-std::vector<Job> skip_done(const Build& build, const Options& options, const std::vector<Chosen>& methods, Sum& sum) {
+std::vector<Job> skip_done(const Build& build, const RunOptions& options, const std::vector<Chosen>& methods,
+                           Sum& sum) {
   std::map<const Description*, std::string> hashes;
   std::vector<Job> todo;
   for (const Chosen& one : methods) {
@@ -157,7 +149,10 @@ int conclude(const Sum& sum) {
   return sum.failures.empty() ? all_holds : something_fails;
 }
 
-int run(const Build& build, Options options) {
+}  // namespace
+
+int run(const Build& build, const RunOptions& chosen) {
+  RunOptions options = chosen;
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
   if (options.records.empty()) options.records = build.records(options.suite);
@@ -166,23 +161,6 @@ int run(const Build& build, Options options) {
   const std::vector<Job> todo = skip_done(build, options, methods, sum);
   Runner(build, options, sum).run(todo);
   return conclude(sum);
-}
-
-}  // namespace
-
-void add_run(CLI::App& app, Session& session) {
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("run", "Runs methods and judges them by their claims.");
-  command->footer(
-      "A method is skipped if the folder of records has one of the same program, data and suite.\n"
-      "Examples:\n  vnv run couette.mpm\n"
-      "  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine");
-  add_patterns(*command, options->patterns);
-  add_suite(*command, options->suite)->capture_default_str();
-  add_at_once(*command, options->at_once);
-  command->add_option("--records", options->records, "folder of records; else BUILD/records/SUITE");
-  command->add_flag("--again", options->again, "skip nothing");
-  set_todo(*command, session, run, options);
 }
 
 }  // namespace touchstone::vnv::command

@@ -16,7 +16,7 @@ struct Task {
   std::string level;          // "M2"
   double spacing = 0;         // m
   double until = 0;           // s  of flow
-  std::optional<double> cpu;  // s  of all its repeats, if a record tells
+  std::optional<double> cpu;  // s  of all its repeats, if there is a record
   bool timed = false;         // nothing else runs beside it
 };
 

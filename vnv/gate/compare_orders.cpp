@@ -20,7 +20,7 @@ bool are_apart(const vnv::ObservedOrder& a, const vnv::ObservedOrder& b) {
 
 }  // namespace
 
-double tilt_by(double share, const std::vector<double>& spacings) {
+double tilt_by(double fraction, const std::vector<double>& spacings) {
   std::vector<double> x;
   for (const double spacing : spacings) x.push_back(std::log(spacing));
   const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -29,7 +29,7 @@ double tilt_by(double share, const std::vector<double>& spacings) {
     sum += std::abs(value - mean);
     squares += (value - mean) * (value - mean);
   }
-  return squares > 0 ? share * sum / squares : 0;
+  return squares > 0 ? fraction * sum / squares : 0;
 }
 
 Reason compare_orders(const vnv::ObservedOrder& before, const vnv::ObservedOrder& after, double explained) {
@@ -40,7 +40,7 @@ Reason compare_orders(const vnv::ObservedOrder& before, const vnv::ObservedOrder
   const double rise = after.order - before.order;
   const std::string why =
       fmt::format("by {:+.3g}, intervals +- {:.2g} and +- {:.2g}", rise, before.half_width, after.half_width);
-  constexpr double rounding = 1e-9;  // a fall by 0.3 may be told as 0.29999999999999998
+  constexpr double rounding = 1e-9;  // a fall by 0.3 may come as 0.29999999999999998
   if (rise <= -noticed_fall + rounding) return {Change::worse, why};
   if (std::abs(rise) <= std::max(same_order, explained) + rounding) return {Change::same, why};
   if (rise >= noticed_fall || (rise > 0 && are_apart(before, after))) return {Change::better, why};

@@ -10,9 +10,9 @@ inline constexpr double noticed_fall = 0.3;
 /// Orders this near to each other are the same.
 inline constexpr double same_order = 0.05;
 
-/// By how much an order [-] may move while each error of its ladder keeps within a share of itself: the slope of the
-/// line through errors that are off by that share, each the way that tilts it most.
-double tilt_by(double share, const std::vector<double>& spacings);
+/// By how much an order [-] may move while each error of its ladder keeps within a fraction of itself: the slope of the
+/// line through errors that are off by that fraction, each the way that tilts it most.
+double tilt_by(double fraction, const std::vector<double>& spacings);
 
 /// Judges an order by its 95 % interval and by `explained`, what the tolerance of its errors explains. A smaller order
 /// is never better, and a negative one is smaller than any positive. In between, where the intervals overlap, a fall is

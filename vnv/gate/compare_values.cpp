@@ -10,7 +10,7 @@ namespace {
 
 using vnv::Better;
 
-/// A baseline this wide, as a share of its value, is a declaration that the value cannot be compared.
+/// A baseline this wide, as a fraction of its value, is a declaration that the value cannot be compared.
 constexpr double incomparable = 0.5;
 
 /// By how much it moved the worse way, in its own unit; negative if the better way. Only for a known direction.
@@ -21,9 +21,9 @@ double worsening(double before, double after, Better better) {
 }
 
 std::string by_how_much(double before, double after) {
-  const double share = (after - before) / std::abs(before);
-  return std::abs(share) < 10 ? fmt::format("by {:+.3g} %", 100 * share)
-                              : fmt::format("from {:.3g} to {:.3g}", before, after);
+  const double relative = (after - before) / std::abs(before);
+  return std::abs(relative) < 10 ? fmt::format("by {:+.3g} %", 100 * relative)
+                                 : fmt::format("from {:.3g} to {:.3g}", before, after);
 }
 
 Reason compare_with_none(double before, double after) {

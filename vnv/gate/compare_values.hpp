@@ -8,8 +8,8 @@
 
 namespace touchstone::gate {
 
-/// A change of this share is noticed whatever a baseline allows: half of the 10 % in an error, and the 5 % in a limit
-/// of stability, that no gate may miss.
+/// A change of this fraction is noticed whatever a baseline allows: half of the 10 % in an error, and the 5 % in a
+/// limit of stability, that no gate may miss.
 inline constexpr double noticed = 0.05;
 /// What a value without a baseline may change by: the tolerance of most baselines, by which builds for this processor
 /// and for any processor differ.

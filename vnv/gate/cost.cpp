@@ -1,5 +1,7 @@
 #include "vnv/gate/cost.hpp"
 
+#include "vnv/record/median.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,26 +11,21 @@
 namespace touchstone::gate {
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return vnv::not_a_number;
-  std::ranges::sort(values);
-  const std::size_t last = values.size() - 1;
-  return (values[last / 2] + values[last - last / 2]) / 2;
-}
+using vnv::median;
 
 bool is_too_short(const Timing& timing) {
   return median(timing.before) < shortest_timed && median(timing.after) < shortest_timed;
 }
 
-/// Which of the probabilities rule chance out when all are looked at: the smallest has to be below the share that is
+/// Which of the p-values rule chance out when all are tested: the smallest has to be below the fraction that is
 /// allowed over how many there are, the next below that over one fewer, until one is not.
-std::vector<bool> ruled_out_by_holm(const std::vector<double>& probabilities) {
-  std::vector<std::size_t> order(probabilities.size());
+std::vector<bool> ruled_out_by_holm(const std::vector<double>& p_values) {
+  std::vector<std::size_t> order(p_values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t k) { return probabilities[k]; });
-  std::vector<bool> is_ruled_out(probabilities.size(), false);
+  std::ranges::sort(order, {}, [&](std::size_t k) { return p_values[k]; });
+  std::vector<bool> is_ruled_out(p_values.size(), false);
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    if (!(probabilities[order[rank]] <= false_alarms / static_cast<double>(order.size() - rank))) break;
+    if (!(p_values[order[rank]] <= false_alarms / static_cast<double>(order.size() - rank))) break;
     is_ruled_out[order[rank]] = true;
   }
   return is_ruled_out;
@@ -62,16 +59,14 @@ std::vector<double> negated(std::vector<double> values) {
 }
 
 Difference difference_of(const CostChange& cost, const Timing& timing) {
-  Difference d;
-  d.case_name = cost.case_name;
-  d.method = cost.method;
-  d.kind = Kind::cost;
-  d.quantity = "user CPU time [s]";
-  d.before = median(timing.before);
-  d.after = median(timing.after);
-  d.change = cost.change;
-  d.why = cost.why;
-  return d;
+  return {.case_name = cost.case_name,
+          .method = cost.method,
+          .quantity = "user CPU time [s]",
+          .kind = Kind::cost,
+          .before = median(timing.before),
+          .after = median(timing.after),
+          .change = cost.change,
+          .why = cost.why};
 }
 
 }  // namespace
@@ -88,8 +83,8 @@ std::vector<CostChange> judge_costs(const std::vector<Timing>& timings) {
   for (const Timing& timing : timings) {
     const std::vector<double> logarithms = log_ratios(timing.before, timing.after);
     costs.push_back({timing.case_name, timing.method, ratio_of(logarithms)});
-    slower.push_back(is_too_short(timing) ? 1 : probability_of_chance(logarithms));
-    faster.push_back(is_too_short(timing) ? 1 : probability_of_chance(negated(logarithms)));
+    slower.push_back(is_too_short(timing) ? 1 : p_value(logarithms));
+    faster.push_back(is_too_short(timing) ? 1 : p_value(negated(logarithms)));
   }
   const std::vector<bool> is_slower = ruled_out_by_holm(slower), is_faster = ruled_out_by_holm(faster);
   for (std::size_t k = 0; k < costs.size(); ++k) {
@@ -106,9 +101,9 @@ std::vector<Difference> compare_costs(const std::vector<Timing>& first, const Ti
   for (const Timing& timing : first) (is_settled(timing) ? settled : doubtful).push_back(timing);
   if (!doubtful.empty()) doubtful = time_again(doubtful);
   std::vector<Difference> found;
-  for (const std::vector<Timing>& look : {settled, doubtful}) {
-    const std::vector<CostChange> costs = judge_costs(look);
-    for (std::size_t k = 0; k < look.size(); ++k) found.push_back(difference_of(costs[k], look[k]));
+  for (const std::vector<Timing>& timings : {settled, doubtful}) {
+    const std::vector<CostChange> costs = judge_costs(timings);
+    for (std::size_t k = 0; k < timings.size(); ++k) found.push_back(difference_of(costs[k], timings[k]));
   }
   return found;
 }

@@ -13,18 +13,18 @@ TEST(PairedTimes, OfEqualTimesHaveARatioOfOneAndNoSignal) {
   const std::vector<double> zeros(8, 0.0);
   EXPECT_EQ(ratio_of(zeros).estimate, 1);
   EXPECT_EQ(ratio_of(zeros).lowest, 1);
-  EXPECT_GE(probability_of_chance(zeros), 0.5);
+  EXPECT_GE(p_value(zeros), 0.5);
 }
 
 TEST(PairedTimes, HaveTheIntervalAndTheProbabilityOfTheTables) {
   // Hollander & Wolfe 1999, table A.4: for n = 6, P(T+ >= 21) = 0.016; for n = 10, P(T+ >= 47) = 0.024.
   const std::vector<double> six = {0.01, 0.02, 0.03, 0.04, 0.05, 0.06};
-  EXPECT_DOUBLE_EQ(probability_of_chance(six), 1.0 / 64);
+  EXPECT_DOUBLE_EQ(p_value(six), 1.0 / 64);
   EXPECT_DOUBLE_EQ(ratio_of(six).lowest, std::exp(0.01));
   EXPECT_DOUBLE_EQ(ratio_of(six).highest, std::exp(0.06));
   EXPECT_DOUBLE_EQ(ratio_of(six).estimate, std::exp(0.035));
   const std::vector<double> ten = {-0.01, -0.02, -0.05, 0.03, 0.04, 0.06, 0.07, 0.08, 0.09, 0.1};
-  EXPECT_NEAR(probability_of_chance(ten), 0.024, 5e-4);
+  EXPECT_NEAR(p_value(ten), 0.024, 5e-4);
 }
 
 TEST(PairedTimes, BelowSixPairsHaveNoInterval) {
@@ -76,7 +76,7 @@ Counts gate_once(Machine machine, double slower, long methods = 100) {
     counts.looked_again = std::ssize(doubtful);
     std::vector<Timing> second;
     for (const Timing& timing : doubtful)
-      second.push_back(machine.pairs(timing.method, 1, factor(timing.method), second_look * least_pairs));
+      second.push_back(machine.pairs(timing.method, 1, factor(timing.method), times_the_pairs * least_pairs));
     return second;
   };
   for (const Difference& d : compare_costs(first, again)) {

@@ -13,18 +13,18 @@ enum class Kind { run, claim, error, order, stability, other, cost };
 std::string_view name_of(Kind kind);
 Kind kind_of(vnv::Kind quantity);
 
-/// Which way it went. What is unjudged is told and gates nothing: it is new, or of the machine.
+/// Which way it went. What is unjudged is reported and gates nothing: it is new, or of the machine.
 enum class Change { unjudged, same, better, inconclusive, worse };  // a gate rises with it
 std::string_view name_of(Change change);
 
 struct Difference {
-  std::string case_name, method, level;  // the level may be empty where a thing belongs to a whole ladder
-  double time = vnv::not_a_number;       // s  not a number where it belongs to no time
-  std::string quantity;                  // heading, "L2 v_x, row means [%]"
+  std::string case_name{}, method{}, level{};  // the level may be empty where a thing belongs to a whole ladder
+  double time = vnv::not_a_number;             // s  not a number where it belongs to no time
+  std::string quantity{};                      // heading, "L2 v_x, row means [%]"
   Kind kind = Kind::other;
   double before = vnv::not_a_number, after = vnv::not_a_number;  // in the unit of the quantity
   Change change = Change::unjudged;
-  std::string why;
+  std::string why{};
 };
 
 /// "poiseuille.mpm M2: L2 v_x [%] at 1 s: 0.0641 before, 0.0705 after: worse: by 10 %, 2 % are allowed"

@@ -1,27 +1,25 @@
 #include "vnv/gate/gate.hpp"
 
+#include "vnv/files/whole_file.hpp"
+#include "vnv/gate/findings.hpp"
 #include "vnv/gate/front.hpp"
-#include "vnv/gate/telling.hpp"
 #include "vnv/gate/turns.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace touchstone::gate {
 namespace {
 
 Difference of_whole_method(const std::string& case_name, const std::string& method, Change change, std::string why) {
-  Difference d;
-  d.case_name = case_name;
-  d.method = method;
-  d.kind = Kind::run;
-  d.quantity = "method";
-  d.change = change;
-  d.why = std::move(why);
-  return d;
+  return {.case_name = case_name,
+          .method = method,
+          .quantity = "method",
+          .kind = Kind::run,
+          .change = change,
+          .why = std::move(why)};
 }
 
 /// What both builds can run, and in `found` what is only in one of them or need not be run.
@@ -77,7 +75,7 @@ std::vector<Difference> compare_costs(const std::vector<Contest>& contests, cons
             return timing.case_name == contest.before.case_name && timing.method == contest.method;
           }))
         again.push_back(contest);
-    const Turns longer = take_turns(again, request.repeats * second_look, request.suite, progress);
+    const Turns longer = take_turns(again, request.repeats * times_the_pairs, request.suite, progress);
     std::vector<Timing> second;
     for (const Contest& contest : again) second.push_back(timing_of(contest, longer));
     return second;
@@ -112,34 +110,19 @@ Turns compare_records(Source& before, Source& after, Findings& found) try {
   throw BadInput(error.what());
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  if (file.empty()) return;
-  if (!(std::ofstream(file, std::ios::binary) << text << std::flush))
-    throw BadInput(fmt::format("{}: cannot be written", file.string()));
-}
-
-void require_sense(const GateRequest& request) {
-  if (request.repeats < 0) throw BadInput(fmt::format("repeats = {}, expected none or more", request.repeats));
-  if (request.suite != "acceptance" && request.suite != "report" && request.suite != "nightly")
-    throw BadInput(fmt::format("suite '{}', expected acceptance, report or nightly", request.suite));
-}
-
 }  // namespace
 
-Status gate(const GateRequest& request, std::ostream& told, std::ostream& progress) {
-  require_sense(request);
-  const Choice choice{request.suite, request.cases, request.only};
-  Source before = open_source(request.before, choice, progress), after = open_source(request.after, choice, progress);
+Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
+  Source before = open_source(request.before, request, progress), after = open_source(request.after, request, progress);
   if (before.build.has_value() != after.build.has_value())
-    throw BadInput(fmt::format("{} is a {} and {} is none, expected two of a kind",
-                               before.build ? before.name : after.name, "build",
-                               before.build ? after.name : before.name));
+    throw BadInput(fmt::format("{} is a build and {} is none, expected two of a kind",
+                               before.build ? before.name : after.name, before.build ? after.name : before.name));
   Findings found{request.before, request.after, {}, {}, {}};
   const Turns turns = before.build ? compare_builds(*before.build, *after.build, request, progress, found)
                                    : compare_records(before, after, found);
-  told << text_of(found) << std::flush;
-  write_text(request.markdown, markdown_of(found));
-  write_text(request.json, json_of(found));
+  output << text_of(found) << std::flush;
+  if (!request.markdown.empty()) files::write_whole(request.markdown, markdown_of(found));
+  if (!request.json.empty()) files::write_whole(request.json, json_of(found));
   if (!request.figure.empty()) {
     vnv::Record page = front_of(turns.before, turns.after);
     page.verdicts = verdicts_of(found);

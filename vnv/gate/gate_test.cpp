@@ -215,6 +215,10 @@ TEST_F(Gate, TakesProgramsForTheSameThatDifferInTheirRevisionOnly) {
   EXPECT_FALSE(same(c));
   write_text(folder() / "build4/vnv/CMakeFiles/vnv.dir/run.cpp.o", "otherwise");
   EXPECT_FALSE(same(d));
+  write_text(folder() / "build1/vnv/CMakeFiles/vnv_judge.dir/judge/claims.cpp.o", "judges");
+  EXPECT_TRUE(same(b)) << "a library that one build lacks is not linked with the case";
+  write_text(folder() / "build2/vnv/CMakeFiles/vnv_judge.dir/judge/claims.cpp.o", "judges otherwise");
+  EXPECT_FALSE(same(b));
   fs::remove_all(folder() / "build2/vnv/CMakeFiles");
   EXPECT_FALSE(same(b));  // nothing tells whether they are the same
 }

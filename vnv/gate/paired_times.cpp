@@ -1,5 +1,7 @@
 #include "vnv/gate/paired_times.hpp"
 
+#include "vnv/record/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,16 +66,15 @@ Ratio ratio_of(const std::vector<double>& log_ratios) {
   Ratio ratio{.pairs = std::ssize(log_ratios)};
   if (log_ratios.empty()) return ratio;
   const std::vector<double> means = walsh_averages(log_ratios);
-  const std::size_t last = means.size() - 1;
-  ratio.estimate = std::exp((means[last / 2] + means[last - last / 2]) / 2);
+  ratio.estimate = std::exp(vnv::median(means));
   const long left_out = left_out_at_each_end(log_ratios.size());
   if (left_out < 0) return ratio;
   ratio.lowest = std::exp(means[static_cast<std::size_t>(left_out)]);
-  ratio.highest = std::exp(means[last - static_cast<std::size_t>(left_out)]);
+  ratio.highest = std::exp(means[means.size() - 1 - static_cast<std::size_t>(left_out)]);
   return ratio;
 }
 
-double probability_of_chance(const std::vector<double>& log_ratios) {
+double p_value(const std::vector<double>& log_ratios) {
   if (log_ratios.empty()) return 1;
   double not_positive = 0;  // the sum of ranks of what is negative; zeros count half
   for (const double mean : walsh_averages(log_ratios)) not_positive += mean < 0 ? 1 : mean == 0 ? 0.5 : 0;

@@ -28,7 +28,7 @@ inline constexpr long least_pairs = 6;
 
 Ratio ratio_of(const std::vector<double>& log_ratios);
 
-/// How often chance alone makes the logarithms of equal programs so positive. Exact up to ties.
-double probability_of_chance(const std::vector<double>& log_ratios);
+/// The one-sided p-value: how often chance alone makes the logarithms of equal programs so positive. Exact up to ties.
+double p_value(const std::vector<double>& log_ratios);
 
 }  // namespace touchstone::gate

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace touchstone::gate {
@@ -35,7 +36,7 @@ Program program_of(const fs::path& tests, const Choice& choice) {
   program.file = tests.parent_path() / program.case_name;
   const std::regex method("--method ([^ ]+) --suite " + choice.suite + " ");
   for (std::sregex_iterator at(text.begin(), text.end(), method), end; at != end; ++at)
-    if (choice.wants(program.case_name, (*at)[1])) program.methods.push_back((*at)[1]);
+    if (choice.includes(program.case_name, (*at)[1])) program.methods.push_back((*at)[1]);
   return program;
 }
 
@@ -45,7 +46,7 @@ Build build_in(const fs::path& folder, const Choice& choice) {
     if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
     Program program = program_of(entry.path(), choice);
     const bool has_source = fs::exists(build.source / "vnv/cases" / (program.case_name + ".cpp"));
-    if (has_source && fs::exists(program.file) && choice.wants_case(program.case_name) && !program.methods.empty())
+    if (has_source && fs::exists(program.file) && choice.includes_case(program.case_name) && !program.methods.empty())
       build.programs.push_back(std::move(program));
   }
   std::ranges::sort(build.programs, {}, &Program::case_name);
@@ -77,7 +78,7 @@ Records records_in(const fs::path& path, const Choice& choice) {
   Records records;
   for (const fs::path& file : files) {
     vnv::Record record = read(file);
-    if (choice.wants(record.case_name, record.method)) records.push_back(std::move(record));
+    if (choice.includes(record.case_name, record.method)) records.push_back(std::move(record));
   }
   if (records.empty())
     throw BadInput(
@@ -89,37 +90,34 @@ Records records_in(const fs::path& path, const Choice& choice) {
 /// The commit that a name means in the repository around a folder; empty if there is none.
 std::string commit_of(const std::string& name) {
   if (name.empty() || name.front() == '-') return "";
-  const programs::ScratchFolder scratch;
-  const fs::path output = scratch.path() / "commit";
-  const std::string expected = name + "^{commit}";
-  if (!programs::run_into(output, {"git", "rev-parse", "--verify", "--quiet", expected}).well()) return "";
-  return programs::last_lines(output, 1);
+  const programs::Heard heard = programs::run_and_hear({"git", "rev-parse", "--verify", "--quiet", name + "^{commit}"});
+  return heard.ending.well() ? heard.output.substr(0, heard.output.find('\n')) : "";
 }
 
 }  // namespace
 
-bool Choice::wants_case(const std::string& name) const {
+bool Choice::includes_case(const std::string& name) const {
   return cases.empty() || std::ranges::find(cases, name) != cases.end();
 }
 
-bool Choice::wants(const std::string& case_name, const std::string& method) const try {
-  return wants_case(case_name) && (only.empty() || std::regex_search(case_name + "." + method, std::regex(only)));
+bool Choice::includes(const std::string& case_name, const std::string& method) const try {
+  return includes_case(case_name) && (only.empty() || std::regex_search(case_name + "." + method, std::regex(only)));
 } catch (const std::regex_error& error) {
   throw BadInput(fmt::format("only '{}': {}, expected a regular expression", only, error.what()));
 }
 
 BuiltRevision::BuiltRevision(const fs::path& repository, const std::string& commit, const Choice& choice,
-                             std::ostream& told)
+                             std::ostream& log)
     : repository_(repository) {
   try {
-    told << fmt::format("gate: checks out {} in {}\n", commit.substr(0, 12), scratch_.path().string()) << std::flush;
+    log << fmt::format("gate: checks out {} in {}\n", commit.substr(0, 12), scratch_.path().string()) << std::flush;
     run({"git", "-C", repository_, "worktree", "add", "--detach", source(), commit}, "checked out");
-    told << fmt::format("gate: builds {}, which takes minutes\n", commit.substr(0, 12)) << std::flush;
+    log << fmt::format("gate: builds {}, which takes minutes\n", commit.substr(0, 12)) << std::flush;
     run({"cmake", "-S", source(), "-B", folder(), "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
         "configured");
     std::vector<std::string> build = {"cmake", "--build", folder(), "--parallel", "--target"};
     for (const fs::directory_entry& entry : fs::directory_iterator(source() / "vnv/cases"))
-      if (entry.path().extension() == ".cpp" && choice.wants_case(entry.path().stem()))
+      if (entry.path().extension() == ".cpp" && choice.includes_case(entry.path().stem()))
         build.push_back(entry.path().stem());
     if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
     run(build, "built");
@@ -141,11 +139,11 @@ void BuiltRevision::forget_source() const {
   try {
     programs::run_into(scratch_.path() / "output",
                        {"git", "-C", repository_, "worktree", "remove", "--force", source()});
-  } catch (...) {  // even told to end once more: what is left is removed with the folder, and forgotten by git in time
+  } catch (...) {  // even log to end once more: what is left is removed with the folder, and forgotten by git in time
   }
 }
 
-Source open_source(const std::string& name, const Choice& choice, std::ostream& told) {
+Source open_source(const std::string& name, const Choice& choice, std::ostream& log) {
   Source source{.name = name};
   if (fs::is_directory(name) && is_build(name)) {
     source.build = build_in(fs::absolute(name), choice);
@@ -155,7 +153,7 @@ Source open_source(const std::string& name, const Choice& choice, std::ostream& 
     const std::string commit = commit_of(name);
     if (commit.empty())
       throw BadInput(fmt::format("{}: neither a record, a folder of records, a build folder nor a git revision", name));
-    source.revision = std::make_unique<BuiltRevision>(fs::current_path(), commit, choice, told);
+    source.revision = std::make_unique<BuiltRevision>(fs::current_path(), commit, choice, log);
     source.build = build_in(source.revision->folder(), choice);
   }
   return source;
@@ -171,18 +169,20 @@ void mask(std::string& bytes, const std::string& text) {
 
 using Texts = std::map<std::string, std::string>;  // by file, within its folder
 
-/// The compiled files that a program of a case is linked of, but for the one that holds the revision.
-Texts objects_of(const Build& build, const std::string& case_name) {
-  static const std::set<std::string> libraries = {"vnv", "vnv_bench", "vnv_main", "vnv_methods", "vnv_record"};
+/// The compiled files of a case and of each library that it may be linked with, but for the one that holds the
+/// revision.
+std::map<std::string, Texts> objects_of(const Build& build, const std::string& case_name) {
+  static const std::set<std::string> not_of_cases = {"vnv_command", "vnv_subcommands", "vnv_gate", "vnv_programs"};
   const fs::path folder = build.folder / "vnv/CMakeFiles";
-  Texts objects;
-  if (!fs::is_directory(folder / (case_name + ".dir"))) return objects;
+  std::map<std::string, Texts> objects;
+  if (!fs::is_directory(folder)) return objects;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path file = entry.path().lexically_relative(folder);
     const std::string target = file.begin()->stem().string();
-    const bool is_linked = target == case_name || libraries.count(target) > 0;
-    if (!is_linked || file.extension() != ".o" || file.filename() == "environment.cpp.o") continue;
-    std::string& bytes = objects[file.string()] = bytes_of(entry.path());
+    const bool is_library = target.starts_with("vnv") && !target.ends_with("_test") && !target.ends_with("_headers");
+    if (target != case_name && (!is_library || not_of_cases.contains(target))) continue;
+    if (file.extension() != ".o" || file.filename() == "environment.cpp.o") continue;
+    std::string& bytes = objects[target][file.string()] = bytes_of(entry.path());
     mask(bytes, build.folder.string());
     mask(bytes, build.source.string());
   }
@@ -191,8 +191,12 @@ Texts objects_of(const Build& build, const std::string& case_name) {
 
 bool are_compiled_alike(const Build& before, const Build& after, const Program& program, const Program& other) {
   if (bytes_of(program.file) == bytes_of(other.file)) return true;
-  const Texts objects = objects_of(before, program.case_name);
-  return !objects.empty() && objects == objects_of(after, program.case_name);
+  const auto objects = objects_of(before, program.case_name), others = objects_of(after, program.case_name);
+  const auto are_alike = [&](const auto& target) {  // a library that one build lacks is not linked with the case
+    const auto found = others.find(target.first);
+    return found == others.end() ? target.first != program.case_name : found->second == target.second;
+  };
+  return objects.contains(program.case_name) && std::ranges::all_of(objects, are_alike);
 }
 
 /// The data that a case may read: all, but for the baselines of others.

@@ -1,28 +1,16 @@
 #pragma once
 /// What BEFORE and AFTER are: records that were written before, or builds whose programs can be run.
 
-#include "vnv/gate/bad_input.hpp"
 #include "vnv/gate/comparison.hpp"
+#include "vnv/gate/gate.hpp"
 #include "vnv/programs/programs.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <regex>
 
 namespace touchstone::gate {
-
-/// Which methods of which cases to look at.
-struct Choice {
-  std::string suite = "acceptance";
-  std::vector<std::string> cases{};  // names; empty: all
-  std::string only{};                // regular expression found in "case.method"; empty: all
-
-  bool wants_case(const std::string& name) const;
-  bool wants(const std::string& case_name, const std::string& method) const;
-};
 
 /// The program of one case, with the methods that a suite runs.
 struct Program {
@@ -44,7 +32,7 @@ class BuiltRevision {
   /// Checks the revision out beside `repository`'s own work tree and builds the programs of the chosen cases, all if
   /// none is chosen. Throws BadInput with the end of what the compiler said if they cannot be built.
   BuiltRevision(const std::filesystem::path& repository, const std::string& commit, const Choice& choice,
-                std::ostream& told);
+                std::ostream& log);
   ~BuiltRevision();
   BuiltRevision(const BuiltRevision&) = delete;
   BuiltRevision& operator=(const BuiltRevision&) = delete;
@@ -71,13 +59,13 @@ struct Source {
 /// What a name means: a file is a record, a folder with CMakeCache.txt and vnv/ a build, any other folder one of
 /// records, and whatever is neither a revision of the repository around the current folder. Throws BadInput for what is
 /// none of these, for a folder without records, for records that cannot be read, and for those of several suites.
-Source open_source(const std::string& name, const Choice& choice, std::ostream& told);
+Source open_source(const std::string& name, const Choice& choice, std::ostream& log);
 
-/// Whether two builds would find the same in a case: its program has the same bytes in both, or else all the compiled
-/// files that it is linked of have, and the data that it may read are the same. The file that holds the revision is
-/// left out: it describes where a record was made and the compiler writes it into its code, so that programs of two
-/// revisions never have the same bytes. Names of the folders of a build and its sources count for nothing where they
-/// are as long in both. Whatever cannot be told from a change is one: then both are run.
+/// Whether two builds would find the same in a case: its program has the same bytes in both, or else all compiled files
+/// of it and of the libraries that both builds have, and the data that it may read are the same. The file that holds
+/// the revision is left out: it describes where a record was made and the compiler writes it into its code, so that
+/// programs of two revisions never have the same bytes. Names of the folders of a build and its sources count for
+/// nothing where they are as long in both. Whatever cannot be log from a change is one: then both are run.
 bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other);
 
 }  // namespace touchstone::gate

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 /// Adds the record that a program writes of a method; nothing if it writes none. That claims fail is no matter here.
 void run_once(const Program& program, const std::string& method, const std::string& suite, Records& records,
-              std::ostream& told) {
+              std::ostream& log) {
   const programs::ScratchFolder scratch;
   const fs::path output = scratch.path() / "output";
   const programs::Ending ending =
@@ -21,9 +21,9 @@ void run_once(const Program& program, const std::string& method, const std::stri
     records.push_back(vnv::read_record(file));
     return;
   }
-  told << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
-                      programs::last_lines(output, 3))
-       << std::flush;
+  log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
+                     programs::last_lines(output, 3))
+      << std::flush;
 }
 
 const vnv::Record* record_in(const Records& records, const Contest& contest) {
@@ -40,17 +40,17 @@ const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string
 
 }  // namespace
 
-Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& told) {
-  told << fmt::format("gate: runs {} methods by both programs, {} times in turn\n", contests.size(), pairs)
-       << std::flush;
+Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& log) {
+  log << fmt::format("gate: runs {} methods by both programs, {} times in turn\n", contests.size(), pairs)
+      << std::flush;
   Turns turns;
   for (long pair = 0; pair < pairs; ++pair) {
     Records &before = turns.before.emplace_back(), &after = turns.after.emplace_back();
     for (const Contest& contest : contests) {
       if (pair > 0 && contest.before.is_timed) continue;
-      if (pair % 2 == 0) run_once(contest.before, contest.method, suite, before, told);
-      run_once(contest.after, contest.method, suite, after, told);
-      if (pair % 2 == 1) run_once(contest.before, contest.method, suite, before, told);
+      if (pair % 2 == 0) run_once(contest.before, contest.method, suite, before, log);
+      run_once(contest.after, contest.method, suite, after, log);
+      if (pair % 2 == 1) run_once(contest.before, contest.method, suite, before, log);
     }
   }
   return turns;

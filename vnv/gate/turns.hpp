@@ -19,7 +19,7 @@ struct Turns {
 
 /// Runs every method `pairs` times by both programs, in turn: before-after, after-before, and so on, and through all
 /// methods before the next pair of any. A program that judges time is run once. Says what it does.
-Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& told);
+Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& log);
 
 /// The user CPU time of a method in each of its pairs: that of all levels that ended in both.
 Timing timing_of(const Contest& contest, const Turns& turns);

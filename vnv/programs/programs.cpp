@@ -152,22 +152,22 @@ bool Running::any_left() {
   return !names_.empty();
 }
 
-void Running::tell(int signal) const {
+void Running::send(int signal) const {
   for (const auto& [id, name] : names_) kill(-id, signal);
 }
 
 void Running::pause() const {
-  tell(SIGTSTP);
+  send(SIGTSTP);
   held_.pause();
-  tell(SIGCONT);
+  send(SIGCONT);
 }
 
 void Running::end_all(int signal) {
-  tell(signal);
-  tell(SIGCONT);  // what is paused hears nothing
+  send(signal);
+  send(SIGCONT);  // what is paused hears nothing
   const Clock::time_point until = Clock::now() + grace_;
   while (any_left() && Clock::now() < until && !tells_to_end(held_.next(until - Clock::now()))) continue;
-  tell(SIGKILL);
+  send(SIGKILL);
   for (const auto& [id, name] : names_)
     while (waitpid(-id, nullptr, 0) > 0) continue;
   names_.clear();

@@ -62,7 +62,7 @@ class Running {
  private:
   std::optional<Child> ended();
   bool any_left();
-  void tell(int signal) const;
+  void send(int signal) const;
   void pause() const;
   void end_all(int signal);
   [[noreturn]] void interrupt(int signal);

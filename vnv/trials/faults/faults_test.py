@@ -11,6 +11,7 @@ import unittest.mock
 import matrix
 import scratch
 import seeded
+import shared
 
 runner = types.ModuleType("runner")
 runner.__file__ = str(pathlib.Path(__file__).with_name("try.py"))
@@ -35,7 +36,7 @@ class InAFolder(unittest.TestCase):
         return seeded.read(self.write(name, text))
 
     def assert_refused(self, words, work):
-        with self.assertRaises(seeded.BadInput) as refused:
+        with self.assertRaises(shared.BadInput) as refused:
             work()
         self.assertIn(words, str(refused.exception))
         self.assertNotIn("\n", str(refused.exception))
@@ -104,7 +105,7 @@ class AProgram(InAFolder):
         self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, break_off))
         signal.setitimer(signal.ITIMER_REAL, 0.2)
         with self.assertRaises(KeyboardInterrupt):
-            scratch.run(["sh", "-c", f"(sleep 0.5; echo late > {self.folder}/late) & wait"])
+            shared.run(["sh", "-c", f"(sleep 0.5; echo late > {self.folder}/late) & wait"])
         time.sleep(0.5)
         self.assertFalse((self.folder / "late").exists())
 
@@ -113,11 +114,24 @@ class AUnitTest(InAFolder):
     def test_is_built_with_the_program_of_its_file_and_else_with_its_room(self):
         (self.folder / "solvers" / "sph").mkdir(parents=True)
         self.write("solvers/sph/pair_test.cpp", "TEST(Pairs, Meet) {}\nTEST_F(Walls, Hold) {}\n")
-        self.write("solvers/fit_test.cpp", "TEST(Fit, IsExact) {}\n")
+        self.write("solvers/fit_test.cpp", "TEST(Fit, IsExact) {}\nTYPED_TEST(FitOf, IsExact) {}\n")
         for pattern, expected in (("unit.solvers.Pairs.*", {"solvers_sph_pair_test"}),
+                                ("unit.solvers.FitOf.*", {"solvers_fit_test"}),
                                 ("unit.solvers.(Walls|Fit).*", {"solvers_sph_pair_test", "solvers_fit_test"}),
                                 ("unit.solvers.of_a_script", {"solvers_unit"})):
             self.assertEqual(scratch.programs_of_tests(self.folder, pattern), expected)
+
+
+class ABuild(InAFolder):
+    def test_keeps_no_program_of_an_earlier_trial(self):
+        vnv = self.folder / "vnv"
+        vnv.mkdir()
+        for name in ("couette", "poiseuille", "vnv", "vnv_run_test", "couette_tests.cmake", "libvnv.a"):
+            self.write(f"vnv/{name}", "").chmod(0o644 if "." in name else 0o755)
+        copy = scratch.Scratch.__new__(scratch.Scratch)
+        left = lambda targets: copy.remove_others(self.folder, targets) or {file.name for file in vnv.iterdir()}
+        self.assertEqual(left(["poiseuille", "vnv_unit", "vnv_command"]), {"poiseuille", "vnv", "vnv_run_test", "libvnv.a"})
+        self.assertEqual(left(["poiseuille"]), {"poiseuille", "libvnv.a"})
 
 
 class ATrial(InAFolder):
@@ -163,7 +177,7 @@ class Results(InAFolder):
     def test_are_a_line_for_a_person_and_a_table_for_the_report(self):
         lines = [self.line("far", matrix.NOTICED, -9.0), self.line("lives", matrix.SURVIVED, 0.5, False),
                  self.line("nan", matrix.NOTICED, float("-inf")), self.line("unit", matrix.NOTICED, None)]
-        self.assertEqual(matrix.summary(lines), "4 faults: 3 noticed by day (75.0 %), 3 in all; look at lives")
+        self.assertEqual(matrix.summary(lines), "4 faults: 3 noticed by day (75.0 %), 3 in all; not as expected: lives")
         matrix.write(lines, self.folder / "results.csv", {"revision": "abc"})
         rows = (self.folder / "results.csv").read_text(encoding="utf-8").splitlines()
         self.assertEqual(rows[0], "# revision: abc")

@@ -41,7 +41,7 @@ def summary(lines):
         alarms = sum(line["conclusion"] == FALSE_ALARM for line in harmless)
         words.append(f"{len(harmless)} harmless changes: {alarms} false alarms")
     survivors = [line["fault"] for line in lines if line["conclusion"] in BAD]
-    return "; ".join(words) + (f"; look at {', '.join(survivors)}" if survivors else "")
+    return "; ".join(words) + (f"; not as expected: {', '.join(survivors)}" if survivors else "")
 
 
 def machine():
@@ -68,8 +68,8 @@ def write(lines, file, provenance):
             tried = [line["revision"], line["finished_at"], line["digest"]]
             for name, test in sorted(line["tests"].items()):
                 margin = "" if test["margin"] is None else test["margin"]
-                told = [name, "yes" if test["failed"] else "no", margin, " ".join(test["sentence"].split())]
-                rows.writerow([*trial, *told, *tried])
+                result = [name, "yes" if test["failed"] else "no", margin, " ".join(test["sentence"].split())]
+                rows.writerow([*trial, *result, *tried])
     os.replace(new, file)
 
 

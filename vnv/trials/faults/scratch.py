@@ -7,33 +7,19 @@ import os
 import pathlib
 import re
 import shutil
-import signal
-import subprocess
 
 import seeded
+from shared import BadInput, run
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 UNREAD = ("vnv/trials/faults/", "vnv/trials/losses/")
-
-
-def run(words, **more):
-    """Runs a program to its end; whoever breaks off here ends all that it started, so that nothing is written later."""
-    words = [str(word) for word in words]
-    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                          start_new_session=True, **more) as process:
-        try:
-            said = process.communicate()[0]
-        except BaseException:
-            os.killpg(process.pid, signal.SIGTERM)
-            raise
-        return subprocess.CompletedProcess(words, process.returncode, said)
 
 
 def source_files():
     """What belongs to the sources, committed or not, but for what is seeded and what is only to be read."""
     listed = run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "-z"])
     if listed.returncode != 0:
-        raise seeded.BadInput(f"{ROOT}: git lists no files: {listed.stdout.strip()}")
+        raise BadInput(f"{ROOT}: git lists no files: {listed.stdout.strip()}")
     names = sorted(name for name in listed.stdout.split("\0") if name and (ROOT / name).is_file())
     return [name for name in names if not name.endswith(".md") and not name.startswith(UNREAD)]
 
@@ -46,13 +32,10 @@ def digest(*texts):
 
 
 def programs_of_tests(source, pattern):
-    """Of unit tests; those of the whole room where no file names them in so many words."""
-    room, found = pattern.split(".")[1], set()
-    for file in (source / room).rglob("*_test.cpp"):
-        for suite, name in re.findall(r"^TEST(?:_F)?\((\w+), *(\w+)\)", file.read_text(encoding="utf-8"), re.M):
-            if re.fullmatch(pattern, f"unit.{room}.{suite}.{name}"):
-                found.add("_".join(file.relative_to(source).with_suffix("").parts))
-    return found or {room + "_unit"}
+    """The programs of unit tests; all of the folder where no file names them in so many words."""
+    files = [file for name, file in seeded.unit_tests(source).items() if re.fullmatch(pattern, name)]
+    programs = {"_".join(file.relative_to(source).with_suffix("").parts) for file in files}
+    return programs or {pattern.split(".")[1] + "_unit"}
 
 
 class Scratch:
@@ -65,7 +48,7 @@ class Scratch:
         try:
             fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            raise seeded.BadInput(f"{folder}: another trial runs here, expected a folder of its own") from error
+            raise BadInput(f"{folder}: another trial runs here, expected a folder of its own") from error
         self.equal_the_sources()
 
     def equal_the_sources(self):
@@ -89,12 +72,11 @@ class Scratch:
         done = run(["cmake", "-S", self.source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DTOUCHSTONE_NATIVE=ON", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", *launcher, *arguments])
         if done.returncode != 0:
-            raise seeded.BadInput(f"{build}: cannot be configured: {done.stdout.strip().splitlines()[-1]}")
+            raise BadInput(f"{build}: cannot be configured: {done.stdout.strip().splitlines()[-1]}")
 
     def targets(self, build, patterns):
         """The programs that the named tests need."""
         lists = (build / "vnv" / "CTestTestfile.cmake").read_text(encoding="utf-8")
-        programs = {"vnv": "vnv_command"}
         found = set()
         for pattern in patterns:
             if pattern == seeded.THE_BUILD:
@@ -108,11 +90,23 @@ class Scratch:
                     name = re.match(r'add_test\((?:\[=\[)?"?([\w.]+)', line)
                     if name and re.fullmatch(pattern, name[1]):
                         of_build = re.findall(re.escape(str(build)) + r"/vnv/(\w+)", line)
-                        found |= {programs.get(program, program) for program in of_build}
+                        found |= {"vnv_command" if program == "vnv" else program for program in of_build}
         return sorted(found)
 
+    def remove_others(self, build, targets):
+        """Removes programs that are no targets, with the tests of a case: ctest would run what an earlier fault left."""
+        kept = {"vnv" if target == "vnv_command" else target for target in targets}
+        for folder in ("solvers", "reference", "vnv", "reports"):
+            for file in (build / folder).glob("*"):
+                is_of_folder = f"{folder}_unit" in targets and file.name.endswith("_test")
+                if file.is_file() and os.access(file, os.X_OK) and file.name not in kept and not is_of_folder:
+                    file.unlink()
+                    file.with_name(f"{file.name}_tests.cmake").unlink(missing_ok=True)
+
     def make(self, build, targets):
-        """What the compiler said where it failed, else nothing."""
+        """Builds these targets, and nothing else is left; what the compiler said where it failed, else nothing."""
+        if "all" not in targets:
+            self.remove_others(build, targets)
         done = run(["cmake", "--build", build, "-j", self.jobs, "--target", *targets])
         if done.returncode == 0:
             return ""

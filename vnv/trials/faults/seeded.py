@@ -16,15 +16,17 @@ how the project is built or run: `configure ARGUMENT OF CMAKE`, `environment NAM
 """
 
 import dataclasses
+import pathlib
 import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from shared import BadInput  # noqa: E402
 
 THE_BUILD = "the build"
 WHY = "survives because"
 LEAST_FAULTS, LEAST_HARMLESS = 60, 15
-
-
-class BadInput(Exception):
-    """Where, what, and what was expected, in one line."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -136,19 +138,21 @@ def changed(fault, root):
     return texts
 
 
-def gtest_names(root):
-    names = set()
-    for room in ("solvers", "reference", "vnv", "reports"):
-        for file in sorted((root / room).rglob("*_test.cpp")):
-            for suite, test in re.findall(r"^TEST(?:_F)?\((\w+),\s*(\w+)\)", file.read_text(encoding="utf-8"), re.M):
-                names.add(f"unit.{room}.{suite}.{test}")
-    return names
+def unit_tests(root):
+    """The unit tests as ctest names them, but for the types of those that are run for several: {name: its file}."""
+    found = {}
+    for folder in ("solvers", "reference", "vnv", "reports"):
+        for file in sorted((root / folder).rglob("*_test.cpp")):
+            tests = re.findall(r"^(TEST|TEST_F|TYPED_TEST)\((\w+),\s*(\w+)\)", file.read_text(encoding="utf-8"), re.M)
+            for kind, suite, test in tests:
+                found[f"unit.{folder}.{suite}{'<>' if kind == 'TYPED_TEST' else ''}.{test}"] = file
+    return found
 
 
 def test_names(root, build):
     """All that ctest has in a build folder, but for unit tests, which are read in the sources; and which of the cases
     are not built."""
-    names, missing = gtest_names(root), []
+    names, missing = set(unit_tests(root)), []
     files = [build / "vnv" / "CTestTestfile.cmake"]
     for case in sorted((root / "vnv" / "cases").glob("*.cpp")):
         file = build / "vnv" / f"{case.stem}_tests.cmake"
@@ -192,7 +196,7 @@ def complaints(folder, root, build=None):
                 found.append(f"{fault.name}: the same {what} as {first[value_of(fault)].name}, expected each once")
     for fault in faults:
         attempt(lambda: changed(fault, root))
-    names, missing = test_names(root, build) if build else (gtest_names(root), None)
+    names, missing = test_names(root, build) if build else (set(unit_tests(root)), None)
     cases = {file.stem for file in (root / "vnv" / "cases").glob("*.cpp")}
     for fault in faults:
         for pattern in fault.tests:

@@ -9,7 +9,6 @@ noticed; 3 bad input. How the files read: seeded.py.
 Example: vnv/trials/faults/try.py --scratch ~/faults --only 'viscos' --jobs 2
 """
 
-import argparse
 import dataclasses
 import json
 import locale
@@ -18,21 +17,20 @@ import os
 import pathlib
 import re
 import shutil
-import signal
-import sys
 import time
 import xml.etree.ElementTree
 
 import matrix
 import seeded
-from scratch import ROOT, UNREAD, Scratch, digest, run
+from scratch import ROOT, UNREAD, Scratch, digest
+from shared import BadInput, Parser, exit_with, run
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 RECORDED = FOLDER / "trials.csv"
 SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 
-def look(source, build, patterns, environment, options):
+def run_tests(source, build, patterns, environment, options):
     """Runs tests; what each says: {name: {failed, margin, sentence}}."""
     for case in (source / "vnv" / "cases").glob("*.cpp"):  # ctest wants all lists, also of what is not built
         tests = build / "vnv" / f"{case.stem}_tests.cmake"
@@ -54,11 +52,13 @@ def look(source, build, patterns, environment, options):
     done = run(["ctest", "--test-dir", build, "-j", options.jobs, "--timeout", options.timeout,
                 "--output-junit", report, *choice], env=os.environ | variables)
     if not report.is_file():
-        raise seeded.BadInput(f"{build}: ctest ran nothing: {done.stdout.strip().splitlines()[-1]}")
+        raise BadInput(f"{build}: ctest ran nothing: {done.stdout.strip().splitlines()[-1]}")
     found = {}
     for case in xml.etree.ElementTree.parse(report).getroot().iter("testcase"):
         name, failed = case.get("name"), case.get("status") != "run"
         output = case.findtext("system-out") or ""
+        if case.get("status") == "notrun" and "Unable to find executable" in output:
+            raise BadInput(f"{name}: has no program, expected the programs of all named tests to be built")
         if "SKIP" not in (case.findtext("skipped") or "") and case.get("status") != "disabled":
             found[name] = {"failed": failed} | margin_of(name, records, failed, output)
     return found
@@ -90,7 +90,7 @@ def require_locale(fault):
         try:
             locale.setlocale(locale.LC_ALL, value)
         except locale.Error as error:
-            raise seeded.BadInput(f"{fault.name}: {pair}: {error}, expected one that is installed") from error
+            raise BadInput(f"{fault.name}: {pair}: {error}, expected one that is installed") from error
         finally:
             locale.setlocale(locale.LC_ALL, "C")
 
@@ -106,8 +106,8 @@ def tried(scratch, fault, options):
             scratch.configure(build, fault.configure)
             targets = ["all"] if options.suite else scratch.targets(build, fault.tests)
             said = scratch.make(build, targets) if targets else ""
-            tests = {} if said else look(scratch.source, build, fault.tests, fault.environment, options)
-            for test in tests.values():  # where the copy lies tells nobody anything
+            tests = {} if said else run_tests(scratch.source, build, fault.tests, fault.environment, options)
+            for test in tests.values():  # where the copy lies is of no interest
                 test["sentence"] = test["sentence"].replace(f"{scratch.source}/", "").replace("../source/", "")
     finally:
         if own_build:
@@ -115,7 +115,7 @@ def tried(scratch, fault, options):
     if said:
         tests = {seeded.THE_BUILD: {"failed": True, "margin": None, "sentence": said}}
     elif not tests:
-        raise seeded.BadInput(f"{fault.name}: no test of ctest fits {', '.join(fault.tests)}")
+        raise BadInput(f"{fault.name}: no test of ctest fits {', '.join(fault.tests)}")
     return {"fault": fault.name, "title": fault.title, "harmless": fault.harmless,
             "files": sorted({change.file for change in fault.changes}), "conclusion": conclusion_of(fault, tests),
             "seconds": round(time.monotonic() - began), "tests": tests,
@@ -144,21 +144,19 @@ def read_results(file):
     try:
         return [json.loads(line) for line in whole.splitlines()]
     except json.JSONDecodeError as error:
-        raise seeded.BadInput(f"{file}: {error}, expected a line of JSON a trial") from error
+        raise BadInput(f"{file}: {error}, expected a line of JSON a trial") from error
 
 
-def require_green(scratch, patterns, options, known, keep):
-    """Tests that fail without a fault notice nothing."""
-    key_of = lambda pattern: digest(scratch.digest, "unchanged", pattern, options.suite or "")
-    untried = tuple(p for p in patterns if p != seeded.THE_BUILD and key_of(p) not in known)
+def require_green(scratch, patterns, options, green):
+    """Nothing is changed, and the tests have to pass: those that fail without a fault notice nothing."""
+    untried = tuple(pattern for pattern in patterns if pattern != seeded.THE_BUILD and pattern not in green)
     if not untried:
         return
     line = tried(scratch, seeded.Fault("unchanged", "Nothing is changed", True, untried, ()), options)
     failed = [name for name, test in line["tests"].items() if test["failed"]]
     if failed:
-        raise seeded.BadInput(f"{', '.join(failed)}: fails without a fault: {line['tests'][failed[0]]['sentence']}")
-    for pattern in untried:
-        known[key_of(pattern)] = keep({"key": key_of(pattern), "green": pattern})
+        raise BadInput(f"{', '.join(failed)}: fails without a fault: {line['tests'][failed[0]]['sentence']}")
+    green.update(untried)
 
 
 def what_is_run(options):
@@ -167,10 +165,10 @@ def what_is_run(options):
 
 def revision():
     """Of the sources, but for those that no trial is made from."""
-    told = run(["git", "-C", ROOT, "describe", "--always"]).stdout.strip()
+    described = run(["git", "-C", ROOT, "describe", "--always"]).stdout.strip()
     changed = run(["git", "-C", ROOT, "status", "--porcelain", "--", ".", ":!*.md",
                    *(f":!{folder}" for folder in UNREAD)]).stdout.strip()
-    return told + ("-dirty" if changed else "")
+    return described + ("-dirty" if changed else "")
 
 
 def own_digest(fault):
@@ -180,10 +178,10 @@ def own_digest(fault):
 def write(lines, faults, file, options):
     """The faults in their order, with what is known today of why one survives."""
     of_name = {line["fault"]: line for line in lines}
-    told = [of_name[fault.name] | {"why": fault.why} for fault in faults if fault.name in of_name]
-    matrix.write(told, file, {"title": "What came of each seeded fault, test by test", "machine": matrix.machine(),
-                              "tests": what_is_run(options), "untried": len(faults) - len(told)})
-    return told
+    rows = [of_name[fault.name] | {"why": fault.why} for fault in faults if fault.name in of_name]
+    matrix.write(rows, file, {"title": "What came of each seeded fault, test by test", "machine": matrix.machine(),
+                              "tests": what_is_run(options), "untried": len(faults) - len(rows)})
+    return rows
 
 
 class Record:
@@ -218,7 +216,7 @@ def try_all(faults, options):
             file.write(json.dumps(line, ensure_ascii=False) + "\n")
         return line
 
-    known = {line["key"]: line for line in results}
+    green, known = set(), {line["key"]: line for line in results}
     lines = [known[key] for key in keys.values() if key in known]
     fresh = [fault for fault in faults if keys[fault.name] not in known]
     fresh.sort(key=lambda fault: (record.tried_at(fault), fault.tests))  # one after the other what the same tests notice
@@ -226,21 +224,20 @@ def try_all(faults, options):
         if time.monotonic() - began > 60 * options.minutes:
             print(f"{len(fresh) - k} of {len(fresh)} left: the same command goes on with them")
             break
-        require_green(scratch, ("all",) if options.suite else fault.tests, options, known, keep)
-        told = {"key": keys[fault.name], "digest": own_digest(fault), "revision": revision()}
-        lines.append(keep(tried(scratch, fault, options) | told))
+        require_green(scratch, ("all",) if options.suite else fault.tests, options, green)
+        provenance = {"key": keys[fault.name], "digest": own_digest(fault), "revision": revision()}
+        lines.append(keep(tried(scratch, fault, options) | provenance))
         record.renew(lines)
         print(f"{k + 1}/{len(fresh)} {fault.name}: {lines[-1]['conclusion']}{matrix.by_whom(lines[-1])}, "
               f"{lines[-1]['seconds']} s", flush=True)
     record.renew(lines)
-    told = write(lines, faults, options.results.with_suffix(".csv"), options)
-    print(matrix.summary(told))
-    return 1 if any(line["conclusion"] in matrix.BAD for line in told) else 0
+    rows = write(lines, faults, options.results.with_suffix(".csv"), options)
+    print(matrix.summary(rows))
+    return 1 if any(line["conclusion"] in matrix.BAD for line in rows) else 0
 
 
 def options_of(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.error = lambda message: (_ for _ in ()).throw(seeded.BadInput(f"try.py: {message}"))
+    parser = Parser(__doc__)
     parser.add_argument("--check", action="store_true", help="only check that faults fit today's sources and tests")
     parser.add_argument("--list", action="store_true", help="only list names and titles")
     parser.add_argument("--build", type=pathlib.Path, help="with --check: a whole build, to look up names of tests")
@@ -256,7 +253,7 @@ def options_of(arguments):
     options = parser.parse_args(arguments)
     options.results = options.results or options.scratch / "results.jsonl"
     if options.record and options.tests:
-        raise seeded.BadInput("--record: with --tests, expected a trial of all tests that a fault names")
+        raise BadInput("--record: with --tests, expected a trial of all tests that a fault names")
     return options
 
 
@@ -270,7 +267,7 @@ def chosen(faults, only, tests):
         if named and (re.search(only, fault.name) or re.search(only, fault.title)):
             found.append(dataclasses.replace(fault, tests=named))
     if not found:
-        raise seeded.BadInput(f"--only '{only}' --tests '{tests}': fits no fault, expected one of vnv/trials/faults")
+        raise BadInput(f"--only '{only}' --tests '{tests}': fits no fault, expected one of vnv/trials/faults")
     return found
 
 
@@ -288,9 +285,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(3))
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except seeded.BadInput as error:
-        print(error, file=sys.stderr)
-        sys.exit(3)
+    exit_with(main)

@@ -40,9 +40,9 @@ def half_written(folder):
 
 def verdicts(records):
     """{CASE.METHOD: what was judged, by which value, and how}"""
-    told = ("level", "time", "quantity", "author", "value", "outcome")
+    keys = ("level", "time", "quantity", "author", "value", "outcome")
     found = {file.stem: json.loads(file.read_text(encoding="utf-8"))["verdicts"] for file in records.glob("*.json")}
-    return {name: [[verdict[key] for key in told] for verdict in all_of_it] for name, all_of_it in found.items()}
+    return {name: [[verdict[key] for key in keys] for verdict in all_of_it] for name, all_of_it in found.items()}
 
 
 def finished(records):

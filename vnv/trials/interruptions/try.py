@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Interruptions: kills runs at random moments, fills their disk, forbids them to write, and looks at what is left.
+"""Interruptions: kills runs at random moments, fills their disk, forbids them to write, and checks what is left.
 
 No record and no page may be torn, finished work is skipped by the next run, and what is done again gives the same
 verdicts; where nothing can be written one line says where and why. The build folder is only read: all is written to a
@@ -8,7 +8,6 @@ scratch folder. A trial is a line. Exit status: 0 all trials passed; 1 one faile
 Example: vnv/trials/interruptions/try.py build --kills 20 --seed 7
 """
 
-import argparse
 import contextlib
 import os
 import pathlib
@@ -21,7 +20,10 @@ import sys
 import tempfile
 import time
 
-import left
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import left  # noqa: E402
+from shared import BadInput, Parser, exit_with  # noqa: E402
 
 WHOM = ("all of it", "the command alone", "one of its programs")
 CAUSES = re.compile("No space left on device|File too large|Read-only file system|Not a directory|disk.* full")
@@ -29,21 +31,17 @@ LONGEST = 300  # s, of a program
 PARTS = ("run", "ctest", "report", "full", "forbidden")
 
 
-class BadInput(Exception):
-    """Where, what, and what was expected, in one line."""
-
-
 class Failure(Exception):
     """What a trial found, in one line."""
 
 
-def want(condition, words):
+def require(condition, words):
     if not condition:
         raise Failure(words)
 
 
-def want_none(complaints):
-    want(not complaints, "; ".join(complaints[:3]))
+def require_none(complaints):
+    require(not complaints, "; ".join(complaints[:3]))
 
 
 class Programs:
@@ -98,12 +96,12 @@ def kill_at(words, moment, whom, choose):
     return process.pid
 
 
-def said_once(told, place):
+def said_once(result, place):
     """That a program failed by itself and said in one line where and why."""
-    status, output = told
+    status, output = result
     lines = [line for line in output.splitlines() if str(place) in line and CAUSES.search(line)]
-    want(status > 0, f"ended with status {status}, expected a failure; it said: {output.strip()[-200:]!r}")
-    want(len(lines) == 1, f"{len(lines)} lines tell where and why, expected one; it said: {output.strip()[-300:]!r}")
+    require(status > 0, f"ended with status {status}, expected a failure; it said: {output.strip()[-200:]!r}")
+    require(len(lines) == 1, f"{len(lines)} lines say where and why, expected one; it said: {output.strip()[-300:]!r}")
     return lines[0].strip()
 
 
@@ -116,10 +114,10 @@ class Trials:
     def attempt(self, what, work):
         self.count += 1
         try:
-            told, word = work(), "passed"
+            found, word = work(), "passed"
         except (Failure, subprocess.TimeoutExpired, OSError) as error:
-            told, word, self.failed = str(error), "FAILED", self.failed + 1
-        print(f"{word} {what}: {told}", flush=True)
+            found, word, self.failed = str(error), "FAILED", self.failed + 1
+        print(f"{word} {what}: {found}", flush=True)
 
 
 def timed(words):
@@ -128,6 +126,13 @@ def timed(words):
     if status != 0:
         raise BadInput(f"{words[0]}: ends with status {status} undisturbed: {output.strip()[-300:]!r}")
     return time.monotonic() - began
+
+
+def done_again(words):
+    """What was said by a program that ends well after it was killed."""
+    status, output = run(words)
+    require(status == 0, f"done again it ended with status {status}: {output.strip()[-300:]!r}")
+    return output
 
 
 def attempt_kills(trials, what, kills, choose, usual, trial):
@@ -144,17 +149,16 @@ def kill_runs(programs, folder, trials, kills, choose):
 
     def trial(whom, moment, records):
         session = kill_at(programs.run(records), moment, whom, choose)
-        want_none(left.torn(records))
+        require_none(left.torn(records))
         done = left.finished(records)
-        status, output = run(programs.run(records))
+        output = done_again(programs.run(records))
         wait_for_orphans(session)
-        want(status == 0, f"done again it ended with status {status}: {output.strip()[-300:]!r}")
         skipped = int((re.search(r"(\d+) skipped", output) or [0, 0])[1])
-        want(skipped == len(done), f"{skipped} skipped of {len(done)} that were finished")
+        require(skipped == len(done), f"{skipped} skipped of {len(done)} that were finished")
         after = left.finished(records)
-        want(all(after.get(name) == when for name, when in done.items()), "finished work was done again")
-        want(left.verdicts(records) == expected, "other verdicts than undisturbed")
-        want_none(left.torn(records) + left.half_written(records))
+        require(all(after.get(name) == when for name, when in done.items()), "finished work was done again")
+        require(left.verdicts(records) == expected, "other verdicts than undisturbed")
+        require_none(left.torn(records) + left.half_written(records))
         return f"{len(done)} of {len(expected)} methods were finished"
 
     attempt_kills(trials, "vnv run", kills, choose, usual,
@@ -187,13 +191,12 @@ def kill_tests(programs, folder, trials, kills, choose, usual_records):
         records, site = place / "records" / "acceptance", place / "site" / "acceptance"
         session = kill_at(words, moment, whom, choose)
         wait_for_orphans(session)
-        want_none(left.torn(records, site))
+        require_none(left.torn(records, site))
         judged = len(left.verdicts(records))
-        status, output = run(words)
-        want(status == 0, f"done again it ended with status {status}: {output.strip()[-300:]!r}")
-        want(left.verdicts(records) == expected, "other verdicts than those of vnv run")
-        want((site / "index.html").is_file(), "no pages")
-        want_none(left.torn(records, site) + left.half_written(records) + left.half_written(site.parent))
+        done_again(words)
+        require(left.verdicts(records) == expected, "other verdicts than those of vnv run")
+        require((site / "index.html").is_file(), "no pages")
+        require_none(left.torn(records, site) + left.half_written(records) + left.half_written(site.parent))
         return f"{judged} of {len(expected)} methods had a record"
 
     attempt_kills(trials, "ctest", kills, choose, usual,
@@ -210,12 +213,11 @@ def kill_reports(programs, folder, trials, kills, choose, records):
 
     def trial(whom, moment):
         wait_for_orphans(kill_at(words, moment, whom, choose))
-        want(left.tree(site) == expected, "the former site is not there as it was")
-        want_none(left.torn(site, nights))
-        status, output = run(words)
-        want(status == 0, f"done again it ended with status {status}: {output.strip()[-300:]!r}")
-        want(left.tree(site) == expected, "other pages than undisturbed")
-        want_none(left.half_written(folder) + left.half_written(nights))
+        require(left.tree(site) == expected, "the former site is not there as it was")
+        require_none(left.torn(site, nights))
+        done_again(words)
+        require(left.tree(site) == expected, "other pages than undisturbed")
+        require_none(left.half_written(folder) + left.half_written(nights))
         return f"{len(expected)} files as before"
 
     attempt_kills(trials, "touchstone_report", kills, choose, usual, lambda whom, moment, _: trial(whom, moment))
@@ -250,34 +252,34 @@ def fill_disks(programs, folder, trials, choose, records):
     """Records and pages where little room is left; afterwards there is enough, and the work goes on."""
     sizes = {name: (records / f"{name}.json").stat().st_size for name in left.verdicts(records)}
     first, second = min(sizes, key=sizes.get), max(sizes, key=sizes.get)
-    expected = {name: told for name, told in left.verdicts(records).items() if name in (first, second)}
+    expected = {name: judged for name, judged in left.verdicts(records).items() if name in (first, second)}
 
     def of_records(disk, room):
         here = disk / "records"
-        want(run(programs.run(here, [first]))[0] == 0, f"{first} fails with room enough")
+        require(run(programs.run(here, [first]))[0] == 0, f"{first} fails with room enough")
         earlier = left.tree(here)
         leave_room(disk, room)
-        told = run(programs.run(here, [second]))
-        if told[0] != 0:
-            line = said_once(told, here)
+        result = run(programs.run(here, [second]))
+        if result[0] != 0:
+            line = said_once(result, here)
             now = left.tree(here)
-            want(all(now.get(file) == text for file, text in earlier.items()), "an earlier record has changed")
-            want_none(left.torn(here) + left.half_written(here))
+            require(all(now.get(file) == text for file, text in earlier.items()), "an earlier record has changed")
+            require_none(left.torn(here) + left.half_written(here))
         (disk / "ballast").unlink()
-        want(run(programs.run(here, [first, second]))[0] == 0, "with room again it fails")
-        want(left.verdicts(here) == expected, "with room again other verdicts")
-        return line if told[0] != 0 else "room enough"
+        require(run(programs.run(here, [first, second]))[0] == 0, "with room again it fails")
+        require(left.verdicts(here) == expected, "with room again other verdicts")
+        return line if result[0] != 0 else "room enough"
 
     def of_pages(disk, room):
         site, nights = disk / "site", disk / "nights"
         words = [programs.report, records, site, "--history", nights]
-        want(run(words)[0] == 0, "fails with room enough")
+        require(run(words)[0] == 0, "fails with room enough")
         earlier = left.tree(site)
         leave_room(disk, room)
-        told = run(words)
-        line = said_once(told, disk) if told[0] != 0 else "room enough"
-        want(left.tree(site) == earlier, "the former site has changed")
-        want_none(left.torn(nights) + left.half_written(disk) + left.half_written(nights))
+        result = run(words)
+        line = said_once(result, disk) if result[0] != 0 else "room enough"
+        require(left.tree(site) == earlier, "the former site has changed")
+        require_none(left.torn(nights) + left.half_written(disk) + left.half_written(nights))
         return line
 
     whole = sizes[second] + 4096 - sizes[second] % 4096  # the record goes in, and nothing beside it
@@ -300,7 +302,7 @@ def limit_files(programs, folder, trials, records):
 
     def trial(words):
         line = said_once(run(words, preexec_fn=limited, restore_signals=False), "/")  # it may be a file of /tmp
-        want_none(left.torn(folder) + left.half_written(folder) + left.half_written(folder / "records"))
+        require_none(left.torn(folder) + left.half_written(folder) + left.half_written(folder / "records"))
         return line
 
     folder.mkdir()
@@ -324,8 +326,8 @@ def forbid_writing(programs, folder, trials, records, has_disks):
     def trial(words, place):
         before = left.tree(place) if place.is_dir() else None
         line = said_once(run(words), place)
-        want(before is None or left.tree(place) == before, "something was written")
-        want(not (folder / "site").exists(), "a site without its night was written")
+        require(before is None or left.tree(place) == before, "something was written")
+        require(not (folder / "site").exists(), "a site without its night was written")
         return line
 
     folder.mkdir()
@@ -344,8 +346,7 @@ def forbid_writing(programs, folder, trials, records, has_disks):
 
 
 def options_of(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.error = lambda message: (_ for _ in ()).throw(BadInput(f"try.py: {message}"))
+    parser = Parser(__doc__)
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
     parser.add_argument("--kills", type=int, default=20, help="of vnv run, of ctest and of touchstone_report each")
     parser.add_argument("--seed", type=int, default=1, help="of the moments")
@@ -383,8 +384,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except BadInput as error:
-        print(error, file=sys.stderr)
-        sys.exit(3)
+    exit_with(main)

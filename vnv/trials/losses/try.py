@@ -9,7 +9,6 @@ hundred at most; 1 if not; 3 bad input.
 Example: vnv/trials/losses/try.py --self 100 --build build --only 'stokes|couette.mpm'
 """
 
-import argparse
 import json
 import os
 import pathlib
@@ -21,7 +20,8 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent / "faults"))
 
 import seeded  # noqa: E402
-from scratch import ROOT, Scratch, run  # noqa: E402
+from scratch import ROOT, Scratch  # noqa: E402
+from shared import BadInput, Parser, exit_with, run  # noqa: E402
 
 CONCLUSIONS = ("same or better", "worse", "inconclusive")
 
@@ -31,7 +31,7 @@ def gate(vnv, before, after, output, arguments):
     output.unlink(missing_ok=True)
     done = run([vnv, "gate", before, after, "--json", output, *arguments])
     if done.returncode not in (0, 1, 2):
-        raise seeded.BadInput(f"vnv gate {before} {after}: {done.stdout.strip().splitlines()[-1]}")
+        raise BadInput(f"vnv gate {before} {after}: {done.stdout.strip().splitlines()[-1]}")
     return done.returncode, json.loads(output.read_text(encoding="utf-8"))["differences"]
 
 
@@ -54,7 +54,7 @@ def try_loss(loss, scratch, vnv):
     with scratch.with_change(loss):
         said = said or scratch.make(builds[1], cases)
     if said:
-        raise seeded.BadInput(f"{loss.name}: cannot be built: {said}")
+        raise BadInput(f"{loss.name}: cannot be built: {said}")
     methods = "|".join(re.escape(row.split(" ")[1]) for row in loss.tests)
     arguments = [word for case in cases for word in ("--case", case)] + ["--only", f"^({methods})$"]
     status, found = gate(vnv, *builds, scratch.builds / "gate.json", arguments)
@@ -74,7 +74,7 @@ def read_losses():
 def try_losses(options):
     losses = [loss for loss in read_losses() if re.search(options.only, loss.name)]
     if not losses:
-        raise seeded.BadInput(f"--only '{options.only}': fits no loss, expected one of {FOLDER}")
+        raise BadInput(f"--only '{options.only}': fits no loss, expected one of {FOLDER}")
     scratch = Scratch(options.scratch.resolve(), options.jobs)
     seen = [try_loss(loss, scratch, options.build / "vnv" / "vnv") for loss in losses]
     print(f"{len(seen)} planted losses, {sum(seen)} seen")
@@ -88,8 +88,8 @@ def try_itself(options):
         status, found = gate(options.build / "vnv" / "vnv", options.build, options.build,
                              options.scratch / "self.json", ["--all", "--only", options.only])
         counts[CONCLUSIONS[status]] += 1
-        told = [sentence_of(difference) for difference in found if difference["change"] in CONCLUSIONS[1:]]
-        print(f"{k + 1}/{options.self} {CONCLUSIONS[status]}" + "".join(f"\n    {words}" for words in told), flush=True)
+        changes = [sentence_of(difference) for difference in found if difference["change"] in CONCLUSIONS[1:]]
+        print(f"{k + 1}/{options.self} {CONCLUSIONS[status]}" + "".join(f"\n    {words}" for words in changes), flush=True)
     rows = sum(difference["change"] != "unjudged" for difference in found)
     print(f"{options.self} gates of a build against itself, {rows} rows each, "
           f"{(time.monotonic() - began) / options.self:.0f} s each: "
@@ -98,8 +98,7 @@ def try_itself(options):
 
 
 def options_of(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.error = lambda message: (_ for _ in ()).throw(seeded.BadInput(f"try.py: {message}"))
+    parser = Parser(__doc__)
     parser.add_argument("--check", action="store_true", help="only check that the losses fit today's sources")
     parser.add_argument("--self", type=int, default=0, help="gate the build against itself so many times")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="whose vnv is tried")
@@ -109,7 +108,7 @@ def options_of(arguments):
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at once, of the compiler")
     options = parser.parse_args(arguments)
     if not options.check and not os.access(options.build / "vnv" / "vnv", os.X_OK):
-        raise seeded.BadInput(f"{options.build}: no program vnv/vnv, expected a build folder")
+        raise BadInput(f"{options.build}: no program vnv/vnv, expected a build folder")
     seeded.require_pattern("--only", options.only)
     return options
 
@@ -125,8 +124,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except seeded.BadInput as error:
-        print(error, file=sys.stderr)
-        sys.exit(3)
+    exit_with(main)

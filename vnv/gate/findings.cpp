@@ -1,4 +1,4 @@
-#include "vnv/gate/telling.hpp"
+#include "vnv/gate/findings.hpp"
 
 #include "vnv/record/json.hpp"
 
@@ -37,8 +37,8 @@ std::string cell_of(const std::vector<const Difference*>& all) {
   const Change worst = (*std::ranges::max_element(all, {}, &Difference::change))->change;
   if (all.front()->kind == Kind::cost) return fmt::format("{}: {}", name_of(worst), all.front()->why);
   const auto count = std::ranges::count(all, worst, &Difference::change);
-  const std::string share = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
-  return fmt::format("{}, {}{}", name_of(worst), share, all.size());
+  const std::string counted = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
+  return fmt::format("{}, {}{}", name_of(worst), counted, all.size());
 }
 
 /// The headings, and below them a row for each method of each case.
@@ -54,7 +54,7 @@ std::vector<Row> table_of(const Findings& findings) {
   return rows;
 }
 
-/// What must be looked at, worst first and runs before values; what got better last.
+/// What needs attention, worst first and runs before values; what got better last.
 std::vector<const Difference*> changes_of(const Findings& findings) {
   std::vector<const Difference*> changes;
   for (const Difference& d : findings.differences)
@@ -104,20 +104,7 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '|') escaped += '\\';
-    escaped += letter;
-  }
-  return escaped;
-}
-
-std::string markdown_row(const Row& row) {
-  std::string line = "|";
-  for (const std::string& cell : row) line += fmt::format(" {} |", escaped(cell));
-  return line + "\n";
-}
+std::string markdown_row(const Row& row) { return fmt::format("| {} |\n", fmt::join(row, " | ")); }
 
 }  // namespace
 
@@ -174,13 +161,12 @@ std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
 }
 
 vnv::Table page_table_of(const Findings& findings) {
+  const std::vector<Row> rows = table_of(findings);
   vnv::Table table{.id = "gate",
                    .title = "Before and after",
-                   .caption = fmt::format("{}.", summary_of(findings)),
-                   .columns = {},
+                   .caption = summary_of(findings) + ".",
+                   .columns = rows.front(),
                    .rows = {}};
-  const std::vector<Row> rows = table_of(findings);
-  table.columns = rows.front();
   for (std::size_t k = 1; k < rows.size(); ++k) table.rows.emplace_back(rows[k].begin(), rows[k].end());
   return table;
 }

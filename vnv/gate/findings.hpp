@@ -1,5 +1,5 @@
 #pragma once
-/// What a gate found, told to a person at a terminal, to a reviewer, and to a machine.
+/// What a gate found, for a terminal, for a review, for a page and for other programs.
 
 #include "vnv/gate/difference.hpp"
 

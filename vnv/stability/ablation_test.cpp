@@ -1,4 +1,4 @@
-#include "vnv/studies/ablation.hpp"
+#include "vnv/stability/ablation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,44 @@
+"""What all trials share: complaints of one line, programs that are run to their end, and how a trial itself ends."""
+
+import argparse
+import os
+import signal
+import subprocess
+import sys
+
+
+class BadInput(Exception):
+    """Where, what, and what was expected, in one line."""
+
+
+class Parser(argparse.ArgumentParser):
+    """A command line that is refused in one line."""
+
+    def __init__(self, description):
+        super().__init__(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+
+    def error(self, message):
+        raise BadInput(f"try.py: {message}")
+
+
+def run(words, **more):
+    """Runs a program to its end; whoever breaks off here ends all that it started, so that nothing is written later."""
+    words = [str(word) for word in words]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+                          start_new_session=True, **more) as process:
+        try:
+            output = process.communicate()[0]
+        except BaseException:
+            os.killpg(process.pid, signal.SIGTERM)
+            raise
+        return subprocess.CompletedProcess(words, process.returncode, output)
+
+
+def exit_with(main):
+    """Exit status 3 for bad input, with one line that says what; ends in order when it is told to."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(3))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except BadInput as error:
+        print(error, file=sys.stderr)
+        sys.exit(3)
