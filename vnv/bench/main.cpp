@@ -3,7 +3,6 @@
 /// `speed`, which times in turn; this is for looking closely.
 
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
@@ -122,7 +121,7 @@ void add_channels() {
   for (const int k : {1, 2, 3, 4}) {
     const vnv::Level level{.name = std::to_string(k), .spacing = channel_cell / k, .cell = channel_cell};
     add_solver("mpm/channel/M" + level.name, mpm_work, [=] {
-      return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+      return mpm::solver<mpm::PrescribedMotion>(
           channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step});
     });
     add_loop("plain_musl/channel/M" + level.name,
@@ -145,8 +144,7 @@ void add_channels() {
 void add_dams() {
   const double spacing = dam_cell / 4, h = 1.2 * spacing;
   add_solver("mpm/dam/M4", mpm_work, [=] {
-    return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-        dam(), {.cell = dam_cell, .spacing = spacing, .time_step = dam_mpm_step});
+    return mpm::solver<mpm::PrescribedMotion>(dam(), {.cell = dam_cell, .spacing = spacing, .time_step = dam_mpm_step});
   });
   add_loop("plain_musl/dam/M4", [=] { return PlainMusl(plain(dam()), dam_cell, spacing, dam_mpm_step); });
   add_solver("sph/dam/S4", sph_work, [=] {

@@ -1,6 +1,6 @@
 #pragma once
-/// The material point method made of parts that are chosen by type: shape, transfer, order of updates, density, walls.
-/// Plain loops over particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
+/// The material point method made of parts that are chosen by type: shape, transfer, density, walls. Plain loops over
+/// particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
 #include "solvers/lattice.hpp"
 #include "solvers/mpm/beginning.hpp"
@@ -18,11 +18,9 @@
 namespace touchstone::mpm {
 
 /// One simulation of a scene. `Shape` ties particles to nodes, `Transfer` says what velocities they give and take,
-/// `UpdateOrder` when in a step the stress is found, `Density` how that follows the flow, and `WallTreatment` how a
-/// wall's answer reaches the particles. Explicit Euler, lumped mass; all weights of a step are those of the places at
-/// its start.
-template <class Shape, class Transfer, class UpdateOrder, class Density, class WallTreatment, class FluidLaw,
-          class Force>
+/// `Density` how that follows the flow, and `WallTreatment` how a wall's answer reaches the particles. Explicit Euler,
+/// lumped mass; all weights of a step are those of the places at its start.
+template <class Shape, class Transfer, class Density, class WallTreatment, class FluidLaw, class Force>
 class Composed : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
@@ -43,12 +41,23 @@ class Composed : public Clock {
     begin();
   }
 
-  /// One step. Throws Diverged.
+  /// One step, in which the stress is found last, by velocities that the particles give to the nodes anew (MUSL;
+  /// Sulsky, Zhou & Schreyer 1995): nodes of little mass, at a free surface, strain less. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     weights_.find(particles_.x, threads_);
     lap(SubStep::sorting);
-    UpdateOrder::step(*this, lap);
+    scatter_momentum();
+    scatter_forces();
+    lap(SubStep::scatter);
+    accelerate();
+    lap(SubStep::grid);
+    gather_motion();
+    lap(SubStep::gather);
+    remap_velocity();
+    lap(SubStep::grid);
+    strain_and_stress();
+    lap(SubStep::gather);
     tick();
     settle();
     lap(SubStep::sorting);
@@ -76,8 +85,6 @@ class Composed : public Clock {
   }
 
  private:
-  friend UpdateOrder;
-
   struct Held {
     int node;
     std::size_t wall;
@@ -88,10 +95,6 @@ class Composed : public Clock {
   void scatter_momentum() {
     scatter_mass(weights_, threads_, nodes_);
     scatter_velocity(weights_, nodes_, threads_, given_by_particles(), nodes_.start);
-  }
-  void hold_start() {
-    nodes_.velocity = nodes_.start;
-    hold_velocity(time());
   }
   void scatter_forces() {
     mpm::scatter_forces(weights_, particles_, scene_.fluid, scene_.body_force, time(), threads_, nodes_);
@@ -106,7 +109,10 @@ class Composed : public Clock {
   }
   void remap_velocity() {
     scatter_velocity(weights_, nodes_, threads_, given_by_particles(), nodes_.velocity);
-    hold_velocity(time() + time_step());
+    for (const Held& held : held_)
+      if (nodes_.moves(held.node))
+        nodes_.velocity.col(held.node) =
+            scene_.walls[held.wall].at_wall(nodes_.velocity.col(held.node), time() + time_step());
   }
   void strain_and_stress() {
     find_slopes(weights_, nodes_, threads_, particles_);
@@ -128,11 +134,6 @@ class Composed : public Clock {
       nodes_.velocity.col(node) = at_wall.after;
       nodes_.change.col(node) = at_wall.after - at_wall.before;
     }
-  }
-  void hold_velocity(double time) {
-    for (const Held& held : held_)
-      if (nodes_.moves(held.node))
-        nodes_.velocity.col(held.node) = scene_.walls[held.wall].at_wall(nodes_.velocity.col(held.node), time);
   }
 
   void begin() {
@@ -204,11 +205,11 @@ class Composed : public Clock {
   Density density_;
 };
 
-/// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic, mpm::ModifiedStressLast>(tank, {.cell = ...})`.
-template <class Shape, class Transfer, class UpdateOrder, class Density = CarriedDensity,
-          class WallTreatment = PrescribedMotion, class FluidLaw, class Force>
+/// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic>(tank, {.cell = ...})`.
+template <class Shape, class Transfer, class Density = CarriedDensity, class WallTreatment = PrescribedMotion,
+          class FluidLaw, class Force>
 auto composed(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Composed<Shape, Transfer, UpdateOrder, Density, WallTreatment, FluidLaw, Force>(scene, settings);
+  return Composed<Shape, Transfer, Density, WallTreatment, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm

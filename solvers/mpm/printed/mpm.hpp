@@ -19,10 +19,10 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Shape` interpolates between nodes and particles, `WallTreatment` says how a wall's
+/// One simulation of a scene, with linear shape functions (hats). `WallTreatment` says how a wall's
 /// answer reaches the particles, `Number` is what particles are stored and reckoned in; nodes are in double. A fluid
 /// without viscosity carries a pressure only; `NoForce` leaves the force out.
-template <class Shape, class WallTreatment, class Number, class FluidLaw, class Force>
+template <class WallTreatment, class Number, class FluidLaw, class Force>
 class Mpm : public Clock {
  public:
   /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
@@ -45,15 +45,15 @@ class Mpm : public Clock {
   void step(const Laps& lap = {}) {
     const double dt = time_step();
     // m_i, (m v)_i, (12), (13)
-    scatter<Shape>(particles_, grid_, scene_.body_force, time(), threads_, masses_, nodes_);
+    scatter(particles_, grid_, scene_.body_force, time(), threads_, masses_, nodes_);
     lap(SubStep::scatter);
     accelerate(nodes_, scene_.body_force, grid_.cell, dt, threads_);      // (10), (11), (14)
     wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt);  // (14) at walls
-    scatter_changes<Shape>(particles_, masses_, threads_, nodes_);        // (16) as (17) sees it
+    scatter_changes(particles_, masses_, threads_, nodes_);               // (16) as (17) sees it
     remap_velocity(nodes_, threads_);                                     // (17)
     wall_nodes_.hold_remapped(nodes_, time() + dt);                       // (17) at walls
     lap(SubStep::grid);
-    gather<Shape>(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // (15), (16), (18), (19)
+    gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // (15), (16), (18), (19)
     lap(SubStep::gather);
     tick();
     if (keep_order(particles_, calm_, grid_, scene_.fluid, steps(), time())) list_near();
@@ -85,10 +85,10 @@ class Mpm : public Clock {
   std::vector<char> calm_;               // of each block, within a step
 };
 
-/// A simulation of a scene: `mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(channel, {.cell = ...})`.
-template <class Shape, class WallTreatment, class Number = double, class FluidLaw, class Force>
+/// A simulation of a scene: `mpm::solver<mpm::PrescribedMotion>(channel, {.cell = ...})`.
+template <class WallTreatment, class Number = double, class FluidLaw, class Force>
 auto solver(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Mpm<Shape, WallTreatment, Number, FluidLaw, Force>(scene, settings);
+  return Mpm<WallTreatment, Number, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm
