@@ -2,18 +2,10 @@
 /// The material point method made of parts that are chosen by type: shape, transfer, density, walls. Plain loops over
 /// particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
-#include "solvers/lattice.hpp"
-#include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/composed/densities/carried_density.hpp"
 #include "solvers/mpm/composed/plain_transfer.hpp"
-#include "solvers/mpm/printed/particles.hpp"
-#include "solvers/mpm/settings.hpp"
+#include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/samples.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/diverged.hpp"
-#include "solvers/stepping/extremes.hpp"
-#include "solvers/stepping/laps.hpp"
 
 namespace touchstone::mpm {
 
@@ -21,19 +13,20 @@ namespace touchstone::mpm {
 /// `Density` how that follows the flow, and `WallTreatment` how a wall's answer reaches the particles. Explicit Euler,
 /// lumped mass; all weights of a step are those of the places at its start.
 template <class Shape, class Transfer, class Density, class WallTreatment, class FluidLaw, class Force>
-class Composed : public Clock {
+class Composed : public Simulation<FluidLaw, Force> {
+  using Base = Simulation<FluidLaw, Force>;
+  using Base::grid_, Base::scene_, Base::threads_;
+
  public:
-  /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
-  /// than the filled box, fluid outside the domain, or a wall where the shape has no node of its own.
+  using Base::steps, Base::time, Base::time_step;
+
+  /// Throws std::invalid_argument as its base does, for a spacing larger than the filled box, fluid outside the domain,
+  /// or a wall where the shape has no node of its own.
   Composed(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Clock("mpm", settings.time_step),
-        scene_(scene),
-        threads_(settings.threads),
-        grid_(scene.domain, settings.cell),
+      : Base(scene, settings),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         weights_(grid_, lattice_.step),
         nodes_(weights_.nodes()) {
-    require_positive("mpm", "threads", threads_);
     for (std::size_t wall = 0; wall < scene.walls.size(); ++wall)
       for (int node : weights_.nodes_on(scene.walls[wall]))
         held_.push_back({node, wall, scene.start.velocity_at(weights_.place(node))});
@@ -58,16 +51,12 @@ class Composed : public Clock {
     lap(SubStep::grid);
     strain_and_stress();
     lap(SubStep::gather);
-    tick();
+    this->tick();
     settle();
     lap(SubStep::sorting);
   }
 
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   Index particles() const { return particles_.count(); }
-  Index boundary_particles() const { return 0; }
-  Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
-
   /// The particles in the order in which they were seeded.
   Samples samples() const {
     Samples s{time(),
@@ -193,9 +182,6 @@ class Composed : public Clock {
     }
   }
 
-  Scene<FluidLaw, Force> scene_;
-  int threads_;
-  Grid grid_;
   Lattice lattice_;
   PlainParticles particles_;
   Weights<Shape> weights_;
