@@ -1,6 +1,6 @@
 #include "solvers/quadratic_fit.hpp"
 
-#include "solvers/sph/lanes.hpp"
+#include "solvers/sph/pair_lanes.hpp"
 
 #include <gtest/gtest.h>
 

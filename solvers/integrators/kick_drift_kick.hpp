@@ -1,6 +1,7 @@
 #pragma once
-#include "solvers/integrators/motions.hpp"
+#include "solvers/integrators/fluid_state.hpp"
 #include "solvers/stepping/laps.hpp"
+#include "solvers/threads.hpp"
 
 namespace touchstone {
 
@@ -20,7 +21,7 @@ class KickDriftKick {
     kick_and_drift(all, threads, dt);
     lap(SubStep::motion);
     flow.find_density_rate(time + dt, lap);
-    thicken(all, threads, dt);
+    change_density(all, threads, dt);
     lap(SubStep::motion);
     flow.find_accelerations(time + dt, lap);
     kick(all, threads, dt / 2);
@@ -35,6 +36,19 @@ class KickDriftKick {
       all.vy(part) += dt / 2 * all.ay(part);
       all.x(part) += dt * all.vx(part);
       all.y(part) += dt * all.vy(part);
+    });
+  }
+  static void change_density(FluidState& all, int threads, double dt) {
+    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
+      const auto part = Eigen::seqN(begin, end - begin);
+      all.rho(part) += dt * all.drho(part);
+    });
+  }
+  static void kick(FluidState& all, int threads, double dt) {
+    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
+      const auto part = Eigen::seqN(begin, end - begin);
+      all.vx(part) += dt * all.ax(part);
+      all.vy(part) += dt * all.ay(part);
     });
   }
 

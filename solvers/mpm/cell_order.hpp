@@ -5,11 +5,6 @@
 
 namespace touchstone::mpm {
 
-/// A run of slots that moves as one.
-struct Move {
-  int from, to, slots;
-};
-
 /// Keeps particles in blocks of `width` neighbouring cells of a row, one cell a lane: the k-th particle of every cell
 /// of a block lies side by side with the k-th of the others. Only blocks that hold particles are there.
 ///
@@ -113,8 +108,8 @@ class CellOrder {
     stale_ = false;
   }
 
-  /// Takes the k-th particle of a cell to another cell. `particles` offers copy(from, to), clear(slot) and
-  /// rearrange(moves, slots).
+  /// Takes the k-th particle of a cell to another cell. `particles` offers for_fields(f), which calls f for each of its
+  /// fields, one value per slot.
   template <class Particles>
   void carry(Particles& particles, int from, int k, int to) {
     const int place = free_slot(particles, to);
@@ -122,9 +117,9 @@ class CellOrder {
     const int lane = lane_of(from);
     source.add(lane, -1);
     const int left = source.slot(lane, k), last = source.slot(lane, source.count[lane]);
-    particles.copy(left, place);
-    if (last != left) particles.copy(last, left);
-    particles.clear(last);
+    copy(particles, left, place);
+    if (last != left) copy(particles, last, left);
+    particles.for_fields([=](auto& field) { field[last] = 0; });
     block_of(to).add(lane_of(to), 1);
     stale_ = stale_ || source.most() == 0;
   }
@@ -160,19 +155,28 @@ class CellOrder {
     const int capacity = 2 * block.capacity + 2;
     if (used_ + capacity * width > slots_) return lay_out_anew(particles);
     for (int lane = 0; lane < width; ++lane)
-      for (int k = 0; k < block.count[lane]; ++k) particles.copy(block.slot(lane, k), used_ + k * width + lane);
+      for (int k = 0; k < block.count[lane]; ++k) copy(particles, block.slot(lane, k), used_ + k * width + lane);
     block.first = used_;
     block.capacity = capacity;
     used_ += capacity * width;
   }
 
   template <class Particles>
+  static void copy(Particles& particles, int from, int to) {
+    particles.for_fields([=](auto& field) { field[to] = field[from]; });
+  }
+
+  template <class Particles>
   void lay_out_anew(Particles& particles) {
-    std::vector<Move> moves;
-    for (const Block& block : blocks_) moves.push_back({.from = block.first, .to = 0, .slots = block.most() * width});
+    std::vector<int> from;  // of each block
+    for (const Block& block : blocks_) from.push_back(block.first);
     find_room();
-    for (std::size_t i = 0; i < moves.size(); ++i) moves[i].to = blocks_[i].first;
-    particles.rearrange(moves, slots_);
+    particles.for_fields([&]<class F>(F& field) {
+      F fresh(slots_);
+      for (std::size_t i = 0; i < blocks_.size(); ++i)
+        std::copy_n(&field[from[i]], blocks_[i].most() * width, &fresh[blocks_[i].first]);
+      field.swap(fresh);
+    });
   }
 
   /// Gives every block a place with room for one particle more in each of its cells, and for an eighth more.

@@ -14,13 +14,11 @@ struct Tokens {
   std::vector<int> number;
   int times_rearranged = 0;
 
-  void copy(int from, int to) { number[to] = number[from]; }
-  void clear(int slot) { number[slot] = 0; }
-  void rearrange(const std::vector<Move>& moves, int slots) {
-    std::vector<int> fresh(slots, 0);
-    for (const Move& move : moves) std::copy_n(&number[move.from], move.slots, &fresh[move.to]);
-    number.swap(fresh);
-    ++times_rearranged;
+  template <class F>
+  void for_fields(const F& f) {
+    const int* const at = number.data();
+    f(number);
+    times_rearranged += number.data() != at;
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "solvers/fields.hpp"
-#include "solvers/mpm/lanes.hpp"
+#include "solvers/mpm/cell_lanes.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "solvers/mpm/grid.hpp"
-#include "solvers/mpm/printed/particles.hpp"
+#include "solvers/mpm/particles.hpp"
 #include "solvers/stepping/diverged.hpp"
 
 #include <limits>

@@ -1,4 +1,6 @@
 #include "solvers/mpm/settle.hpp"
+
+#include "solvers/mpm/printed/particles.hpp"
 #include "solvers/mpm/seed.hpp"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ constexpr Settings coarse{.cell = 0.1, .spacing = 0.05, .time_step = 1e-4};
 
 std::string refusal(const Scene<Tait>& scene, const Settings& settings) {
   try {
-    solver<LinearHat, PrescribedMotion>(scene, settings);
+    solver<PrescribedMotion>(scene, settings);
   } catch (const std::invalid_argument& refused) {
     return refused.what();
   }
@@ -63,7 +63,7 @@ TEST(Lattice, FillsItsBoxEvenly) {
 }
 
 TEST(Mpm, StartsAtRestWithTheMassOfItsFluid) {
-  const auto dam = solver<LinearHat, PrescribedMotion>(tank(), coarse);
+  const auto dam = solver<PrescribedMotion>(tank(), coarse);
   const Samples s = dam.samples();
   EXPECT_EQ(dam.particles(), 144);
   EXPECT_EQ(dam.boundary_particles(), 0);

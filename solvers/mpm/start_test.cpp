@@ -14,12 +14,12 @@ namespace {
 struct Printed {
   static double left_by_damping(double /*k_cell*/, int /*steps*/) { return 1; }
   static auto solver(const Scene<Newtonian>& scene, const Settings& settings) {
-    return mpm::solver<LinearHat, PrescribedMotion>(scene, settings);
+    return mpm::solver<PrescribedMotion>(scene, settings);
   }
 };
 struct SinglePrinted {
   static auto solver(const Scene<Newtonian>& scene, const Settings& settings) {
-    return mpm::solver<LinearHat, PrescribedMotion, float>(scene, settings);
+    return mpm::solver<PrescribedMotion, float>(scene, settings);
   }
 };
 struct AffineMethod {

@@ -4,6 +4,7 @@
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
 
 #include <array>
 
@@ -73,10 +74,9 @@ class Stress {
     }
 
     /// Internal forces on the corners of the cell (12); `per_cell` [1/m] is 1 / its size.
-    template <class Shape>
     CornerForces<Real> forces(const Vec2& per_cell) const {
-      return {Shape::template slopes_along_X<Real>(per_cell.x() * along_x.one, per_cell.x() * along_x.moment),
-              Shape::template slopes_along_Y<Real>(per_cell.y() * along_y.one, per_cell.y() * along_y.moment)};
+      return {LinearHat::slopes_along_X<Real>(per_cell.x() * along_x.one, per_cell.x() * along_x.moment),
+              LinearHat::slopes_along_Y<Real>(per_cell.y() * along_y.one, per_cell.y() * along_y.moment)};
     }
   };
 
@@ -124,11 +124,10 @@ class Stress<FluidLaw, Number> {
       return {widened<part>(xx), widened<part>(xy_Y), widened<part>(xy_X), widened<part>(yy)};
     }
 
-    template <class Shape>
     CornerForces<Real> forces(const Vec2& per_cell) const {
       const auto along = [&](const Sum<Real>& x, const Sum<Real>& y) {
-        auto force = Shape::template slopes_along_X<Real>(-per_cell.x() * x.one, -per_cell.x() * x.moment);
-        const auto along_y = Shape::template slopes_along_Y<Real>(-per_cell.y() * y.one, -per_cell.y() * y.moment);
+        auto force = LinearHat::slopes_along_X<Real>(-per_cell.x() * x.one, -per_cell.x() * x.moment);
+        const auto along_y = LinearHat::slopes_along_Y<Real>(-per_cell.y() * y.one, -per_cell.y() * y.moment);
         for (int corner = 0; corner < 4; ++corner) force[corner] += along_y[corner];
         return force;
       };

@@ -1,5 +1,5 @@
 #pragma once
-/// What both methods do alike around their sums over pairs.
+/// What several methods do alike around their sums over pairs.
 
 #include "solvers/forces/none.hpp"
 #include "solvers/sph/momentum.hpp"
@@ -9,16 +9,16 @@
 
 namespace touchstone::sph {
 
-/// How far the lists of a method reach whose walls do not push: with a skin of a tenth of a spacing, or up to three
-/// tenths where particles are fast.
+/// How far the lists of a method reach whose walls push as far as `wall` [m]: with a skin of a tenth of a spacing, or
+/// up to so many times that where particles are fast. Throws std::invalid_argument for settings that are not positive.
 template <class Kernel>
-Reach reach_of(const Settings& s) {
-  constexpr double skin = 0.1;  // spacings
-  return {.kernel = Kernel::support * s.smoothing_length,
-          .wall = 0,
+Reach reach_of(const Settings& s, double wall = 0, double times = 3) {
+  constexpr double skin = 0.1;  // spacings; lists last a hundred steps in a channel, a few in a splash
+  return {.kernel = Kernel::support * checked(s).smoothing_length,
+          .wall = wall,
           .skin = skin * s.spacing,
           .least_skin = skin * s.spacing,
-          .greatest_skin = 3 * skin * s.spacing};
+          .greatest_skin = times * skin * s.spacing};
 }
 
 /// Adds the body force per mass, the last part of (24).

@@ -1,8 +1,8 @@
 #pragma once
 /// A pair of particles as a term of the momentum equation sees it.
-/// `Real` is a number, or several of them side by side (lanes.hpp): terms have no branch.
+/// `Real` is a number, or several of them side by side (pair_lanes.hpp): terms have no branch.
 
-#include "solvers/sph/lanes.hpp"
+#include "solvers/sph/pair_lanes.hpp"
 
 namespace touchstone::sph {
 

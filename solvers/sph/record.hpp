@@ -1,7 +1,7 @@
 #pragma once
 /// What a sum over pairs reads of a particle, side by side in memory, in the precision of the sums.
 
-#include "solvers/sph/lanes.hpp"
+#include "solvers/sph/pair_lanes.hpp"
 
 #include <Eigen/Core>
 

@@ -22,7 +22,7 @@ inline const Settings& checked(const Settings& s) {
 /// Layers of ghosts, the first half a spacing behind the wall, that the kernel of fluid at a wall can reach.
 template <class Kernel>
 int ghost_layers(const Settings& s) {
-  return static_cast<int>(Kernel::support * s.smoothing_length / s.spacing + 0.5);
+  return static_cast<int>(Kernel::support * checked(s).smoothing_length / s.spacing + 0.5);
 }
 
 }  // namespace touchstone::sph

@@ -1,7 +1,7 @@
 #pragma once
 /// A wall answers one question: fluid near you moves like this; how does it move *at* you?
 /// The grid method assigns the answer to its wall nodes; the particle method mirrors it,
-/// ghost velocity = 2 (at wall) - v. How a method builds its wall lives with the method.
+/// ghost velocity = 2 (at wall) - v. How a method builds its wall lives with the method; a new wall is one file here.
 
 #include "solvers/fields.hpp"
 
@@ -14,6 +14,10 @@ struct NearWall {
   Vec2 v;       // m/s  velocity of the fluid
   Vec2 n;       // -    unit normal, into the fluid
   double time;  // s
+  /// From the wall to where v is [m]. SPH: where the mean of the fluid is for ghosts that extrapolate; for those that
+  /// mirror, where the ghost's mirror image is, at which they take that mean to be. MPM: 0, v is that of a node on the
+  /// wall, so that it refuses walls that need a distance.
+  double distance;
 };
 
 /// Velocity of the fluid at the wall [m/s].
@@ -29,7 +33,14 @@ struct Wall {
   Vec2 normal() const { return inward * Vec2::Unit(axis); }
   /// Distance into the fluid [m]; negative behind the wall.
   double distance(const Vec2& x) const { return inward * (x[axis] - position); }
-  Vec2 at_wall(const Vec2& v, double time) const { return velocity({.v = v, .n = normal(), .time = time}); }
+  Vec2 at_wall(const Vec2& v, double time, double distance_of_v = 0) const {
+    return velocity({.v = v, .n = normal(), .time = time, .distance = distance_of_v});
+  }
+  /// Whether fluid that moves alike at two distances moves differently at the wall.
+  bool depends_on_distance() const {
+    const Vec2 v(1, 2);  // m/s  any that is neither along nor across
+    return !(at_wall(v, 0, 0) == at_wall(v, 0, 1));
+  }
 };
 
 inline Wall floor_at(double y, WallVelocity velocity) { return {1, y, +1, std::move(velocity)}; }

@@ -3,7 +3,6 @@
 /// `speed`, which times in turn; this is for looking closely.
 
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
@@ -120,7 +119,7 @@ void add_loop(const std::string& name, Make make) {
 template <class AnyScene>
 void add_mpm(const std::string& model, const AnyScene& scene, double cell, double spacing, double time_step) {
   add_solver("mpm/" + model, mpm_work, [=] {
-    return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+    return mpm::solver<mpm::PrescribedMotion>(
         scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
   });
   add_loop("plain_musl/" + model, [=] { return PlainMusl(plain(scene), cell, spacing, time_step); });

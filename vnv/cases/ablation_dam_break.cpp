@@ -4,7 +4,6 @@
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
@@ -59,8 +58,8 @@ Variant variant(std::string name, double time_step, Factory solver) {
 template <class WallTreatment, class FluidLaw>
 Variant mpm_variant(std::string name, const FluidLaw& fluid) {
   return variant(std::move(name), 50 * us, [=](const Level& level, double step) {
-    return mpm::solver<mpm::LinearHat, WallTreatment>(
-        collapse_of(fluid), {.cell = level.cell, .spacing = level.spacing, .time_step = step});
+    return mpm::solver<WallTreatment>(collapse_of(fluid),
+                                      {.cell = level.cell, .spacing = level.spacing, .time_step = step});
   });
 }
 

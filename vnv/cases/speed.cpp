@@ -4,7 +4,6 @@
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/mpm/affine/affine.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
@@ -45,7 +44,7 @@ template <>
 constexpr int evaluations<PredictorCorrector> = 2;
 
 Run race_mpm_in_channel(const Level& level, const Schedule&) {
-  return race(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+  return race(mpm::solver<mpm::PrescribedMotion>(
                   bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
               PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
@@ -73,8 +72,8 @@ Run watch_sph(const Level& level, const Schedule&) {
 }
 
 auto dam_mpm(const Vec2& tank, const Level& level) {
-  return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
-      dam(tank), {.cell = level.cell, .spacing = level.spacing, .time_step = dam_mpm_step});
+  return mpm::solver<mpm::PrescribedMotion>(dam(tank),
+                                            {.cell = level.cell, .spacing = level.spacing, .time_step = dam_mpm_step});
 }
 
 /// From 0.1 s on, when a third of the column's top has sunk.
@@ -83,7 +82,7 @@ Run race_mpm_in_dam(const Level& level, const Schedule&) {
 }
 
 Run race_mpm_in_single_precision(const Level& level, const Schedule&) {
-  return race(mpm::solver<mpm::LinearHat, mpm::PrescribedMotion, float>(
+  return race(mpm::solver<mpm::PrescribedMotion, float>(
                   bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
               PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
@@ -162,7 +161,7 @@ const auto long_channel = bench::channel(8 * channel_length);
 
 Run compare_threads_of_mpm(const Level& level, const Schedule&) {
   return compare_threads([&](int threads) {
-    return mpm::solver<mpm::LinearHat, mpm::PrescribedMotion>(
+    return mpm::solver<mpm::PrescribedMotion>(
         long_channel, {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step, .threads = threads});
   });
 }

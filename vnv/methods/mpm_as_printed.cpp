@@ -1,7 +1,6 @@
 #include "vnv/methods/methods.hpp"
 
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/mpm/walls/prescribed_velocity.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
@@ -14,8 +13,8 @@ namespace touchstone::vnv {
 
 template <class WallTreatment, class Number, class AnyScene>
 Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::solver<mpm::LinearHat, WallTreatment, Number>(
-      scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+  return mpm::solver<WallTreatment, Number>(scene,
+                                            {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
 template <class AnyScene>

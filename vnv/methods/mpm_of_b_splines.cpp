@@ -4,7 +4,6 @@
 #include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/composed/updates/modified_stress_last.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "vnv/methods/scenes.hpp"
 #include "vnv/methods/setups.hpp"
@@ -15,7 +14,7 @@ namespace touchstone::vnv {
 
 template <class Transfer, class AnyScene>
 Simulation mpm_of_b_splines_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::composed<mpm::BSpline<2>, Transfer, mpm::ModifiedStressLast, mpm::AffineDensity>(
+  return mpm::composed<mpm::BSpline<2>, Transfer, mpm::AffineDensity>(
       scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 

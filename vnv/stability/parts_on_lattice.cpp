@@ -9,7 +9,6 @@
 #include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/flip.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/composed/updates/modified_stress_last.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
@@ -39,7 +38,7 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
              "Material point method with linear hats, FLIP, MUSL and carried densities, but for " + part + ".",
          .relative_cost = 2},
         [=](const Level& level, double time_step) {
-          return mpm::composed<Shape, Transfer, mpm::ModifiedStressLast, Density>(
+          return mpm::composed<Shape, Transfer, Density>(
               scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
         by_cells(scene, 0.4, output_interval));

@@ -13,40 +13,31 @@
 
 #include "solvers/mpm/affine/mirrors.hpp"
 #include "solvers/mpm/affine/transfer.hpp"
-#include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/mpm/printed/node_motion.hpp"
-#include "solvers/mpm/samples_of.hpp"
-#include "solvers/mpm/seed.hpp"
-#include "solvers/mpm/settle.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/laps.hpp"
+#include "solvers/mpm/simulation.hpp"
 
 namespace touchstone::mpm {
 
 /// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double. A change of
 /// the time step reaches the stress, which particles hold as what it gives in a step, one step later.
 template <class Number, class FluidLaw, class Force>
-class Affine : public Clock {
+class Affine : public SimulationInCells<AffineParticles<Number>, CentreNodes, FluidLaw, Force> {
+  using Base = SimulationInCells<AffineParticles<Number>, CentreNodes, FluidLaw, Force>;
+  using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
+
  public:
-  /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
-  /// than the filled box, a filled box that reaches out of the domain, or a wall off the grid.
+  using Base::time;
+
+  /// Throws std::invalid_argument as its base does, and for a wall off the grid.
   Affine(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Clock("mpm", settings.time_step),
-        scene_(scene),
-        threads_(settings.threads),
-        grid_(scene.domain, settings.cell),
-        particles_(at_rest<AffineParticles<Number>>(scene, settings.spacing, grid_)),
-        nodes_(grid_, lanes_of<Number>),
-        mirrors_(scene.walls, grid_) {
-    require_positive("mpm", "threads", threads_);
-    set_going(particles_, scene.start, grid_, scene.fluid, time_step());
+      : Base(scene, settings), mirrors_(scene.walls, grid_) {
     list_near();
   }
 
   /// One step. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    const double dt = time_step();
+    const double dt = this->time_step();
     push_particles();                       // v_p + dt b(x_p), where b is not the same everywhere
     scatter(particles_, threads_, nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)) + ...
     lap(SubStep::scatter);
@@ -56,24 +47,12 @@ class Affine : public Clock {
     mirrors_.unfold(nodes_, time() + dt);
     lap(SubStep::grid);
     gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
-    lap(SubStep::gather);
-    tick();
-    if (keep_order(particles_, calm_, grid_, scene_.fluid, steps(), time())) list_near();
-    lap(SubStep::sorting);
+    this->end_step(lap, [&] { list_near(); });
   }
-
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  Eigen::Index particles() const { return particles_.count; }
-  Eigen::Index boundary_particles() const { return 0; }
-  Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
-
-  /// The particles in the order in which they were seeded.
-  Samples samples() const { return samples_of(particles_, grid_, scene_.fluid, time()); }
-  Extremes extremes() const { return extremes_of(particles_, scene_.fluid); }
 
  private:
   void push_particles() {
-    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), time_step());
+    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), this->time_step());
   }
 
   void list_near() {
@@ -81,13 +60,7 @@ class Affine : public Clock {
     mirrors_.list_near(nodes_);
   }
 
-  Scene<FluidLaw, Force> scene_;
-  int threads_;
-  Grid grid_;
-  AffineParticles<Number> particles_;
-  CentreNodes nodes_;
   Mirrors mirrors_;
-  std::vector<char> calm_;  // of each block, within a step
 };
 
 /// A simulation of a scene: `mpm::affine(channel, {.cell = ...})`.

@@ -1,41 +1,32 @@
 #pragma once
-/// The material point method made of parts that are chosen by type: shape, transfer, order of updates, density, walls.
-/// Plain loops over particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
+/// The material point method made of parts that are chosen by type: shape, transfer, density, walls. Plain loops over
+/// particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
-#include "solvers/lattice.hpp"
-#include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/composed/densities/carried_density.hpp"
 #include "solvers/mpm/composed/plain_transfer.hpp"
-#include "solvers/mpm/printed/particles.hpp"
-#include "solvers/mpm/settings.hpp"
+#include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "solvers/samples.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/diverged.hpp"
-#include "solvers/stepping/extremes.hpp"
-#include "solvers/stepping/laps.hpp"
 
 namespace touchstone::mpm {
 
 /// One simulation of a scene. `Shape` ties particles to nodes, `Transfer` says what velocities they give and take,
-/// `UpdateOrder` when in a step the stress is found, `Density` how that follows the flow, and `WallTreatment` how a
-/// wall's answer reaches the particles. Explicit Euler, lumped mass; all weights of a step are those of the places at
-/// its start.
-template <class Shape, class Transfer, class UpdateOrder, class Density, class WallTreatment, class FluidLaw,
-          class Force>
-class Composed : public Clock {
+/// `Density` how that follows the flow, and `WallTreatment` how a wall's answer reaches the particles. Explicit Euler,
+/// lumped mass; all weights of a step are those of the places at its start.
+template <class Shape, class Transfer, class Density, class WallTreatment, class FluidLaw, class Force>
+class Composed : public Simulation<FluidLaw, Force> {
+  using Base = Simulation<FluidLaw, Force>;
+  using Base::grid_, Base::scene_, Base::threads_;
+
  public:
-  /// Throws std::invalid_argument for settings that are not positive, a cell larger than the domain, a spacing larger
-  /// than the filled box, fluid outside the domain, or a wall where the shape has no node of its own.
+  using Base::steps, Base::time, Base::time_step;
+
+  /// Throws std::invalid_argument as its base does, for a spacing larger than the filled box, fluid outside the domain,
+  /// or a wall where the shape has no node of its own.
   Composed(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Clock("mpm", settings.time_step),
-        scene_(scene),
-        threads_(settings.threads),
-        grid_(scene.domain, settings.cell),
+      : Base(scene, settings),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         weights_(grid_, lattice_.step),
         nodes_(weights_.nodes()) {
-    require_positive("mpm", "threads", threads_);
     for (std::size_t wall = 0; wall < scene.walls.size(); ++wall)
       for (int node : weights_.nodes_on(scene.walls[wall]))
         held_.push_back({node, wall, scene.start.velocity_at(weights_.place(node))});
@@ -43,22 +34,29 @@ class Composed : public Clock {
     begin();
   }
 
-  /// One step. Throws Diverged.
+  /// One step, in which the stress is found last, by velocities that the particles give to the nodes anew (MUSL;
+  /// Sulsky, Zhou & Schreyer 1995): nodes of little mass, at a free surface, strain less. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     weights_.find(particles_.x, threads_);
     lap(SubStep::sorting);
-    UpdateOrder::step(*this, lap);
-    tick();
+    scatter_momentum();
+    scatter_forces();
+    lap(SubStep::scatter);
+    accelerate();
+    lap(SubStep::grid);
+    gather_motion();
+    lap(SubStep::gather);
+    remap_velocity();
+    lap(SubStep::grid);
+    strain_and_stress();
+    lap(SubStep::gather);
+    this->tick();
     settle();
     lap(SubStep::sorting);
   }
 
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   Index particles() const { return particles_.count(); }
-  Index boundary_particles() const { return 0; }
-  Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
-
   /// The particles in the order in which they were seeded.
   Samples samples() const {
     Samples s{time(),
@@ -76,8 +74,6 @@ class Composed : public Clock {
   }
 
  private:
-  friend UpdateOrder;
-
   struct Held {
     int node;
     std::size_t wall;
@@ -88,10 +84,6 @@ class Composed : public Clock {
   void scatter_momentum() {
     scatter_mass(weights_, threads_, nodes_);
     scatter_velocity(weights_, nodes_, threads_, given_by_particles(), nodes_.start);
-  }
-  void hold_start() {
-    nodes_.velocity = nodes_.start;
-    hold_velocity(time());
   }
   void scatter_forces() {
     mpm::scatter_forces(weights_, particles_, scene_.fluid, scene_.body_force, time(), threads_, nodes_);
@@ -106,7 +98,10 @@ class Composed : public Clock {
   }
   void remap_velocity() {
     scatter_velocity(weights_, nodes_, threads_, given_by_particles(), nodes_.velocity);
-    hold_velocity(time() + time_step());
+    for (const Held& held : held_)
+      if (nodes_.moves(held.node))
+        nodes_.velocity.col(held.node) =
+            scene_.walls[held.wall].at_wall(nodes_.velocity.col(held.node), time() + time_step());
   }
   void strain_and_stress() {
     find_slopes(weights_, nodes_, threads_, particles_);
@@ -128,11 +123,6 @@ class Composed : public Clock {
       nodes_.velocity.col(node) = at_wall.after;
       nodes_.change.col(node) = at_wall.after - at_wall.before;
     }
-  }
-  void hold_velocity(double time) {
-    for (const Held& held : held_)
-      if (nodes_.moves(held.node))
-        nodes_.velocity.col(held.node) = scene_.walls[held.wall].at_wall(nodes_.velocity.col(held.node), time);
   }
 
   void begin() {
@@ -192,9 +182,6 @@ class Composed : public Clock {
     }
   }
 
-  Scene<FluidLaw, Force> scene_;
-  int threads_;
-  Grid grid_;
   Lattice lattice_;
   PlainParticles particles_;
   Weights<Shape> weights_;
@@ -204,11 +191,11 @@ class Composed : public Clock {
   Density density_;
 };
 
-/// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic, mpm::ModifiedStressLast>(tank, {.cell = ...})`.
-template <class Shape, class Transfer, class UpdateOrder, class Density = CarriedDensity,
-          class WallTreatment = PrescribedMotion, class FluidLaw, class Force>
+/// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic>(tank, {.cell = ...})`.
+template <class Shape, class Transfer, class Density = CarriedDensity, class WallTreatment = PrescribedMotion,
+          class FluidLaw, class Force>
 auto composed(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Composed<Shape, Transfer, UpdateOrder, Density, WallTreatment, FluidLaw, Force>(scene, settings);
+  return Composed<Shape, Transfer, Density, WallTreatment, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm

@@ -3,9 +3,7 @@
 #include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/pic.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/composed/updates/modified_stress_last.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
@@ -25,7 +23,7 @@ double error_between_plates() {
                                           .filled = {.high = {0.4, 1}},
                                           .walls = {floor_at(0, no_slip()), ceiling_at(1, no_slip({V, 0}))},
                                           .body_force = {{F, 0}}};
-  auto flow = composed<Shape, Transfer, ModifiedStressLast>(channel, {.cell = 0.1, .spacing = 0.05, .time_step = 0.05});
+  auto flow = composed<Shape, Transfer>(channel, {.cell = 0.1, .spacing = 0.05, .time_step = 0.05});
   while (flow.time() < 50) flow.step();  // a diffusion time
   const Samples s = flow.samples();
   double wrong = 0, all = 0;
@@ -43,7 +41,7 @@ TEST(ComposedMpm, FlowsBetweenPlatesAsWellAsItsTransferLetsIt) {
   EXPECT_LT((error_between_plates<BSpline<2>, Flip>()), 0.09);
   EXPECT_LT((error_between_plates<BSpline<3>, Flip>()), 0.16);
   EXPECT_LT((error_between_plates<BSpline<2>, Xpic<5>>()), 0.12);
-  EXPECT_GT((error_between_plates<BSpline<2>, Pic>()), 0.5);
+  EXPECT_GT((error_between_plates<BSpline<2>, Xpic<1>>()), 0.5);
 }
 
 /// A column of water 1 m deep in a tank, under its own weight: each particle where it rests, with the pressure of the
@@ -72,8 +70,8 @@ Scene<Tait, Uniform> column() {
 
 template <class Transfer>
 void expect_rest() {
-  auto resting = composed<BSpline<2>, Transfer, ModifiedStressLast, AffineDensity>(
-      column(), {.cell = 0.1, .spacing = 0.05, .time_step = 1.5e-3});
+  auto resting =
+      composed<BSpline<2>, Transfer, AffineDensity>(column(), {.cell = 0.1, .spacing = 0.05, .time_step = 1.5e-3});
   const Samples start = resting.samples();
   while (resting.time() < 1) resting.step();
   const Samples end = resting.samples();
@@ -97,8 +95,7 @@ Vec2 errors_of_vortices() {
   const auto pressure = [](const Vec2& x) { return -rho / 4 * (std::cos(2 * k * x.x()) + std::cos(2 * k * x.y())); };
   Scene<Newtonian> scene = endless({.velocity = velocity, .pressure = pressure});
   scene.fluid = {{.density = rho, .bulk_modulus = rho * c * c / 7}, rho * nu};
-  auto vortices = composed<BSpline<2>, Xpic<5>, ModifiedStressLast, Density>(
-      scene, {.cell = 0.05, .spacing = 0.025, .time_step = 6.25e-4});
+  auto vortices = composed<BSpline<2>, Xpic<5>, Density>(scene, {.cell = 0.05, .spacing = 0.025, .time_step = 6.25e-4});
   while (vortices.steps() < 160) vortices.step();
   const Samples s = vortices.samples();
   const double left = std::exp(-2 * nu * k * k * s.time), mean = s.pressure.mean();

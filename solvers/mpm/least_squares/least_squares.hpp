@@ -6,14 +6,8 @@
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/adams_bashforth.hpp"
-#include "solvers/lattice.hpp"
 #include "solvers/mpm/least_squares/fitted_nodes.hpp"
-#include "solvers/mpm/settings.hpp"
-#include "solvers/samples.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/diverged.hpp"
-#include "solvers/stepping/extremes.hpp"
-#include "solvers/stepping/laps.hpp"
+#include "solvers/mpm/simulation.hpp"
 
 namespace touchstone::mpm {
 
@@ -25,21 +19,22 @@ namespace touchstone::mpm {
 /// velocities and densities from the fits (remeshing; Cottet & Koumoutsakos, Vortex Methods (2000), chapter 7). They
 /// stand for equal parts of the volume that they fill, so the mean of their densities is kept, and with it the mass.
 template <class Integrator, class FluidLaw, class Force>
-class LeastSquares : public Clock {
+class LeastSquares : public Simulation<FluidLaw, Force> {
+  using Base = Simulation<FluidLaw, Force>;
+  using Base::grid_, Base::scene_, Base::threads_;
+
  public:
-  /// Throws std::invalid_argument for settings that are not positive, a spacing of more than half a cell, water that
-  /// does not fill the domain, or a wall off the grid.
+  using Base::steps, Base::time_step;
+
+  /// Throws std::invalid_argument as its base does, for a spacing of more than half a cell, water that does not fill
+  /// the domain, or a wall off the grid.
   LeastSquares(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Clock("mpm", settings.time_step),
-        scene_(scene),
-        threads_(settings.threads),
-        grid_(scene.domain, settings.cell),
+      : Base(scene, settings),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         seats_(lattice_.places()),
         nodes_(grid_),
         rates_(nodes_.count()),
         divergence_(nodes_.count()) {
-    require_positive("mpm", "threads", threads_);
     require_filled("mpm", scene.filled, scene.domain.box);
     if ((2 * lattice_.step.array() > grid_.cell.array() * (1 + 1e-9)).any())
       throw std::invalid_argument(fmt::format("mpm: spacing = {:g} m in cells of {:g} m, expected at most half a cell",
@@ -59,22 +54,18 @@ class LeastSquares : public Clock {
     refuse_strays();
     if (strained_ > most_strain) remesh();
     lap(SubStep::sorting);
-    integrator_.step(*this, time(), time_step(), lap);
+    integrator_.step(*this, this->time(), time_step(), lap);
     strained_ += time_step() * strain_rate_;
     all_.rho += mean_density_ - all_.rho.mean();
     lap(SubStep::motion);
-    tick();
+    this->tick();
   }
 
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
   Index particles() const { return all_.fluid; }
-  Index boundary_particles() const { return 0; }
-  Vec2 cell_size() const { return grid_.cell; }  // m  as fitted to the domain
-
   /// The particles in the order in which they were seeded. Throws Diverged.
   Samples samples() const {
     refuse_strays();
-    Samples s{time(),
+    Samples s{this->time(),
               Vectors(2, all_.fluid),
               Vectors(2, all_.fluid),
               Scalars::Constant(all_.fluid, scene_.fluid.density * lattice_.volume()),
@@ -87,7 +78,7 @@ class LeastSquares : public Clock {
     }
     return s;
   }
-  Extremes extremes() const { return extremes_of(all_); }
+  Extremes extremes() const { return touchstone::extremes_of(all_); }
 
  private:
   friend Integrator;
@@ -160,7 +151,7 @@ class LeastSquares : public Clock {
   }
 
   void remesh() {
-    fit_and_hold(time());
+    fit_and_hold(this->time());
     take_seats();
     share_out_fields(threads_, all_.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) {
@@ -294,14 +285,11 @@ class LeastSquares : public Clock {
                                 ? std::isfinite(x[axis])
                                 : x[axis] > grid_.box.low[axis] - slack && x[axis] < grid_.box.high[axis] + slack;
         if (!inside)
-          throw Diverged({steps(), time(), i, x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
+          throw Diverged({steps(), this->time(), i, x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
       }
     }
   }
 
-  Scene<FluidLaw, Force> scene_;
-  int threads_;
-  Grid grid_;
   Lattice lattice_;
   Vectors seats_;  // m  of the particles on their lattice
   FittedNodes nodes_;

@@ -3,14 +3,15 @@
 /// lane, before the cells meet their corners, and its fields are laid out once for all its particles: equal, but for
 /// rounding, to a loop over particles and nodes.
 ///
-/// A shape of degree one within a cell plugs in with its moments, corners and fields as `LinearHat` does. A wider one,
-/// whose cells touch more nodes, needs higher moments too: its own sums, `scatter`, `add_changes` and `gather`.
+/// The shape is `LinearHat`. A wider one, whose cells touch more nodes, needs higher moments too: its own sums,
+/// `scatter`, `scatter_changes` and `gather`.
 
 #include "solvers/forces/none.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/printed/cell_sums.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
+#include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/threads.hpp"
 
 #include <algorithm>
@@ -124,37 +125,36 @@ requires(!Local<Force>) NoForce
   return {};
 }
 
-template <class Shape>
-std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
-  return Shape::template at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
+inline std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
+  return LinearHat::at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
 }
 
-template <class Shape, int part, class Real>
+template <int part, class Real>
 void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
-  const auto x = at_corners<Shape>(widened<part>(sums.x)), y = at_corners<Shape>(widened<part>(sums.y));
+  const auto x = at_corners(widened<part>(sums.x)), y = at_corners(widened<part>(sums.y));
   for (int corner = 0; corner < 4; ++corner) {
     forces.x[corner] += x[corner];
     forces.y[corner] += y[corner];
   }
 }
-template <class Shape, int part>
+template <int part>
 void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
 
 /// Gives the corners of a part of a block their masses, momenta and forces (12), (13).
-template <class Shape, int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
+template <int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
 void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
           const Vec2& per_cell, To& to) {
-  to.template give<mass>(column, at_corners<Shape>(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
-  to.template give<momentum_x>(column, at_corners<Shape>(widened<part>(v.x)));
-  to.template give<momentum_y>(column, at_corners<Shape>(widened<part>(v.y)));
-  CornerForces<Lanes> forces = stress.template as_doubles<part>().template forces<Shape>(per_cell);
-  add_body_force<Shape, part>(body_force, forces);
+  to.template give<mass>(column, at_corners(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
+  to.template give<momentum_x>(column, at_corners(widened<part>(v.x)));
+  to.template give<momentum_y>(column, at_corners(widened<part>(v.y)));
+  CornerForces<Lanes> forces = stress.template as_doubles<part>().forces(per_cell);
+  add_body_force<part>(body_force, forces);
   to.template give<force_x>(column, forces.x);
   to.template give<force_y>(column, forces.y);
 }
 
 /// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
-template <class Shape, class FluidLaw, class Number, class Force>
+template <class FluidLaw, class Number, class Force>
 void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
              int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
   constexpr int parts = lanes_of<Number> / lanes;
@@ -166,7 +166,7 @@ void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, con
     const auto stress = stress_of(particles, block);
     const auto b = body_force_of(particles, block, grid, force, time);
     with_indices<parts>(
-        [&](auto... part) { (give<Shape, part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
+        [&](auto... part) { (give<part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
     if constexpr (!Block::is_single)
       with_indices<parts>([&](auto... part) { ((masses[i * parts + part] = widened<part>(m)), ...); });
   };
@@ -174,8 +174,7 @@ void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, con
 }
 
 /// A field of the nodes within the cells right of and above `node` and those that follow.
-template <class Shape>
-typename Shape::template Within<Lanes> laid_out(const Field<double>& field, int node, int stride) {
+inline LinearHat::Within<Lanes> laid_out(const Field<double>& field, int node, int stride) {
   const double* low = &field[node];
   const double* high = low + stride;
   return {load<Lanes>(low), load<Lanes>(low + 1), load<Lanes>(high), load<Lanes>(high + 1)};
@@ -197,7 +196,7 @@ Real at(const Real& X, const Real& Y, const Within& q) {
 /// Gives the nodes what (16) adds to the momentum of the particles, with which it becomes that of (17):
 /// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its share of M_ij.
 /// The only particle of a cell gives its own change.
-template <class Shape, class FluidLaw, class Number>
+template <class FluidLaw, class Number>
 void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
                      int threads, Nodes& nodes) {
   using Real = LanesOf<Number>;
@@ -214,7 +213,7 @@ void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::ve
       }
     };
     const auto along = [&](const Field<double>& change) {
-      return at_corners<Shape>(moments(laid_out<Shape>(change, node, nodes.stride)));
+      return at_corners(moments(laid_out(change, node, nodes.stride)));
     };
     to.template give<momentum_x>(column, along(nodes.change.x));
     to.template give<momentum_y>(column, along(nodes.change.y));
@@ -225,13 +224,13 @@ void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::ve
 }
 
 /// The same in the lanes of particles.
-template <class Shape, class Real>
-typename Shape::template Within<Real> field(const Field<double>& of, int node, int stride) {
-  using Within = typename Shape::template Within<Lanes>;
+template <class Real>
+LinearHat::Within<Real> field(const Field<double>& of, int node, int stride) {
+  using Within = LinearHat::Within<Lanes>;
   const auto part = [&](Lanes Within::*q) {
-    return joined<Real>([&](int lane) { return laid_out<Shape>(of, node + lane, stride).*q; });
+    return joined<Real>([&](int lane) { return laid_out(of, node + lane, stride).*q; });
   };
-  typename Shape::template Within<Real> field;
+  LinearHat::Within<Real> field;
   field.q0 = part(&Within::q0);
   field.qX = part(&Within::qX);
   field.qY = part(&Within::qY);
@@ -240,12 +239,12 @@ typename Shape::template Within<Real> field(const Field<double>& of, int node, i
 }
 
 /// Fields of the nodes within a block of cells.
-template <class Shape, class Real>
+template <class Real>
 struct FieldPair {
-  typename Shape::template Within<Real> x, y;
+  LinearHat::Within<Real> x, y;
 
   FieldPair(const NodeVectors& of, int node, int stride)
-      : x(field<Shape, Real>(of.x, node, stride)), y(field<Shape, Real>(of.y, node, stride)) {}
+      : x(field<Real>(of.x, node, stride)), y(field<Real>(of.y, node, stride)) {}
 };
 
 /// Writes every lane.
@@ -327,11 +326,11 @@ bool for_all(const Block& block, const Body& body) {
 
 /// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
 /// their cells, and of a plausible density; not a number is neither.
-template <class Shape, class FluidLaw, class Number>
+template <class FluidLaw, class Number>
 void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
             Particles<FluidLaw, Number>& particles, std::vector<char>& calm) {
   using Real = LanesOf<Number>;
-  using Fields = FieldPair<Shape, Real>;
+  using Fields = FieldPair<Real>;
   calm.resize(particles.order.blocks().size());
   const auto gather_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
     const FluidLaw fluid = law;  // a copy, known not to change while particles are written

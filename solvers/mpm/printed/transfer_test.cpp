@@ -115,7 +115,7 @@ struct Plain {
 template <class FluidLaw, class Force>
 void expect_equal_runs(const Scene<FluidLaw, Force>& scene, const Settings& settings, int steps,
                        typename Plain<FluidLaw, Force>::Held held) {
-  auto fast = solver<LinearHat, PrescribedMotion>(scene, settings);
+  auto fast = solver<PrescribedMotion>(scene, settings);
   const Vec2 cells = scene.domain.box.size().cwiseQuotient(fast.cell_size());
   Plain<FluidLaw, Force> plain{scene,
                                static_cast<int>(std::lround(cells.x())),

@@ -1,6 +1,8 @@
 #pragma once
 /// Shapes along one axis of the grid, from edge to edge. In the plane a weight is the product of those along both axes.
 
+#include "solvers/mpm/shapes/shape_laws.hpp"
+
 #include <array>
 
 namespace touchstone::mpm {
@@ -89,32 +91,27 @@ struct LaidAlong<Shape> {
 template <class Shape>
 using AlongAxis = typename LaidAlong<Shape>::type;
 
-/// True if everywhere on an axis the weights are not negative and sum to one, carry a linear field over, and have
-/// slopes that sum to zero and give a linear field the slope 1, within a tolerance; and if at edges that are not seams
-/// the last node alone has weight, so that a wall that holds this node holds the fluid at the wall.
+/// Everywhere on an axis, and at edges that are no periodic boundary, where a wall that holds the last node holds the
+/// fluid.
 template <class Shape>
-constexpr bool obeys_laws_along(const Axis& axis, double tolerance) {
+constexpr ShapeErrors errors_along(const Axis& axis) {
   const AlongAxis<Shape> along(axis);
-  const auto off = [=](double value, double expected) {
-    return !(value - expected <= tolerance && expected - value <= tolerance);
-  };
+  ShapeErrors errors;
   constexpr int places_per_cell = 16;
   for (int k = 0; k <= places_per_cell * axis.cells; ++k) {
     const auto near = along.near(static_cast<double>(k) / places_per_cell);
-    double unity = 0, arm = 0, slopes = 0, slope_of_place = 0;
-    for (int a = 0; a < near.width; ++a) {
-      if (near.weight[a] < 0) return false;
-      unity += near.weight[a];
-      arm += near.weight[a] * near.arm[a];
-      slopes += near.slope[a];
-      slope_of_place += near.slope[a] * near.arm[a];
-    }
-    if (off(unity, 1) || off(arm, 0) || off(slopes, 0) || off(slope_of_place, 1)) return false;
+    errors.add(near.weight, near.slope, near.arm);
   }
-  if (axis.periodic) return true;
   const auto low = along.near(0), high = along.near(axis.cells);
-  return low.first == 0 && low.weight[0] == 1 && high.first + high.width == along.nodes() &&
-         high.weight[high.width - 1] == 1;
+  errors.edges = !axis.periodic && !(low.first == 0 && low.weight[0] == 1 && high.first + high.width == along.nodes() &&
+                                     high.weight[high.width - 1] == 1);
+  return errors;
+}
+
+/// Closes the header of a shape that differs from cell to cell, for an axis.
+template <class Shape, Axis axis, double tolerance>
+consteval bool obeys_laws_along() {
+  return are_within<[] { return errors_along<Shape>(axis); }, tolerance>();
 }
 
 }  // namespace touchstone::mpm

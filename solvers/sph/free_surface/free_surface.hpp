@@ -3,17 +3,14 @@
 /// type: how pressure pulls, what diffuses density, what corrects the gradient of the kernel, what shifts particles.
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
-#include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/free_surface/diffusion/none.hpp"
 #include "solvers/sph/free_surface/gradients/plain.hpp"
 #include "solvers/sph/free_surface/shifting/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
+#include "solvers/sph/simulation.hpp"
 #include "solvers/sph/terms/pressure_sum.hpp"
 #include "solvers/sph/walls/balanced_ghosts.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/extremes.hpp"
 
 namespace touchstone::sph {
 
@@ -29,7 +26,7 @@ struct Parts {
 };
 
 /// Writes the rates of density, by continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, and of velocity,
-/// by pressure and the terms listed besides; only those that are expected.
+/// by pressure and the terms listed besides; only those that are asked for.
 template <class Kernel, bool of_density, bool of_velocity, class Record, class Terms, class PartsOfMethod>
 void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
   Particles& all = near.all;
@@ -64,106 +61,79 @@ void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMet
       });
 }
 
+/// What a part reads of the surroundings decides what has to be found and kept of them.
+template <class PartsOfMethod>
+inline constexpr bool corrects =
+    LooksAround<decltype(PartsOfMethod::gradient)> || LooksAround<decltype(PartsOfMethod::pressure)>;
+template <class PartsOfMethod>
+inline constexpr bool diffuses_rise = LooksAround<decltype(PartsOfMethod::diffusion)>;
+template <class PartsOfMethod>
+inline constexpr bool shifts = is_present<decltype(PartsOfMethod::shifting)>;
+template <class Real, class PartsOfMethod>
+using SurfaceRecord =
+    std::conditional_t<corrects<PartsOfMethod> || diffuses_rise<PartsOfMethod> || shifts<PartsOfMethod>,
+                       Surroundings<Real>, Record<Real>>;
+
 /// Continuity density, fixed wall particles that balance the fluid (Adami, Hu & Adams 2012), kick-drift-kick.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force, class Terms, class PartsOfMethod>
-class FreeSurface : public Clock {
+class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, FluidLaw, Force, Terms, PartsOfMethod>,
+                                      Kernel, Integrator, SurfaceRecord<Real, PartsOfMethod>, FluidLaw, Force> {
+  using Base = Simulation<FreeSurface, Kernel, Integrator, SurfaceRecord<Real, PartsOfMethod>, FluidLaw, Force>;
+  using Base::near_, Base::scene_, Base::smoothing_length;
+
  public:
   FreeSurface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,
               const PartsOfMethod& parts)
-      : Clock("sph", settings.time_step),
-        scene_(scene),
-        settings_(checked(settings)),
-        terms_(terms),
-        parts_(parts),
-        near_(scene, settings.spacing, reach_of<Kernel>(settings),
-              lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
-              settings.threads) {
-    near_.carry(0, Integrator::past_fields);
-  }
+      : Base(scene, settings, 0), terms_(terms), parts_(parts) {}
 
   /// The particles are shifted, then one step of the integrator. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     shift(lap);
-    near_.follow(steps(), time(), time_step());
-    lap(SubStep::sorting);
-    integrator_.step(*this, time(), time_step(), lap);
-    tick();
+    this->list_neighbours(lap);
+    this->advance(lap);
+    this->tick();
   }
-
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  Index particles() const { return near_.all.fluid; }
-  Index boundary_particles() const { return near_.ghosts(); }
-  /// Throws Diverged when a particle is outside the domain.
-  Samples samples() const {
-    near_.refuse_strays(steps(), time());
-    return near_.samples(time(), scene_.fluid);
-  }
-  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
-  friend Integrator;
-  friend PredictorCorrector;  // starts others
-
-  static constexpr bool corrects = LooksAround<decltype(PartsOfMethod::gradient)> ||
-                                   LooksAround<decltype(PartsOfMethod::pressure)>,
-                        diffuses_rise = LooksAround<decltype(PartsOfMethod::diffusion)>,
-                        shifts = is_present<decltype(PartsOfMethod::shifting)>;
-  using Seen = std::conditional_t<corrects || diffuses_rise || shifts, Surroundings<Real>, Record<Real>>;
-
-  Particles& state() { return near_.all; }
-  int threads() const { return settings_.threads; }
+  friend Base;
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <class Laps>
-  void find_rates(double time, const Laps& lap) {
-    find<true, true>(time, lap);
-  }
-  template <class Laps>
-  void find_density_rate(double time, const Laps& lap) {
-    find<true, false>(time, lap);
-  }
-  template <class Laps>
-  void find_accelerations(double time, const Laps& lap) {
-    find<false, true>(time, lap);
-  }
-
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {
-    look_around<corrects || (of_density && diffuses_rise)>(time, lap);
-    if constexpr (of_density && diffuses_rise) carry_rise_to_ghosts<Kernel>(near_, settings_.smoothing_length);
-    sum_rates<Kernel, of_density, of_velocity>(near_, terms_, parts_, settings_.smoothing_length);
+    constexpr bool finds_rise = of_density && diffuses_rise<PartsOfMethod>;
+    look_around<corrects<PartsOfMethod> || finds_rise>(time, lap);
+    if constexpr (finds_rise) carry_rise_to_ghosts<Kernel>(near_, smoothing_length());
+    sum_rates<Kernel, of_density, of_velocity>(near_, terms_, parts_, smoothing_length());
     lap(SubStep::pairs);
-    if constexpr (of_velocity && is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
-    lap(SubStep::rates);
+    if constexpr (of_velocity)
+      this->add_body_force(time, lap);
+    else
+      lap(SubStep::rates);
   }
 
-  /// Fluid, ghosts and images as the last motion left them, and their surroundings if expected.
+  /// Fluid, ghosts and images as the last motion left them, and their surroundings if they are needed.
   template <bool surroundings, class Laps>
   void look_around(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
-    balance_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, scene_.fluid, scene_.body_force, time);
+    balance_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
-    if constexpr (surroundings) find_surroundings<Kernel>(near_, settings_.smoothing_length);
+    if constexpr (surroundings) find_surroundings<Kernel>(near_, smoothing_length());
     lap(SubStep::pairs);
   }
 
   template <class Laps>
   void shift(const Laps& lap) {
-    if constexpr (shifts) {
-      look_around<true>(time(), lap);
-      parts_.shifting.template shift<Kernel>(near_, settings_.smoothing_length, settings_.spacing, time_step());
+    if constexpr (shifts<PartsOfMethod>) {
+      look_around<true>(this->time(), lap);
+      parts_.shifting.template shift<Kernel>(near_, smoothing_length(), this->settings_.spacing, this->time_step());
       lap(SubStep::motion);
     }
   }
 
-  Scene<FluidLaw, Force> scene_;
-  Settings settings_;
   Terms terms_;
   PartsOfMethod parts_;
-  Neighbourhood<Seen> near_;
-  Integrator integrator_;
 };
 
 /// sph::free_surface<sph::WendlandC2>(scene, {.spacing = ...}, sph::momentum(sph::ArtificialViscosity{...}),

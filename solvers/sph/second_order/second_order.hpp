@@ -3,13 +3,10 @@
 /// and pressure are fitted by polynomials of second degree, weighted by the kernel, and the equations of motion use
 /// their derivatives (finite particle method, Liu & Liu, Appl. Numer. Math. 56 (2006), 19-36).
 
-#include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/quadratic_fit.hpp"
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/simulation.hpp"
 #include "solvers/sph/walls/extrapolated_ghosts.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/extremes.hpp"
 
 namespace touchstone::sph {
 
@@ -24,47 +21,32 @@ namespace touchstone::sph {
 /// Evenly spread particles stand for equal parts of the volume that they fill, so the mean of their densities is that
 /// of the fluid's mass, and is kept. Continuity at each of them alone lets it creep, and the mean pressure with it.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force>
-class SecondOrder : public Clock {
+class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, FluidLaw, Force>, Kernel, Integrator,
+                                      Record<Real>, FluidLaw, Force> {
+  using Base = Simulation<SecondOrder, Kernel, Integrator, Record<Real>, FluidLaw, Force>;
+  using Base::near_, Base::scene_, Base::settings_, Base::smoothing_length, Base::threads;
+
  public:
   /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
-  SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Clock("sph", settings.time_step),
-        scene_(scene),
-        settings_(checked(settings)),
-        near_(scene, settings.spacing, reach_of<Kernel>(settings),
-              lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
-              settings.threads) {
+  SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings) : Base(scene, settings, drift_fields) {
     require_filled("sph", scene.filled, scene.domain.box);
-    near_.carry(drift_fields, Integrator::past_fields);
     mean_density_ = near_.all.rho.mean();
   }
 
   /// The particles drift, then one step of the integrator. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    near_.follow(steps(), time(), time_step());
-    lap(SubStep::sorting);
-    drift(time_step());
+    this->list_neighbours(lap);
+    drift(this->time_step());
     lap(SubStep::motion);
-    integrator_.step(*this, time(), time_step(), lap);
+    this->advance(lap);
     near_.all.rho += mean_density_ - near_.all.rho.mean();
     lap(SubStep::rates);
-    tick();
+    this->tick();
   }
-
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  Index particles() const { return near_.all.fluid; }
-  Index boundary_particles() const { return near_.ghosts(); }
-  /// Throws Diverged when a particle is outside the domain.
-  Samples samples() const {
-    near_.refuse_strays(steps(), time());
-    return near_.samples(time(), scene_.fluid);
-  }
-  Extremes extremes() const { return extremes_of(near_.all); }
 
  private:
-  friend Integrator;
-  friend PredictorCorrector;  // starts others
+  friend Base;
 
   static constexpr double spreading = 1;          // of the speed of sound, where the neighbours' centre is off by h
   static constexpr double least_distance = 0.25;  // spacings from a wall; half of one at the start
@@ -81,9 +63,6 @@ class SecondOrder : public Clock {
   /// What is read of a fit, for each particle.
   enum Derivative { rest, along_x, along_y, xx, xy, yy };
   static constexpr std::size_t centre = 18, made = 20;  // after the derivatives of three fields
-
-  Particles& state() { return near_.all; }
-  int threads() const { return settings_.threads; }
 
   void drift(double dt) {
     Particles& all = near_.all;
@@ -118,21 +97,21 @@ class SecondOrder : public Clock {
     all.rho[i] += change(rho_along_x, rho_along_y);
   }
 
-  template <class Laps>
-  void find_rates(double time, const Laps& lap) {
+  template <bool of_density, bool of_velocity, class Laps>
+  void find(double time, const Laps& lap) {
+    static_assert(of_density && of_velocity, "one fit gives both rates: the integrator has to ask for both at once");
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
-    extrapolate_to_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, nearest_wall * settings_.spacing,
+    extrapolate_to_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), nearest_wall * settings_.spacing,
                                   scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
     fit_and_move();
     lap(SubStep::pairs);
-    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
-    lap(SubStep::rates);
+    this->add_body_force(time, lap);
   }
 
   void fit_and_move() {
-    const double per_h = 1 / settings_.smoothing_length;
+    const double per_h = 1 / smoothing_length();
     sum_over_neighbours<Fit::count>(
         near_.fluid_near_fluid, near_.seen,
         [per_h = static_cast<Real>(per_h)](const auto& i, const auto& j) {
@@ -189,10 +168,6 @@ class SecondOrder : public Clock {
     for (std::size_t k = 0; k < drift_fields; ++k) all.carried[k][i] = next[k];
   }
 
-  Scene<FluidLaw, Force> scene_;
-  Settings settings_;
-  Neighbourhood<Record<Real>> near_;
-  Integrator integrator_;
   double mean_density_ = 0;  // kg/m³
   double strain_rate_ = 0;   // 1/s  the largest slope of a velocity
 };

@@ -7,7 +7,7 @@ namespace touchstone::sph {
 /// Cleary & Monaghan, J. Comput. Phys. 148 (1999), 227-264, with the factor of Monaghan, Rep. Prog. Phys. 68 (2005),
 /// section 8.1, 2 (d + 2) in d dimensions. It keeps angular momentum, which `LaminarViscosity` and `MorrisViscosity` do
 /// not, and acts on a change of volume too, as a bulk viscosity of 5/3 mu. It wants many neighbours: on a square
-/// lattice it is 16.8 % too weak with the quintic spline and h of one spacing, and 1.2 % with Wendland's C4 and three;
+/// lattice it is 16.8 % too weak with the quintic spline and h of one spacing, and 0.9 % with Wendland's C2 and three;
 /// the other two are then within 1 %.
 struct MonaghanClearyViscosity {
   double mu;  // Pa s

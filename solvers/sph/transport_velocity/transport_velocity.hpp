@@ -2,13 +2,9 @@
 /// Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013): a background pressure moves the
 /// particles, not the momentum, and keeps them evenly spread for any length of time. For fluid without a free surface.
 
-#include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/integrators/predictor_corrector.hpp"
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/simulation.hpp"
 #include "solvers/sph/without.hpp"
-#include "solvers/stepping/clock.hpp"
-#include "solvers/stepping/extremes.hpp"
 
 namespace touchstone::sph {
 
@@ -17,6 +13,9 @@ template <class Number>
 struct DriftRecord : Record<Number> {
   Number mx, my;  // kg/m² s  density times drift
 };
+template <class Real, class Left>
+using TransportRecord = std::conditional_t<Left::template keeps<Spreading> && Left::template keeps<MomentumOfDrift>,
+                                           DriftRecord<Real>, Record<Real>>;
 
 /// Density by continuity, kick-drift-kick, walls by ghosts with mirrored velocity (Adami, Hu & Adams 2012).
 ///
@@ -24,53 +23,37 @@ struct DriftRecord : Record<Number> {
 /// lattice of particles elastic: a uniform pressure p resists its shear with a modulus of about 0.003 p, which bends
 /// the straight profile of Couette flow by 2.1 % at 1 s. With continuity and `PressureDifference` it is 0.01 %.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
-class TransportVelocity : public Clock {
+class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator, Real, Left, FluidLaw, Force, Terms>,
+                                            Kernel, Integrator, TransportRecord<Real, Left>, FluidLaw, Force> {
+  using Seen = TransportRecord<Real, Left>;
+  using Base = Simulation<TransportVelocity, Kernel, Integrator, Seen, FluidLaw, Force>;
+  using Base::near_, Base::scene_;
+
  public:
+  using Base::steps, Base::time_step;
+
   TransportVelocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
-      : Clock("sph", settings.time_step),
-        scene_(scene),
-        settings_(checked(settings)),
-        terms_(terms),
-        near_(scene, settings.spacing, reach_of<Kernel>(settings),
-              lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings)),
-              settings.threads) {
-    near_.carry(spreads ? 2 : 0, Integrator::past_fields);
-  }
+      : Base(scene, settings, spreads ? 2 : 0), terms_(terms) {}
 
   /// The particles drift, then one step of the integrator. `lap` is told what was done.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    near_.follow(steps(), time(), time_step());
-    lap(SubStep::sorting);
+    this->list_neighbours(lap);
     drift(time_step());
     lap(SubStep::motion);
-    integrator_.step(*this, time(), time_step(), lap);
-    tick();
+    this->advance(lap);
+    this->tick();
     if (steps() % 30 == 0) keep_volume();
     lap(SubStep::rates);
   }
 
-  const Scene<FluidLaw, Force>& scene() const { return scene_; }
-  Index particles() const { return near_.all.fluid; }
-  Index boundary_particles() const { return near_.ghosts(); }
-  /// Throws Diverged when a particle is outside the domain.
-  Samples samples() const {
-    near_.refuse_strays(steps(), time());
-    return near_.samples(time(), scene_.fluid);
-  }
-  Extremes extremes() const { return extremes_of(near_.all); }
-
  private:
-  friend Integrator;
-  friend PredictorCorrector;  // starts others
+  friend Base;
 
-  static constexpr double background_share = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
+  static constexpr double background_fraction = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
   static constexpr bool spreads = Left::template keeps<Spreading>;
   static constexpr bool drift_has_momentum = spreads && Left::template keeps<MomentumOfDrift>;
-  using Seen = std::conditional_t<drift_has_momentum, DriftRecord<Real>, Record<Real>>;
 
-  Particles& state() { return near_.all; }
-  int threads() const { return settings_.threads; }
   // Carried with the particles: transport velocity less velocity [m/s].
   Scalars& wx() { return near_.all.carried[0]; }
   Scalars& wy() { return near_.all.carried[1]; }
@@ -92,39 +75,20 @@ class TransportVelocity : public Clock {
   }
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <class Laps>
-  void find_rates(double time, const Laps& lap) {
-    look_around(time, lap);
-    sum_pairs<true>();
-    lap(SubStep::pairs);
-    push(time, lap);
-  }
-  template <class Laps>
-  void find_density_rate(double time, const Laps& lap) {
-    look_around(time, lap);
-    find_continuity<Kernel>(near_, settings_.smoothing_length);
-    lap(SubStep::pairs);
-  }
-  template <class Laps>
-  void find_accelerations(double time, const Laps& lap) {
-    look_around(time, lap);
-    sum_pairs<false>();
-    lap(SubStep::pairs);
-    push(time, lap);
-  }
-
-  /// Fluid, ghosts and images as the last motion left them.
-  template <class Laps>
-  void look_around(double time, const Laps& lap) {
+  template <bool of_density, bool of_velocity, class Laps>
+  void find(double time, const Laps& lap) {
     if constexpr (drift_has_momentum) see_drift();
-    near_.see_fluid(scene_.fluid);
-    lap(SubStep::rates);
-    move_ghosts<Kernel>(near_, scene_.walls, settings_.smoothing_length, scene_.fluid.density, time);
-    lap(SubStep::boundaries);
+    this->see_fluid_and_ghosts(time, lap);
+    if constexpr (of_velocity)
+      sum_pairs<of_density>();
+    else
+      find_continuity<Kernel>(near_, this->smoothing_length());
+    lap(SubStep::pairs);
+    if constexpr (of_velocity) this->add_body_force(time, lap);
   }
 
   void see_drift() {
-    share_out_fields(threads(), near_.all.fluid, [&](Index begin, Index end) {
+    share_out_fields(this->threads(), near_.all.fluid, [&](Index begin, Index end) {
       const double *const rho = near_.all.rho.data(), *const drift_x = wx().data(), *const drift_y = wy().data();
       Seen* const seen = near_.seen.data();
       for (Index i = begin; i < end; ++i) {
@@ -134,23 +98,17 @@ class TransportVelocity : public Clock {
     });
   }
 
-  template <class Laps>
-  void push(double time, const Laps& lap) {
-    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
-    lap(SubStep::rates);
-  }
-
   /// The listed terms of the momentum equation, what the drift of particles carries of momentum, the acceleration by a
   /// background pressure, -(p_b / m) sum_j (V_i² + V_j²) grad W, which spreads the particles, and continuity (23).
-  template <bool with_density>
+  template <bool of_density>
   void sum_pairs() {
     Particles& all = near_.all;
     const double c = scene_.fluid.sound_speed(), half_step = time_step() / 2;
     sum_over_neighbours<(spreads ? 5 : 3)>(
         near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, slope = Slope<Kernel>(settings_.smoothing_length),
-         background = static_cast<Real>(background_share * scene_.fluid.density * c * c)](const auto& i,
-                                                                                          const auto& j) {
+        [terms = terms_, mass = all.mass, slope = this->slope(),
+         background = static_cast<Real>(background_fraction * scene_.fluid.density * c * c)](const auto& i,
+                                                                                             const auto& j) {
           auto ij = pair_of(i, j, mass);
           auto pull = terms.on(ij, slope);
           const auto thicker = ij.continuity();
@@ -164,7 +122,7 @@ class TransportVelocity : public Clock {
         },
         [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data(), drift_x = spreads ? wx().data() : nullptr,
          drift_y = spreads ? wy().data() : nullptr, half_step](Index i, const auto& sums) {
-          if constexpr (with_density) drho[i] = sums[0];
+          if constexpr (of_density) drho[i] = sums[0];
           ax[i] = sums[1];
           ay[i] = sums[2];
           if constexpr (spreads) {
@@ -182,11 +140,7 @@ class TransportVelocity : public Clock {
     return {c * (v_i[0] * out_i + v_j[0] * out_j), c * (v_i[1] * out_i + v_j[1] * out_j)};
   }
 
-  Scene<FluidLaw, Force> scene_;
-  Settings settings_;
   Terms terms_;
-  Neighbourhood<Seen> near_;
-  Integrator integrator_;
 };
 
 /// sph::transport_velocity<sph::QuinticSpline>(scene, {.spacing = ...}, sph::momentum(sph::PressureDifference{}, ...)),

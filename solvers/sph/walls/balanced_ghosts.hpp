@@ -33,7 +33,7 @@ void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls,
     const BoundaryLayout::Ghost& ghost = near.boundary.ghosts[g - first];
     const double per = 1 / sums[0];
     Vec2 v(per * sums[1], per * sums[2]);
-    for (const int w : ghost.behind) v = 2 * walls[w].at_wall(v, time) - v;
+    for (const int w : ghost.behind) v = 2 * walls[w].at_wall(v, time, -walls[w].distance(ghost.x)) - v;
     double p = per * sums[3];
     if constexpr (is_present<Force>) p += per * body_force(ghost.x, time).dot(Vec2(sums[4], sums[5]));
     near.seen[g].move(v.x(), v.y());

@@ -35,8 +35,8 @@ void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>&
     double p = sums[3] / sums[0];
     for (const int w : ghost.behind) {
       const Wall& wall = walls[w];
-      const double ratio = wall.distance(ghost.x) / std::max(wall.distance(from), nearest);
-      const Vec2 at_wall = wall.at_wall(v, time);
+      const double away = std::max(wall.distance(from), nearest), ratio = wall.distance(ghost.x) / away;
+      const Vec2 at_wall = wall.at_wall(v, time, away);
       v = at_wall + ratio * (v - at_wall);
     }
     if constexpr (is_present<Force>) p -= fluid.density * body_force(from, time).dot(way);

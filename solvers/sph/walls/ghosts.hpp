@@ -78,7 +78,8 @@ void fill_ghosts(std::vector<Record>& seen, const NeighbourLists<width>& fluid_n
     const double per = 1 / (alone ? 1 : sums[0]);
     Vec2 v(sums[1] * per, sums[2] * per);
     if (!alone)
-      for (const int w : ghosts[g - fluid].behind) v = 2 * walls[w].at_wall(v, time) - v;
+      for (const int w : ghosts[g - fluid].behind)
+        v = 2 * walls[w].at_wall(v, time, -walls[w].distance(ghosts[g - fluid].x)) - v;
     seen[g].move(v.x(), v.y());
     seen[g].set_state(alone ? density : sums[3] * per, sums[4] * per);
   });

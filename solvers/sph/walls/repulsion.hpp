@@ -1,6 +1,6 @@
 #pragma once
-#include "solvers/sph/lanes.hpp"
 #include "solvers/sph/pair.hpp"
+#include "solvers/sph/pair_lanes.hpp"
 
 namespace touchstone::sph {
 

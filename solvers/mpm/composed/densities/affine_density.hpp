@@ -9,7 +9,7 @@ namespace touchstone::mpm {
 /// densities passes unchanged up to walls and surfaces, so a pressure that bears a weight is not flattened. The sum of
 /// all specific volumes is kept.
 ///
-/// Measured with B-splines of second degree, XPIC(5) and MUSL in 25 x 25 cells, 4 particles each, sound 80 times as
+/// Measured with B-splines of second degree, XPIC(5) in 25 x 25 cells, 4 particles each, sound 80 times as
 /// fast as the flow: Taylor-Green vortices at 0.1 s are wrong by 0.51 % in velocity and 18 % in pressure, with carried
 /// densities by 0.81 % and 1150 %. With APIC the pressure is wrong by 34 %, not 1090 %, and the velocity by 16 % either
 /// way. Water 1 m deep in cells of 0.05 m, sound at 10 sqrt(g H), after 10 s: pressure 0.09 % with XPIC(5), 0.15 % with

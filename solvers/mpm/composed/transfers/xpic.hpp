@@ -5,8 +5,8 @@ namespace touchstone::mpm {
 
 /// PIC whose smoothing is taken back to the order m (XPIC(m), Hammerquist & Nairn, Comput. Methods Appl. Mech. Eng. 318
 /// (2017), 724-738): with S from nodes to particles and S⁺ from particles to nodes, velocities become
-/// (I - (I - S S⁺)^m) v_p + S dv_i. XPIC(1) is PIC; for large m only what no node sees is damped. Linear momentum is
-/// conserved. Places move with the nodes, as in the other transfers.
+/// (I - (I - S S⁺)^m) v_p + S dv_i. XPIC(1) is PIC (Harlow 1964); for large m only what no node sees is damped. Linear
+/// momentum is conserved. Places move with the nodes, as in the other transfers.
 template <int m>
 struct Xpic : GivesItsVelocity {
   static_assert(m >= 1);

@@ -4,9 +4,9 @@
 namespace touchstone::sph {
 
 /// Diffusion of density after Antuono, Colagrossi, Marrone & Molteni, Comput. Phys. Commun. 181 (2010), 532-549: that
-/// of `MolteniColagrossi` less what a linear rise of density contributes, by gradients of density that are exact for it
-/// at free surfaces too: delta h c sum_j (2 (rho_j - rho_i) r_ji / r² - (grad rho_i + grad rho_j)) · grad W V_j. What
-/// is left smooths like a fourth derivative.
+/// of Molteni & Colagrossi (2009) less what a linear rise of density contributes, by gradients of density that are
+/// exact for it at free surfaces too: delta h c sum_j (2 (rho_j - rho_i) r_ji / r² - (grad rho_i + grad rho_j)) · grad
+/// W V_j. What is left smooths like a fourth derivative and keeps the sum of V_i drho_i at zero.
 struct Antuono {
   static constexpr bool looks_around = true;
 

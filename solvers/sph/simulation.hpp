@@ -1,0 +1,98 @@
+#pragma once
+/// What all methods of smoothed particle hydrodynamics share: a scene with its particles, lists of neighbours and an
+/// integrator; and the answers that a run gives.
+
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/integrators/predictor_corrector.hpp"
+#include "solvers/sph/flow.hpp"
+#include "solvers/stepping/clock.hpp"
+#include "solvers/stepping/extremes.hpp"
+
+namespace touchstone::sph {
+
+/// A method derives from it as `Method`, sums over pairs of `Record`s, and offers find<of_density, of_velocity>(time,
+/// lap), which finds the rates of change that an integrator asks for.
+template <class Method, class Kernel, class Integrator, class Record, class FluidLaw, class Force>
+class Simulation : public Clock {
+ public:
+  const Scene<FluidLaw, Force>& scene() const { return scene_; }
+  Index particles() const { return near_.all.fluid; }
+  Index boundary_particles() const { return near_.all.boundary; }
+  /// Throws Diverged when a particle is outside the domain.
+  Samples samples() const {
+    near_.refuse_strays(steps(), time());
+    return near_.samples(time(), scene_.fluid);
+  }
+  Extremes extremes() const { return extremes_of(near_.all); }
+
+ protected:
+  /// Throws std::invalid_argument for settings that are not positive, and as `Neighbourhood` does. `carried` fields of
+  /// the method go with the fluid.
+  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried, const Reach& reach,
+             BoundaryLayout layout)
+      : Clock("sph", settings.time_step),
+        scene_(scene),
+        settings_(settings),
+        near_(scene, settings.spacing, reach, std::move(layout), settings.threads) {
+    near_.carry(carried, Integrator::past_fields);
+  }
+  /// With ghosts behind its walls and nothing on them.
+  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried)
+      : Simulation(scene, settings, carried, reach_of<Kernel>(settings),
+                   lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))) {}
+
+  /// Lists of neighbours that hold for the step to come.
+  template <class Laps>
+  void list_neighbours(const Laps& lap) {
+    near_.follow(steps(), time(), time_step());
+    lap(SubStep::sorting);
+  }
+  /// One step of the integrator.
+  template <class Laps>
+  void advance(const Laps& lap) {
+    integrator_.step(*this, time(), time_step(), lap);
+  }
+
+  /// Fluid, mirrored ghosts and images as the last motion left them.
+  template <class Laps>
+  void see_fluid_and_ghosts(double time, const Laps& lap) {
+    near_.see_fluid(scene_.fluid);
+    lap(SubStep::rates);
+    move_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid.density, time);
+    lap(SubStep::boundaries);
+  }
+  template <class Laps>
+  void add_body_force(double time, const Laps& lap) {
+    if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
+    lap(SubStep::rates);
+  }
+  Slope<Kernel> slope() const { return Slope<Kernel>(smoothing_length()); }
+  double smoothing_length() const { return settings_.smoothing_length; }  // m  h
+  int threads() const { return settings_.threads; }
+
+  Scene<FluidLaw, Force> scene_;
+  Settings settings_;
+  Neighbourhood<Record> near_;
+
+ private:
+  friend Integrator;
+  friend PredictorCorrector;  // starts others
+
+  Particles& state() { return near_.all; }
+  template <class Laps>
+  void find_rates(double time, const Laps& lap) {
+    static_cast<Method&>(*this).template find<true, true>(time, lap);
+  }
+  template <class Laps>
+  void find_density_rate(double time, const Laps& lap) {
+    static_cast<Method&>(*this).template find<true, false>(time, lap);
+  }
+  template <class Laps>
+  void find_accelerations(double time, const Laps& lap) {
+    static_cast<Method&>(*this).template find<false, true>(time, lap);
+  }
+
+  Integrator integrator_;
+};
+
+}  // namespace touchstone::sph
