@@ -84,7 +84,7 @@ std::string text_of(const vnv::Cell& cell) {
   return number ? fmt::format("{:.3g}", *number) : std::get<std::string>(cell);
 }
 
-/// "Sun et al.: 10.9; cheapest SPH here: 12": the pairs that speak for many.
+/// "Sun et al.: 10.9; cheapest SPH here: 12": the pairs that are representative.
 std::string listed(const std::vector<Comparison>& pairs, const std::vector<vnv::Cell>& row) {
   std::string list;
   for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -126,7 +126,7 @@ vnv::Table price_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
     for (const Comparison& pair : pairs) by_error.back().push_back(price_ratio(pair, target));
   }
   table.caption =
-      "CPU time of SPH over that of the cheapest MPM beside it. Sun et al. compare at equal particle number and "
+      "CPU time of SPH over that of the cheapest MPM. Sun et al. compare at equal particle number and "
       "call MPM ten times cheaper; what a user pays for is the error." +
       sentence(pairs, by_number, by_error);
   table.rows = by_number;

@@ -29,7 +29,7 @@ std::string unfinished_runs(const CaseRecords& records) {
 std::string head(const CaseRecords& records) {
   const auto verdicts = verdicts_of(records);
   const Tally sum = tally(verdicts);
-  const std::string why = sum.total() == 0 ? " A page without a claim shows, but proves nothing." : "";
+  const std::string why = sum.total() == 0 ? " Without a claim this page proves nothing." : "";
   return fmt::format(
       "<header>\n<p class=\"path\"><a href=\"../index.html\">Touchstone</a> / {}</p>\n<h1>{}</h1>\n"
       "<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n",
@@ -39,9 +39,11 @@ std::string head(const CaseRecords& records) {
 
 std::string figure_html(const DrawnFigure& drawn) {
   const std::string undrawn =
-      drawn.undrawn == 0 ? ""
-                         : fmt::format(" <span class=\"nan\">Not drawn, since no axis can show them: {} points.</span>",
-                                       printed(drawn.undrawn));
+      drawn.undrawn == 0
+          ? ""
+          : fmt::format(
+                " <span class=\"nan\">Not drawn (not finite, or not positive on a logarithmic axis): {} points.</span>",
+                printed(drawn.undrawn));
   return fmt::format(
       "<figure id=\"{0}\">\n<div class=\"scroll\" tabindex=\"0\"><img src=\"{1}\" alt=\"{2}\" width=\"{3}\" "
       "height=\"{4}\"></div>\n"
@@ -66,7 +68,7 @@ std::string orders_section(const CaseRecords& records, const std::vector<DrawnFi
   std::string html;
   for (const auto& drawn : order_plots) html += figure_html(drawn);
   if (is_in_matrix(records))
-    html += "<p class=\"files\">Beside other flows: <a href=\"../orders.html\">orders of convergence</a></p>\n";
+    html += "<p class=\"files\">Compared with other flows: <a href=\"../orders.html\">orders of convergence</a></p>\n";
   return html + orders_html(records);
 }
 

@@ -177,8 +177,8 @@ std::string orders_html(const CaseRecords& records) {
   HtmlTable table{
       "Observed orders.",
       "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
-      "is that between two neighbouring levels. A floor is told where errors that fall to it scatter less than those of a "
-      "power law, beyond chance; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
+      "is that between two neighbouring levels. A floor is reported where it fits the errors significantly better than a "
+      "power law alone; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
       "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
       {{"method"},
        {"ladder"},
@@ -198,8 +198,8 @@ std::string cost_html(const CaseRecords& records) {
   HtmlTable table{
       "Cost.",
       "User time of the steps, the median where a run was made several times, with the lowest and highest. "
-      "Memory is that of the run's own process. Harness: looking, sampling, measuring and the process, as a "
-      "share of the wall time.",
+      "Memory is that of the run's own process. Harness: monitoring, sampling, measuring and process overhead, as a "
+      "fraction of the wall time.",
       {},
       {}};
   table.columns = {{"method"}, {"level"}};

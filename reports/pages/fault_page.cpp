@@ -55,9 +55,9 @@ HtmlCell conclusion_cell(const FaultTrial& trial) {
 
 std::string open_html(const FaultTrials& all) {
   HtmlTable table{
-      "To be looked at.",
+      "To be examined.",
       "Faults that no test noticed or that do not compile, and harmless changes that some test noticed. The "
-      "margin is the share of a limit that is left.",
+      "margin is the unused fraction of a limit.",
       {{"fault"}, {"conclusion"}, {"what is known of why"}, {"tests"}},
       {}};
   for (const FaultTrial& trial : all.trials)
@@ -88,7 +88,7 @@ std::vector<HtmlCell> fault_row(const FaultTrial& trial) {
 std::string faults_html(const FaultTrials& all) {
   HtmlTable table{"Faults.",
                   "Survivors first, then what was hardly noticed. The margin is that of the test that noticed by most: "
-                  "the share of its limit that is left, negative beyond it, −inf for a value that is no number; unit "
+                  "the unused fraction of its limit, negative beyond it, −inf for a value that is no number; unit "
                   "tests have none. Tests: how many of those that were run noticed.",
                   {{"fault"}, {"conclusion"}, {"margin", "number"}, {"tests", "number"}, {"noticed by"}},
                   {}};
@@ -160,7 +160,7 @@ std::string matrix_html(const FaultTrials& all) {
       "Faults by tests.",
       "In each cell the margin in per cent of a limit, green where the test noticed the fault, yellow where "
       "it did by less than a tenth of its limit; – where it was run and did not; blank where it was not run. "
-      "Unit tests of a room share a column, as tests of the tests do: how many of them noticed. Tests that "
+      "Unit tests of a module share a column, as tests of the tests do: how many of them noticed. Tests that "
       "noticed nothing are left out.",
       {{"fault"}},
       {}};
@@ -190,7 +190,7 @@ std::string when_html(const FaultTrials& all) {
 constexpr const char* how_to_read =
     "<p>What would all the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody "
     "could make in a solver, an exact solution, a measure or the judge itself. A test that fails notices it, by day "
-    "unless it is one of the nightly suite. Harmless changes are seeded as well, to see which tests cry wolf.</p>\n";
+    "unless it is one of the nightly suite. Harmless changes are seeded as well, to find tests that raise false alarms.</p>\n";
 
 }  // namespace
 

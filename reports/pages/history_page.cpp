@@ -272,7 +272,7 @@ const char* how_to_read =
     "for costs a tenth) and than four times its scatter. A cost has to stay away for two nights, and starts "
     "anew on another machine. Dashed: a limit, where it is near; red dots: a claim fails; crosses: not a "
     "number. Shown are values that theory or literature judge, at their last time and finest spacing, orders, "
-    "stability limits, and the dearest run of each method; steps are sought in all values.</p>\n";
+    "stability limits, and the most expensive run of each method; steps are sought in all values.</p>\n";
 
 }  // namespace
 
@@ -281,12 +281,12 @@ std::string trend_page(const History& history, const std::vector<Series>& all,
   const auto changes = changes_of(all);
   const std::string body = fmt::format(
       "<main data-nights=\"{}\">\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / trend</p>\n"
-      "<h1>Trend over the nights</h1>\n{}{}</header>\n{}{}{}{}"
+      "<h1>Trend over nightly runs</h1>\n{}{}</header>\n{}{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"trend.csv\">curves</a> <a "
       "href=\"trend_steps.csv\">steps</a></p>\n</main>\n",
       names_of_nights(history), summary(changes, history), refusals(history), changes_html(changes, history),
       how_to_read, multiples(worth_drawing(all), history, tonight), nights_html(history));
-  return html_page("Trend over the nights", "", body);
+  return html_page("Trend over nightly runs", "", body);
 }
 
 std::string steps_csv(const History& history, const std::vector<Series>& all) {

@@ -51,12 +51,11 @@ HtmlCell counts_cell(const Tally& sum, const std::string& name, const Standing& 
 }
 
 std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing& standing) {
-  HtmlTable table{
-      "Cases.",
-      "The smallest margin is the share of a limit that is left by the claim that is closest to its own; beside "
-      "each method, how many of its claims hold.",
-      {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
-      {}};
+  HtmlTable table{"Cases.",
+                  "The smallest margin is the fraction of its limit that the most critical claim leaves unused; for "
+                  "each method, the number of its claims that hold.",
+                  {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
+                  {}};
   for (const auto& records : cases) {
     const Tally sum = tally(verdicts_of(records));
     std::string methods;
@@ -122,16 +121,15 @@ std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
 
 std::string orders_link(const std::vector<CaseRecords>& cases) {
   if (std::ranges::none_of(cases, is_in_matrix)) return "";
-  return "<p>How fast the errors of each method shrink in each flow: <a href=\"orders.html\">orders of "
+  return "<p>Observed orders of each method in each flow: <a href=\"orders.html\">orders of "
          "convergence</a>.</p>\n";
 }
 
-constexpr const char* trend_link =
-    "<p>How the numbers went from night to night, and what changed last: <a href=\"trend.html\">trend</a>.</p>\n";
+constexpr const char* trend_link = "<p>How values changed from night to night: <a href=\"trend.html\">trend</a>.</p>\n";
 
 std::string faults_link(const std::optional<FaultTrials>& faults) {
   if (!faults) return "";
-  return fmt::format("<p>What the tests would miss: <a href=\"faults.html\">detection power</a>. {}</p>\n",
+  return fmt::format("<p>What the tests detect: <a href=\"faults.html\">detection power</a>. {}</p>\n",
                      faults->sentence());
 }
 
@@ -143,9 +141,9 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
   const Tally sum = tally(verdicts);
   const std::string body = fmt::format(
       "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n"
-      "<p>Each claim says how far a solver may stand from an exact solution, an experiment, a published result or its "
+      "<p>Each claim limits the difference of a solver from an exact solution, an experiment, a published result or its "
       "own "
-      "earlier answer, and who set that limit. A number that is not one never holds, and what cannot be told is called "
+      "own last accepted value, and names the author of the limit. NaN never holds, and what cannot be decided is "
       "inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",

@@ -160,7 +160,7 @@ std::string order_matrix_page(const std::vector<CaseRecords>& cases) {
   const std::string body =
       "<main>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / orders</p>\n"
       "<h1>Orders of convergence</h1>\n</header>\n"
-      "<p>How fast the errors of each method shrink with its spacing, in each flow. An order alone says little: a method "
+      "<p>Observed order of convergence of each method in each flow. An order alone says little: a method "
       "may converge fast from large errors, so the last row says what an error costs. Equal spacing would be no fair "
       "measure of that, since a step of one method costs many times that of another.</p>\n" +
       legend() + matrix("Velocity.", Field::velocity, cases) + matrix("Pressure.", Field::pressure, cases) +

@@ -64,20 +64,21 @@ std::string complaints(const std::vector<vnv::Verdict>& verdicts) {
 }
 
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
-  HtmlTable table{"Claims.",
-                  "The margin is the share of the limit that is left; negative where the claim fails. Who set a limit "
-                  "stands beside it.",
-                  {{"verdict"},
-                   {"method"},
-                   {"level"},
-                   {"spacing [mm]", "number"},
-                   {"time [s]", "number"},
-                   {"quantity"},
-                   {"value", "number"},
-                   {"limit", "number"},
-                   {"margin"},
-                   {"limit set by"}},
-                  {}};
+  HtmlTable table{
+      "Claims.",
+      "The margin is the unused fraction of the limit, negative where the claim fails. The author of each limit "
+      "is given.",
+      {{"verdict"},
+       {"method"},
+       {"level"},
+       {"spacing [mm]", "number"},
+       {"time [s]", "number"},
+       {"quantity"},
+       {"value", "number"},
+       {"limit", "number"},
+       {"margin"},
+       {"limit set by"}},
+      {}};
   for (const auto& verdict : verdicts) table.rows.push_back(verdict_row(verdict));
   return to_html(table);
 }

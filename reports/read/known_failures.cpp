@@ -37,8 +37,8 @@ void require_dates(const KnownFailure& known, const Line& line) {
   if (!expires) line.refuse(fmt::format("expires '{}', expected a date such as 2026-11-22", known.expires));
   const auto days = (*expires - *since).count();
   if (days < 0 || days > longest_known)
-    line.refuse(fmt::format("expires {} days after {}, expected 0 to {}: what is not mended by then is looked at again",
-                            days, known.since, longest_known));
+    line.refuse(fmt::format("expires {} days after {}, expected 0 to {}: what is not fixed by then is reviewed", days,
+                            known.since, longest_known));
 }
 
 KnownFailure failure_on(const Row& row) {
@@ -119,8 +119,7 @@ std::string standing_html(const Standing& s) {
                        escape(row.case_name), escape(row.method), escape(row.level), typeset(row.quantity),
                        escape(row.id));
   for (const auto& row : s.expired)
-    red += fmt::format("<li>The known failure {} expired on {}: mend it or look at it again</li>\n", escape(row.id),
-                       row.expires);
+    red += fmt::format("<li>The known failure {} expired on {}: fix or review it</li>\n", escape(row.id), row.expires);
   for (std::size_t i = 0; i < s.known.size(); ++i)
     amber += fmt::format("<li>{} <small>known as {} until {}: {}</small></li>\n", typeset(s.known[i].sentence),
                          escape(s.of_known[i].id), s.of_known[i].expires, typeset(s.of_known[i].reason));

@@ -1,6 +1,6 @@
 /// Lid-driven cavity [Ghia, Ghia & Shin 1982]. The lid of a square box slides over the fluid in it until the flow is
 /// steady, at Reynolds numbers of 100, 400 and 1000: walls all around, corners where the velocity jumps, and a shear
-/// that never ends.
+/// that is sustained.
 
 #include "vnv/flows/lid_driven.hpp"
 #include "vnv/measures/steadiness.hpp"
@@ -48,7 +48,7 @@ Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<
     return make(scene_at(flow_of(level).Re)).run(level, when);
   };
   method.levels = std::move(levels);
-  method.relative_cost = 0;  // particles times steps; the night lasts long if these begin late
+  method.relative_cost = 0;  // particles times steps; started late, these would prolong the nightly suite
   for (const Level& level : method.levels) method.relative_cost += 1e-6 * level.nightly / std::pow(level.spacing, 3);
   for (const Flow& flow : flows) {
     Ladder ladder{ladder_at(flow.Re), {}};
@@ -60,7 +60,7 @@ Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<
   return method;
 }
 
-/// All flows; the thinner their layers, the fewer levels are of use.
+/// All flows; the thinner the boundary layers, the fewer levels are useful.
 std::vector<Level> all_levels() {
   const auto& [slow, middle, fast] = flows;
   return {level_of(slow, 24, slow.end, slow.end), level_of(slow, 50, 0, slow.end),
@@ -83,14 +83,12 @@ std::vector<Value> against_ghia(const Level& level, const Run& run) {
   return errors;
 }
 
-const Author first_measured =
-    baseline("half as much again as first measured, the worst of five runs where they differ");
+const Author first_measured = baseline("1.5 times the first measured value, the worst of five runs where they differ");
 
-/// Particles that are not put back on a lattice mix: with 24 across, five runs whose steps differ by up to a per cent
+/// Particles that are not remeshed onto a lattice mix: with 24 across, five runs whose steps differ by up to a per cent
 /// ended 0.5 to 2.0 % off in v_x and 1.0 to 2.7 % in v_y.
 Method mixing(Method method) {
-  method.tolerance = {1.2,
-                      "particles mix: runs with other steps, or of another build, differ by factors of two to four"};
+  method.tolerance = {1.2, "particles mix: runs with a different time step or build differ by factors of two to four"};
   return method;
 }
 
@@ -107,7 +105,7 @@ std::vector<Claim> near_ghia(double of_24_across, const std::vector<Flow>& at, s
   };
   add(of_24_across, flows[0].at(24), first_measured);
   for (const Flow& flow : at) add(2, flow.at(100), literature("Ghia, Ghia & Shin 1982, tables I and II"));
-  more.push_back(at_most(change_of_energy, 0.5, theory("the flow that was published is steady")));
+  more.push_back(at_most(change_of_energy, 0.5, theory("the published flow is steady")));
   return more;
 }
 
@@ -119,7 +117,7 @@ std::vector<Plot> profiles() {
       plots.push_back(centreline_profile(
           {fmt::format("{}_{}", is_vertical ? "vertical" : "horizontal", flow.Re),
            fmt::format("{} centreline at Re {}", is_vertical ? "Vertical" : "Horizontal", flow.Re),
-           fmt::format("By the side and by the speed of the lid, at t = {:g} s, 100 particles across.", flow.end),
+           fmt::format("Scaled by the side length and the lid speed, at t = {:g} s, 100 particles across.", flow.end),
            {is_vertical ? "y / side" : "x / side"},
            {is_vertical ? "v_x / lid" : "v_y / lid"}},
           cavity, ghia_centreline(data_folder(), direction, flow.Re), flow.at(100)));
@@ -135,9 +133,9 @@ Case vnv::the_case() {
        .description =
            "The lid of a square box of 1 m slides at 1 m/s from t = 0, Mach number 0.2. When the flow is steady, at 12, 25 "
            "and 35 s for Reynolds numbers of 100, 400 and 1000, velocities on both centrelines are compared with the tables of "
-           "Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed. They are read off the particles "
-           "by local fits of second degree; norms are relative to the lid's speed.\n\nPrinted MPM and SPH with a transport velocity "
-           "are not here: within 0.4 s the lid carries a particle of theirs through the wall that it meets.",
+           "Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed. They are evaluated from the particles "
+           "by local fits of second degree; norms are relative to the lid's speed.\n\nMPM as printed and transport-velocity SPH "
+           "are left out: within 0.4 s the lid drives one of their particles through the downstream wall.",
        .times = {flows.front().end},
        .watch = {.every = output_interval, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
        .measurements = {against_ghia},
@@ -147,11 +145,12 @@ Case vnv::the_case() {
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
                    in_cavity([](const auto& scene) { return mixing(second_order(scene)); }, all_levels(),
                              near_ghia(4, {flows.begin(), flows.end()}))},
-       .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
-                           {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
+       .plots = {over_time(
+                     {"energy", "Kinetic energy", "Total over all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
+                     {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
                  snapshots({"speed",
                             "Speed at Re 1000",
-                            "10000 particles coloured by their speed.",
+                            "10000 particles coloured by speed.",
                             {"x [m]", 1, false, 0, 1},
                             {"y [m]", 1, false, 0, 1},
                             {"speed [m/s]", 1, false, 0, 0.6}},

@@ -24,8 +24,8 @@ const Scene<Newtonian> scene{
 
 const reference::Couette exact{.H = H, .V = V, .nu = water.kinematic_viscosity()};
 
-/// L2 [%] of steady flow whose rows of particles are too fast and too slow in turn, by as much as the flow gains over
-/// half a cell: what a reset wall leaves with one particle per cell (see mpm::VelocityReset).
+/// L2 [%] of steady flow whose rows of particles are alternately too fast and too slow, by as much as the flow gains
+/// over half a cell: what a reset wall leaves with one particle per cell (see mpm::VelocityReset).
 const double alternating = 100 * std::sqrt(3) * (H / 40) / (2 * H);
 
 /// Mean velocity of the rows within a fortieth of the gap around the middle.
@@ -45,7 +45,7 @@ Case vnv::the_case() {
   Case declared = {
       .title = "Start-up of plane Couette flow",
       .description =
-          "Water at rest between two plates 1 mm apart, of which the upper one slides at 0.1 mm/s from t = 0. The "
+          "Water at rest between two plates 1 mm apart, the upper of which slides at 0.1 mm/s from t = 0. The "
           "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.",
       .times = {0.05, 0.1, 0.2, 1, 10},
       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{middle_velocity(s)}; }},
@@ -60,7 +60,9 @@ Case vnv::the_case() {
                .levels = mpm_levels(1, 1),
                .ladders = mpm_ladders(),
                .claims =
-                   {at_most(l2, 0.04, baseline("a plain prototype of the same scheme had 0.03")).on("M2").at(0.1),
+                   {at_most(l2, 0.04, baseline("an independent prototype of the same scheme gave 0.03"))
+                        .on("M2")
+                        .at(0.1),
                     at_most(l2_rows, 0.40, literature("Sun et al., table 4, M2")).on("M2").at(1),
                     order_between(grid, l2, 1.8, 2.3, theory("linear hats, central quadrature: order 2")).at(0.1)},
            },
@@ -70,24 +72,24 @@ Case vnv::the_case() {
                .run = mpm_with<mpm::VelocityReset>(scene),
                .levels = mpm_levels(0, 1),
                .ladders = mpm_ladders(),
-               .claims = {between(
-                              l2_rows, 0.99 * alternating, 1.01 * alternating,
-                              theory("rows alternate by V cell / 2H, unseen by any node; table 4 has 1.08 % for M1"))
-                              .on("M1")
-                              .at(1),
-                          order_between(grid, linf, 0.8, 1.2,
-                                        theory("a reset wall acts up to half a cell inside: order 1 at the wall"))
-                              .at(1),
-                          between(l2_rows, 0.40 / 1.5, 0.40 * 1.5, literature("Sun et al., table 4, M2, within 1.5"))
-                              .on("M2")
-                              .at(1)},
+               .claims =
+                   {between(
+                        l2_rows, 0.99 * alternating, 1.01 * alternating,
+                        theory("rows alternate by V cell / 2H, invisible to every node; table 4 gives 1.08 % for M1"))
+                        .on("M1")
+                        .at(1),
+                    order_between(grid, linf, 0.8, 1.2,
+                                  theory("a reset wall acts up to half a cell into the fluid: order 1 at the wall"))
+                        .at(1),
+                    between(l2_rows, 0.40 / 1.5, 0.40 * 1.5, literature("Sun et al., table 4, M2, within 1.5"))
+                        .on("M2")
+                        .at(1)},
            },
            {
                .name = "mpm_unfelt",
-               .description =
-                   mpm_words +
-                   "Here the held node passes on no acceleration of the wall: particles beside a wall that starts "
-                   "at once never learn of it. Kept to show that the suite tells it apart.",
+               .description = mpm_words +
+                              "Here the held node transmits no wall acceleration: particles next to a wall that starts "
+                              "impulsively never feel it. Kept to show that the suite detects it.",
                .run = mpm_with<mpm::PrescribedVelocity>(scene),
                .levels =
                    {{.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 0.1, .report = 1, .nightly = 1}},
@@ -99,11 +101,12 @@ Case vnv::the_case() {
                .run = channel::sph_as_printed(scene),
                .levels = printed_levels(0),
                .ladders = sph_ladders({"S1", "S2", "S3", "S4"}),
-               .claims = {between(l2_rows, 1.35, 5, theory("an elastic lattice: above Sun et al., table 4, S1"))
+               .claims = {between(l2_rows, 1.35, 5,
+                                  theory("an elastic particle lattice: above Sun et al., table 4, S1"))
                               .on("S1")
                               .at(1),
                           order_between(spacing_ladder, l2_rows, -0.6,
-                                        0, theory("grows worse: the lattice is elastic at any spacing"))
+                                        0, theory("the error grows: the lattice is elastic at any spacing"))
                               .at(1)
                               .over(3)},
                .tolerance = stretched,
@@ -125,11 +128,12 @@ Case vnv::the_case() {
                .run = sph_with_transport_velocity(scene),
                .levels = regularised_levels(),
                .ladders = sph_ladders({"S1", "S2", "S3"}),
-               .claims = {at_most(l2, 0.2, baseline("a fifth of a per cent is what a regularised method is to keep"))
+               .claims = {at_most(l2, 0.2, baseline("the regularised method is required to stay within 0.2 %"))
                               .on("S1")
                               .at(1),
                           at_most(l2, 0.2, baseline("the same at 10 s")).on("S1").at(10),
-                          at_most(growth, 1.25, theory("a steady flow: no growth but the passing of particles"))
+                          at_most(growth, 1.25,
+                                  theory("steady flow: no growth other than from particles passing each other"))
                               .on("S1")
                               .at(10)},
                .tolerance = stretched,
@@ -137,13 +141,13 @@ Case vnv::the_case() {
            }},
       .plots = {profiles({"profile",
                           "Velocity profiles",
-                          "Row means at 3200 particles. Re-draws figure 8(b) of Sun et al.",
+                          "Row means at 3200 particles. Reproduces figure 8(b) of Sun et al.",
                           {"y [mm]", 1e3},
                           {"v_x [mm/s]", 1e3}},
                          by_rows, exact, H, {"M2", "S2"}),
                 over_time({"history",
-                           "Velocity in the middle over time",
-                           "Re-draws figure 8(a) of Sun et al.",
+                           "Centreline velocity over time",
+                           "Reproduces figure 8(a) of Sun et al.",
                            {"t [s]"},
                            {"v_x [mm/s]", 1e3}},
                           0, {"M2", "S1"}),

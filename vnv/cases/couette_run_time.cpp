@@ -1,4 +1,4 @@
-/// What an error costs in start-up plane Couette flow [Sun et al., section 3.2], at the paper's bulk modulus.
+/// Work-precision diagram of start-up plane Couette flow [Sun et al., section 3.2], at the paper's bulk modulus.
 
 #include "reference/couette.hpp"
 #include "solvers/walls/no_slip.hpp"
@@ -42,11 +42,11 @@ Case vnv::the_case() {
              .at(1)}},
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1}}});
-  declared.title = "Couette flow: error against run time";
+  declared.title = "Couette flow: work-precision diagram";
   declared.description =
       "The start-up of plane Couette flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "
-      "and over time steps, from the paper's 5 us up to nearly the longest that it can bear. At 1 s the exact profile is a "
-      "straight line, which linear hats represent without error: where a method has the wall right its error is small "
+      "and over time steps, from the paper's 5 us up to nearly the largest stable one. At 1 s the exact profile is a "
+      "straight line, which linear shape functions represent exactly: where a method treats the wall correctly its error is small "
       "on any grid.";
   return declared;
 }

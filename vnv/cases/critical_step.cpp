@@ -1,4 +1,4 @@
-/// The largest stable time step of each method in Poiseuille flow, beside the Courant limit (31) of Sun et al.
+/// The largest stable time step of each method in Poiseuille flow, compared with the Courant limit (31) of Sun et al.
 
 #include "solvers/forces/force_field.hpp"
 #include "solvers/walls/no_slip.hpp"
@@ -13,8 +13,8 @@ using namespace touchstone::vnv::channel;
 
 namespace {
 
-/// The drive of the channel with a thousandth of it in waves of some cells' length: without them nothing would excite
-/// the acoustics of a lattice that is perfectly even.
+/// The body force of the channel with a perturbation of 1e-3 at wavelengths of a few cells: without it nothing would
+/// excite the acoustics of a lattice that is perfectly even.
 struct StirredDrive {
   Vec2 operator()(const Vec2& x, double /*time*/) const {
     constexpr double F = 8 * mm, turn = 2 * std::numbers::pi;
@@ -31,11 +31,11 @@ const Scene<Newtonian, ForceField> scene{
     .body_force = {StirredDrive{}},
 };
 
-/// The steady flow reaches 1 mm/s; ten times that is no flow any more.
+/// The steady flow reaches 1 mm/s; at ten times that the run counts as diverged.
 const StepSearch search{.low = 0.5 * us, .high = 200 * us, .speed_limit = 10 * mm};
 
 const Claim courant = at_least(over_courant, 1, literature("Sun et al. (31): stable up to it"));
-const Tolerance one_bisection{0.015, "another rounding may turn the last bisection"};
+const Tolerance one_bisection{0.015, "different rounding may change the last bisection step"};
 const Claim morris = at_least(over_courant, 0.25, literature("Morris, Fox & Zhu 1997: 0.25 h / c is stable"));
 const Claim papers_step = at_least(stable_end, 5, literature("Sun et al. run every model with 5 us"));
 
@@ -71,7 +71,7 @@ Method limits_of(Method method) {
   method.levels = {
       {.name = "40 across", .spacing = H / 40, .cell = H / 20, .acceptance = 1, .report = 1, .nightly = 1}};
   method.claims = {papers_step, at_least(stable_end, method.time_step(method.levels[0]) / us,
-                                         theory("the step that a method chooses is a stable one"))};
+                                         theory("the time step that a method chooses is stable"))};
   method.tolerance = one_bisection;
   return method;
 }
@@ -82,9 +82,9 @@ Case vnv::the_case() {
   return {
       .title = "Largest stable time step",
       .description =
-          "Each method runs Poiseuille flow from rest, stirred by waves of a thousandth of the drive, with steps "
-          "found by bisection, 2000 steps a trial. A trial is unstable when a particle comes to move at ten times the "
-          "steady velocity, leaves, or is no number. (31) of Sun et al. is the cell size (MPM) or smoothing length "
+          "Each method runs Poiseuille flow from rest, perturbed by waves of a thousandth of the body force, with steps "
+          "found by bisection, 2000 steps each. A trial is unstable when a particle reaches ten times the "
+          "steady velocity, leaves the domain or becomes NaN. (31) of Sun et al. is the cell size (MPM) or smoothing length "
           "(SPH) over the sound speed at rest.",
       .times = {1},
       .measurements = {},

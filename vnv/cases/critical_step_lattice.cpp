@@ -1,4 +1,4 @@
-/// The largest stable time step of each method on a lattice at rest, beside that of its own linear theory.
+/// The largest stable time step of each method on a lattice at rest, compared with its own linear stability theory.
 
 #include "vnv/stability/critical_step.hpp"
 #include "vnv/stability/lattice_noise.hpp"
@@ -12,7 +12,7 @@ using namespace touchstone::vnv;
 
 namespace {
 
-// All of the unit cell: the background cell of MPM, the spacing of SPH.
+// All relative to the unit cell: the background cell of MPM, the spacing of SPH.
 const Quantity measured{"largest stable acoustic Courant number, measured", "", Kind::stability_limit},
     by_theory{"largest stable acoustic Courant number, linear theory", "", Kind::stability_limit},
     measured_over_theory{"largest stable time step, measured over linear theory", ""},
@@ -21,7 +21,7 @@ const Quantity measured{"largest stable acoustic Courant number, measured", "", 
                      Better::smaller},
     growth_over_theory{"log growth at 1.05 times the largest stable step, measured over linear theory", ""};
 
-/// A lattice, and which suites look at it.
+/// A lattice, and which suites run it.
 struct Arrangement {
   std::string name;
   RestingLattice lattice;
@@ -89,8 +89,8 @@ Method limits_of(const LatticeMethod& on_lattice) {
   // Half of an artificial viscosity is too little to tell how fast a slow growth is, and so is one side of the kinks
   // that weights of GIMP have where a particle's edge lies on a node.
   if (!on_lattice.linear && !on_lattice.at_night_only)
-    method.claims.push_back(
-        between(growth_over_theory, 0.9, 1.1, theory("the same; read off noise in which other waves grow as well")));
+    method.claims.push_back(between(growth_over_theory, 0.9, 1.1,
+                                    theory("the same; measured from noise in which other modes grow as well")));
   for (const Arrangement& a : arrangements(on_lattice)) {
     Level level = a.lattice.level();
     level.name = a.name;
@@ -117,21 +117,21 @@ std::vector<LatticeMethod> methods_and_parts() {
 
 Case vnv::the_case() {
   return {
-      .title = "Largest stable time step, against linear theory",
+      .title = "Largest stable time step: simulation and linear stability theory",
       .description =
-          "Fluid at rest on a lattice that repeats along both axes, with noise of a hundred-millionth of the speed of sound. "
-          "The largest step that keeps it small is found by bisection, 2000 steps a trial. Beside it stands what linear "
-          "theory says: the step of the method as it is implemented, linearised and taken apart into waves, and the "
-          "largest eigenvalue of any. There is no wall, no surface and no flow here: what the time step of a method owes to "
-          "itself.",
+          "Fluid at rest on a doubly periodic lattice, with noise of 1e-8 times the speed of sound. "
+          "The largest time step for which it stays small is found by bisection, 2000 steps each, and compared with linear "
+          "stability theory: the implemented step of the method, linearised and decomposed into Fourier modes, and the "
+          "largest eigenvalue of all. There is no wall, no free surface and no flow here: the result is a property of the method "
+          "alone.",
       .times = {1},
       .measurements = {},
       .methods = each_of(methods_and_parts(), limits_of),
       .plots = {limits_table(
           "Largest stable step, measured and by linear theory",
-          "In lengths that sound travels: cells of MPM, spacings of SPH. The Courant limit (31) of Sun et al. is 1 cell "
-          "or h. Growth is that of the fastest particle's speed in a step that is longer by a twentieth. The step "
-          "chosen is what the method takes where a scene names none.",
+          "As acoustic Courant numbers, by cells in MPM and by spacings in SPH. The Courant limit (31) of Sun et al. is 1 cell "
+          "or h. Growth is that of the fastest particle's speed per step at 1.05 times the largest stable step. The chosen "
+          "step is what the method takes where the scene gives none.",
           "arrangement",
           {{"measured", measured},
            {"theory", by_theory},

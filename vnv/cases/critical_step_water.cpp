@@ -1,4 +1,5 @@
-/// The largest stable time step of each method in water at rest under gravity: with a surface, a floor and weight.
+/// The largest stable time step of each method in water at rest under gravity: with a free surface, a bottom wall and
+/// gravity.
 
 #include "vnv/flows/water_at_rest.hpp"
 #include "vnv/stability/critical_step.hpp"
@@ -37,10 +38,10 @@ Case vnv::the_case() {
   return {
       .title = "Largest stable time step in water at rest",
       .description =
-          "Water 1 m deep under gravity, in the equilibrium of Tait's law, over a floor and under a free surface. The largest "
-          "step is found by bisection, 2000 steps a trial; a trial is unstable when a particle moves at a twentieth of the "
-          "speed of a wave. What a method loses here against a lattice without walls is the surface's doing, where grid "
-          "nodes are nearly empty and kernels are cut.",
+          "Water 1 m deep under gravity, in the equilibrium of Tait's law, between a bottom wall and a free surface. The largest "
+          "step is found by bisection, 2000 steps a trial; a trial is unstable when a particle reaches a twentieth of the "
+          "gravity wave speed. What a method loses here relative to a periodic lattice is due to the free surface, where grid "
+          "nodes are nearly empty and kernels are truncated.",
       .times = {1},
       .measurements = {},
       .methods = {limits_of(printed(scene)), limits_of(affine(scene)), limits_of(apic(scene)), limits_of(xpic(scene)),

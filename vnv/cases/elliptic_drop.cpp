@@ -1,4 +1,4 @@
-/// A round drop that a strain stretches [Monaghan 1994]: a free surface all around, and nothing that holds it together.
+/// A circular drop in a straining flow [Monaghan 1994]: a closed free surface and no external force.
 
 #include "vnv/flows/drop.hpp"
 #include "vnv/measures/field_errors.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 const Quantity pressure_error{"error of the central pressure, relative to its initial value", "%", Kind::deviation};
 
-/// Mean over the particles within a fifth of the drop's half-axes.
+/// Mean over the particles within a fifth of the drop's half-axes from its centre.
 std::vector<Value> error_of_pressure(const Level& level, const Run& run) {
   std::vector<Value> errors;
   for (const Samples& s : run.samples) {
@@ -43,9 +43,9 @@ const std::vector<Level> levels =
 
 std::map<std::string, std::vector<Claim>> claims() {
   const Claim holds_its_shape =
-      at_most(axes_error, 0.5, baseline("half-axes within half a per cent are what is expected until 2:1"));
+      at_most(axes_error, 0.5, baseline("half-axes within 0.5 % are expected until the length has doubled"));
   const Claim converges =
-      order_at_least(ladder_across, axes_error, 1, 0.75, theory("the surface is known to a cell")).over(4);
+      order_at_least(ladder_across, axes_error, 1, 0.75, theory("the free surface is resolved to one cell")).over(4);
   return {{"mpm_affine", {holds_its_shape, converges}},
           {"mpm_apic", {holds_its_shape}},
           {"sph_corrected", {holds_its_shape}}};
@@ -58,7 +58,7 @@ Case vnv::the_case() {
   return {
       .title = "Stretching elliptic drop",
       .description =
-          "A round drop of 1 m of an inviscid fluid is stretched at 1/s along x and flattened along y; nothing else acts on "
+          "A circular drop of an inviscid fluid, 1 m in radius, starts with a strain rate of 1/s, extension along x; no force acts on "
           "it. It stays an ellipse, whose half-axes and whose pressure follow from an ordinary differential equation "
           "(Monaghan 1994). After 0.8 s it is twice as long as at the start. Mach number 1/60.",
       .times = {0.2, 0.4, 0.6, end},
@@ -66,15 +66,15 @@ Case vnv::the_case() {
       .measurements = {error_of_axes, velocity_errors(velocity_of_drop()), error_of_pressure},
       .methods = with_ladder(levels, methods_on(scene()), claims()),
       .plots = {over_time({"length",
-                           "Longer half-axis over time",
+                           "Major half-axis over time",
                            "From the second moments of the particles.",
                            {"t [s]"},
                            {"half-axis [m]"}},
                           0, {"40 across"}),
                 exact_over_time("length", length, end),
                 along_ladders({"order",
-                               "Error over spacing",
-                               fmt::format("L2 error of the velocity, particle by particle, at t = {:g} s.", end),
+                               "Error against particle spacing",
+                               fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", end),
                                {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
                                {.label = "L2 v [%]", .logarithmic = true}},
                               {}, spacing(), {{"", error_of(l2_velocity, end)}})}};

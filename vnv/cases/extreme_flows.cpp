@@ -1,4 +1,4 @@
-/// Stiff and extreme flows of fluid that fills its domain, each with its ending declared.
+/// Stiff and extreme periodic flows, each with its outcome declared in advance.
 
 #include "vnv/stability/extreme.hpp"
 #include "vnv/stability/lattice_noise.hpp"
@@ -15,7 +15,7 @@ using namespace touchstone::vnv;
 namespace {
 
 constexpr double c = RestingLattice::sound_speed;
-constexpr double base_reynolds = 100;  // of a wave of shear, by its amplitude and length
+constexpr double base_reynolds = 100;  // of a shear wave, by its amplitude and wavelength
 constexpr double base_mach = 0.1;
 
 RestingLattice lattice_for(const LatticeMethod& method) {
@@ -50,8 +50,8 @@ std::function<double(const Samples&)> error_of(const Wave& wave, const RestingLa
 }
 
 /// Methods whose particles take their velocities from the grid lose some in every step, whatever the viscosity: in
-/// fluids that are too thin or too stiff for that to be little they end, but not right. So does least squares in eight
-/// cells, each time it puts particles back on their lattice.
+/// fluids that are too thin or too stiff for that to be little they stay stable but not accurate. So does least squares
+/// in eight cells, each time it puts particles back on their lattice.
 Ending as_damped(const LatticeMethod& method, Ending usual) {
   return method.family == Family::mpm && method.name() != "mpm" && method.name() != "mpm_float" ? Ending::stable
                                                                                                 : usual;
@@ -115,7 +115,7 @@ Extreme at_random(const LatticeMethod& method) {
           .declared = borne_by(here.name)};
 }
 
-/// Noise of a millionth of the speed of sound shall not have grown tenfold after a million steps, or so.
+/// Noise of 1e-6 times the speed of sound must not grow tenfold in about a million steps.
 Extreme at_rest_for_long(const LatticeMethod& method) {
   RestingLattice lattice = lattice_for(method);
   lattice.cells /= 2;
@@ -153,12 +153,12 @@ std::vector<LatticeMethod> all_methods() {
 
 Case vnv::the_case() {
   return {
-      .title = "Stiff and extreme flows",
+      .title = "Stiff and extreme periodic flows",
       .description =
-          "Fluid that fills a square of 16 by 16 particles and repeats along both axes, in steps of each method's own choice. "
-          "A wave of shear decays in fluids ten thousand times as viscous, as thin, as stiff as a usual one, and in one so "
-          "soft that it moves at 0.7 of the speed of sound; fluid is carried through both seams; particles start anywhere; "
-          "and nothing happens for a million steps, a tenth as many with the dearest methods. How each has to end is declared beforehand.",
+          "A doubly periodic square of 16 by 16 particles, with the time step that each method chooses. "
+          "A shear wave decays in fluids ten thousand times more viscous, less viscous and stiffer than usual, and in one so "
+          "compressible that the Mach number is 0.7; fluid is advected across both periodic boundaries; particles start at random; "
+          "and fluid stays at rest for a million steps, a tenth as many with the most expensive methods. The outcome of each is declared in advance.",
       .times = {1},
       .measurements = {},
       .methods = each_of(all_methods(), method_meeting_extremes),

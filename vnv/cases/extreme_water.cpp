@@ -1,4 +1,4 @@
-/// Extreme scenes with a free surface or hardly any fluid, each with its ending declared.
+/// Extreme free-surface scenes, each with its outcome declared in advance.
 
 #include "solvers/walls/free_slip.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
@@ -154,7 +154,7 @@ Setting falling_drop() {
           .declared = Ending::accurate,
           .error =
               [=](const Samples& s) {
-                // Its middle falls as a stone, and it stays as wide as it was.
+                // Its centre of mass is in free fall, and its width is constant.
                 const double fall = g / 2 * end * end, width = s.x.row(0).maxCoeff() - s.x.row(0).minCoeff();
                 return 100 * std::max((middle(s) - start + Vec2(0, fall)).norm() / fall,
                                       std::abs(width / (2 * radius) - 1) - 0.1);
@@ -210,7 +210,7 @@ std::vector<Setting> settings() {
           empty_background(), falling_drop(), jet(),        colliding_drops(), tension()};
 }
 
-/// What is declared of a method otherwise than of all, and why.
+/// Exceptions by method, and why.
 Ending declared_of(const Setting& setting, const std::string& method) {
   // Where a particle has too few neighbours for it, the correction of gradients has no limit.
   if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
@@ -245,12 +245,12 @@ Method method_meeting_extremes(Make make) {
 
 Case vnv::the_case() {
   return {
-      .title = "Extreme scenes of water",
+      .title = "Extreme free-surface scenes",
       .description =
-          "Water with hardly any of it, or with much too much weight: one particle, one cell, a single row; particles on the "
-          "edges and in the corners of the domain; a hundredfold gravity; a drop in a thousand times as much nothing, one that "
+          "Very little water, or very strong gravity: one particle, one cell, a single row; particles on the "
+          "edges and in the corners of the domain; a hundredfold gravity; a drop in a domain a thousand times its size, one that "
           "falls 11 m, two that collide at 4 m/s, one that is torn apart; a jet whose particles do not touch. 0.02 m from "
-          "particle to particle, four in a cell, the speed of sound 40 m/s. How each has to end is declared beforehand.",
+          "particle to particle, four in a cell, the speed of sound 40 m/s. The outcome of each is declared in advance.",
       .times = {1},
       .measurements = {},
       .methods = {method_meeting_extremes([](const Water& s) { return mpm_as_printed(s, output_interval, 0.4); }),

@@ -1,4 +1,4 @@
-/// Water at rest under gravity: what pressure it has, and what moves all the same.
+/// Hydrostatic equilibrium: pressure, and spurious motion.
 
 #include "vnv/flows/water_at_rest.hpp"
 #include "vnv/measures/decay.hpp"
@@ -41,35 +41,33 @@ std::vector<double> look(const Samples& s) {
 }
 
 const std::vector<Level> levels = levels_across(depth, {{20, 2, 0, end}, {40, 0, 0, end}, {80, 0, 0, end}}),
-                         // For methods of which 80 across takes more than a minute and tells nothing new.
+                         // For methods that take more than a minute with 80 across, without adding information.
     coarser = levels_across(depth, {{20, 2, 0, end}, {28, 0, 0, end}, {40, 0, 0, end}});
 
-Claim is_still() { return at_most(energy, 1e-6, baseline("a thousandth of the speed of a wave is still")); }
+Claim is_still() { return at_most(energy, 1e-6, baseline("a thousandth of the gravity wave speed counts as rest")); }
 
 /// Of a method that holds water at rest, for 2 s with 20 across and for 10 s with 40.
 std::vector<Claim> claims(const Claim& still_for_long = is_still()) {
   std::vector<Claim> all = {is_still().on("20 across").at(2), still_for_long.on("40 across").at(end)};
   for (const auto& [level, time] : {std::pair("20 across", 2.0), std::pair("40 across", end)}) {
-    all.push_back(at_most(l2_p, 0.5, baseline("a pressure within half a per cent is what is expected of water at rest"))
-                      .on(level)
-                      .at(time));
-    all.push_back(at_most(surface, 0.1, baseline("a thousandth of the depth is still")).on(level).at(time));
+    all.push_back(at_most(l2_p, 0.5, baseline("a hydrostatic pressure within 0.5 % is expected")).on(level).at(time));
+    all.push_back(at_most(surface, 0.1, baseline("a thousandth of the depth counts as rest")).on(level).at(time));
   }
   return all;
 }
 
-/// Still at 1e-9 for 5 s; then particles leave the lattice on which they started, within a second and for once.
-Claim rearranges() { return at_most(energy, 2e-5, baseline("half as much again as first measured, at 6 s")); }
+/// At rest to 1e-9 for 5 s; then the particles rearrange once, within a second.
+Claim rearranges() { return at_most(energy, 2e-5, baseline("1.5 times the first measured value, at 6 s")); }
 
 }  // namespace
 
 Case vnv::the_case() {
   return {
-      .title = "Water at rest",
+      .title = "Hydrostatic equilibrium",
       .description =
-          "Water 1 m deep stands under gravity for 10 s between a floor and a free surface, and repeats along x. The oracle is "
-          "the equilibrium of Tait's law; each row of particles starts where it has as much water above it as it "
-          "would there. What moves is the method's own doing.",
+          "Water 1 m deep rests under gravity for 10 s between a bottom wall and a free surface, periodic along x. The oracle is "
+          "the equilibrium of Tait's law; each row of particles starts at the height at which it has its equilibrium "
+          "column of water above it. Any motion is spurious.",
       .times = {settled, 2, end},
       .watch = {.every = 0.05, .see = look},
       .measurements = {norms_of("p, per particle", pressures, pressure_at), unrest},
@@ -77,19 +75,19 @@ Case vnv::the_case() {
                   with_ladder(coarser, apic(scene), claims()), with_ladder(coarser, xpic(scene), claims()),
                   with_ladder(coarser, printed_sph(scene)), with_ladder(levels, delta(scene), claims(rearranges()))},
       .plots = {profiles({"profile",
-                          "Pressure over height",
-                          "Each particle of the runs with 40 across.",
+                          "Pressure profile",
+                          "All particles of the runs with 40 particles over the depth.",
                           {"y [m]"},
                           {"p [kPa]", 1e-3}},
                          pressures, pressure_at, exact.h, {"40 across"}),
                 over_time({"energy",
                            "Kinetic over potential energy",
-                           "Potential energy from the floor.",
+                           "Potential energy relative to the bottom.",
                            {"t [s]"},
                            {.label = "kinetic / potential energy", .logarithmic = true}},
                           0, {"40 across"}),
                 along_ladders({"order",
-                               "Error over spacing",
+                               "Error against spacing",
                                "L2 error of the pressure, particle by particle, after 10 s.",
                                {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
                                {.label = "L2 p [%]", .logarithmic = true}},

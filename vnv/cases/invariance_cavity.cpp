@@ -1,4 +1,4 @@
-/// A lid-driven cavity whose lid slides the other way, on a disturbed lattice and with particles numbered anew: walls
+/// A lid-driven cavity mirrored, on a disturbed lattice and with renumbered particles: walls
 /// all around.
 
 #include "vnv/flows/lid_driven.hpp"
@@ -37,12 +37,12 @@ Case vnv::the_case() {
   const double of_lid = rho * std::pow(cavity.side * cavity.lid_speed, 2) / 2;  // J/m
   Case declared =
       in_views.declared(kinetic_energy_over(of_lid / 100, in_views.error), in_views.methods(scene_of, methods_on),
-                        "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
-  declared.title = "Invariance: a lid-driven cavity";
+                        "Disturbed lattice: each particle is initially displaced by up to a tenth of a spacing.");
+  declared.title = "Invariance: lid-driven cavity";
   declared.description =
-      "A lid-driven cavity, Reynolds number 100 and Mach number 0.2, 24 particles across, seen in other ways: mirrored, so "
-      "that the lid slides to the left; from a disturbed lattice; with particles numbered anew. What should be the same is "
-      "the kinetic energy after 1 s, before particles mix: later, runs that differ by a rounding error part. Physics knows no "
-      "difference. Every method claims the mirror image and the numbers.";
+      "A lid-driven cavity, Reynolds number 100 and Mach number 0.2, 24 particles across, under symmetry transformations: mirrored, so "
+      "that the lid slides to the left; from a disturbed lattice; with renumbered particles. The invariant is "
+      "the kinetic energy after 1 s, before particles mix: later, runs that differ by rounding diverge. The equations are "
+      "invariant. Every method claims the mirror image and the renumbering.";
   return declared;
 }

@@ -42,14 +42,14 @@ Case vnv::the_case() {
   Case declared =
       in_views.declared(norms_of("v_x, per particle", by_particles, exact),
                         in_views.methods(scene_of, [](const Scene<Newtonian>& seen) { return methods_along(seen); }),
-                        "Carried along: all moves with 2 mm/s besides. Disturbed lattice: each particle starts "
+                        "Carried along: a uniform velocity of 2 mm/s is added. Disturbed lattice: each particle starts "
                         "up to a tenth of a spacing off its place.");
-  declared.title = "Invariance: a flow between walls";
+  declared.title = "Invariance: Couette flow";
   declared.description =
-      "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, seen in other ways: "
+      "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, under symmetry transformations: "
       "mirrored, so that the lower plate slides; carried along at 2 mm/s with both plates; from a disturbed "
-      "lattice; with particles numbered anew. Physics knows no difference. Every method claims the mirror image "
-      "and the numbers. None claims more: the particles that make the walls of SPH stand still, even where "
-      "the walls move, and the fluid's lattice passes them.";
+      "lattice; with renumbered particles. The equations are invariant. Every method claims the mirror image "
+      "and the renumbering. None claims more: the particles that make the walls of SPH stand still, even where "
+      "the walls move, and the fluid's lattice moves past them.";
   return declared;
 }

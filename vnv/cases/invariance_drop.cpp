@@ -36,17 +36,17 @@ Scene<Tait> scene_of(const View& view) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared =
-      in_views.declared(error_of_axes, in_views.methods(scene_of, methods_on, {"sph", "sph_corrected"}),
-                        "Carried along: all moves with (0.3, 0.2) m/s besides. Turned: by 30 degrees. Disturbed "
-                        "lattice: each particle starts up to a tenth of a spacing off its place.");
-  declared.title = "Invariance: a drop";
+  Case declared = in_views.declared(
+      error_of_axes, in_views.methods(scene_of, methods_on, {"sph", "sph_corrected"}),
+      "Carried along: a uniform velocity of (0.3, 0.2) m/s is added. Turned: rotated by 30 degrees. Disturbed "
+      "lattice: each particle starts up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: stretching drop";
   declared.description =
-      "A round drop of an inviscid fluid is stretched to twice its length, 30 particles across, seen in other ways: "
-      "mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; turned by 30 degrees; from a "
-      "disturbed lattice; with particles numbered anew. Physics knows no difference. Every method claims the "
-      "mirror image and the numbers; SPH, which knows no grid, also the view of one who is carried along. Turned, "
-      "the drop is stretched along no row of its particles.";
+      "A circular drop of an inviscid fluid is stretched to twice its length, 30 particles across, under symmetry transformations: "
+      "mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; rotated by 30 degrees; from a "
+      "disturbed lattice; with renumbered particles. The equations are invariant. Every method claims the "
+      "mirror image and the renumbering; SPH, which has no grid, also Galilean invariance. Rotated, "
+      "the drop is not stretched along rows of particles.";
   declared.watch = watch_axes();
   return declared;
 }

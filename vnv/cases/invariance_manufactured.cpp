@@ -12,10 +12,10 @@ Case vnv::the_case() {
       square::PlaneFlow<ForceField>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
                                     [](const View& view) { return ForceField{manufactured::Sustaining{view}}; }},
       0.2);
-  declared.title = "Invariance: the manufactured solution";
+  declared.title = "Invariance: manufactured solution";
   declared.description =
-      "The manufactured solution, 34 particles across a period, seen in other ways together with the body force that "
-      "sustains it: mirrored, carried along, turned, from a disturbed lattice, with particles numbered anew. " +
+      "The manufactured solution, 34 particles across a period, under symmetry transformations that include the body force that "
+      "sustains it: mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. " +
       square::claimed_of_views;
   return declared;
 }

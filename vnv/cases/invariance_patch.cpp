@@ -51,18 +51,18 @@ Case vnv::the_case() {
   Case declared = in_views.declared(
       kinetic_energy_over(exact.kinetic_energy(), in_views.error),
       in_views.methods(scene_of, methods_on, {"sph_delta"}),
-      "Carried along: all moves with (0.5, 0.3) m/s besides. Turned: by 30 degrees, and the lattice with the patch. "
+      "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included. "
       "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
   for (Method& method : declared.methods)
     if (method.name.starts_with("sph"))
-      method.claims.push_back(in_views.unchanged(turned, "without a grid there are no directions"));
-  declared.title = "Invariance: a rotating patch";
+      method.claims.push_back(in_views.unchanged(turned, "without a grid there is no preferred direction"));
+  declared.title = "Invariance: rotating patch";
   declared.description =
-      "A square patch that rotates in nothing, 24 particles across, seen in other ways: mirrored, so that it turns the other "
+      "A rotating square patch with a free surface, 24 particles across, under symmetry transformations: mirrored, so that it rotates the other "
       "way; carried along at (0.5, 0.3) m/s; turned by 30 degrees with its lattice; from a disturbed lattice; with particles "
-      "numbered anew. What should be the same is its kinetic energy after 0.3 s, for one who moves along. Physics knows no "
-      "difference. Every method claims the mirror image and the numbers; SPH, which knows no grid, also the view of one who is "
-      "turned, and without shifting that of one who is carried along: how far it shifts depends on speeds as they are at "
-      "rest.";
+      "renumbered. The invariant is the kinetic energy after 0.3 s, in the moving frame. The equations are "
+      "invariant. Every method claims the mirror image and the renumbering; SPH, which has no grid, also rotational invariance "
+      "and, without shifting, Galilean invariance: the shifting length depends on velocities in the rest "
+      "frame.";
   return declared;
 }

@@ -22,11 +22,11 @@ Case vnv::the_case() {
                                                                },
                                                                .pressure = [](const Vec2&, double) { return 0.0; }},
                                            0.2);
-  declared.title = "Invariance: a wave of shear";
+  declared.title = "Invariance: shear wave";
   declared.description =
-      "A decaying wave of shear, Reynolds number 100 and Mach number 0.1, 34 particles across it, seen in other ways: "
-      "mirrored, carried along, turned, from a disturbed lattice, with particles numbered anew. On its own lattice rows of "
-      "particles slip past each other, turned they do not. " +
+      "A decaying shear wave, Reynolds number 100 and Mach number 0.1, 34 particles per wavelength, under symmetry transformations: "
+      "mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. On the original lattice rows of "
+      "particles slip past each other; on the rotated one they do not. " +
       square::claimed_of_views;
   return declared;
 }

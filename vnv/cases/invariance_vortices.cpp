@@ -10,10 +10,10 @@ using namespace touchstone::vnv;
 Case vnv::the_case() {
   const taylor_green::Flow flow{.reynolds = 100, .sound_speed = 10};
   Case declared = square::in_several_views(square::PlaneFlow<>{flow.fluid(), flow.velocity(), flow.pressure()}, 0.2);
-  declared.title = "Invariance: vortices";
+  declared.title = "Invariance: Taylor-Green vortices";
   declared.description =
-      "Taylor-Green vortices, Reynolds number 100 and Mach number 0.1, 34 particles across a period, seen in other ways: "
-      "mirrored, carried along, turned, from a disturbed lattice, with particles numbered anew. " +
+      "Taylor-Green vortices, Reynolds number 100 and Mach number 0.1, 34 particles per period, under symmetry transformations: "
+      "mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. " +
       square::claimed_of_views;
   return declared;
 }

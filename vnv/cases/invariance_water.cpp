@@ -35,15 +35,15 @@ std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared =
-      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
-                        "Carried along: all moves with 0.5 m/s besides. Disturbed lattice: each particle starts "
-                        "up to a tenth of a spacing off its place.");
-  declared.title = "Invariance: water at rest";
+  Case declared = in_views.declared(
+      norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
+      "Carried along: a uniform velocity of 0.5 m/s is added. Disturbed lattice: each particle starts "
+      "up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: hydrostatic equilibrium";
   declared.description =
-      "Water 1 m deep under gravity, 20 particles to its depth, seen in other ways: carried along at 0.5 m/s; from a disturbed "
-      "lattice; with particles numbered anew. Physics knows no difference. Every method claims the numbers. None claims "
-      "more: the particles that make the floor of SPH are no even floor to slide along, and water whose particles are not in "
-      "rows is not at rest.";
+      "Water 1 m deep under gravity, 20 particles over the depth, under symmetry transformations: in a frame moving at 0.5 m/s; from a disturbed "
+      "lattice; with renumbered particles. The equations are invariant. Every method claims the renumbering. None claims "
+      "more: the boundary particles of SPH do not make a perfectly smooth bottom, and water whose particles are not in "
+      "rows is not in equilibrium.";
   return declared;
 }

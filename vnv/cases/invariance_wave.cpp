@@ -30,18 +30,18 @@ Scene<Newtonian, Uniform> scene_of(const View& view) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared =
-      in_views.declared(velocity_errors([](const Vec2& x, double t) -> Vec2 {
-                          return {exact.v_x(x.x(), x.y(), t), exact.v_y(x.x(), x.y(), t)};
-                        }),
-                        in_views.methods(scene_of, methods_on),
-                        "Carried along: all moves with 0.5 m/s besides. Disturbed lattice: each particle starts "
-                        "up to a tenth of a spacing off its place.");
-  declared.title = "Invariance: a gravity wave";
+  Case declared = in_views.declared(
+      velocity_errors([](const Vec2& x, double t) -> Vec2 {
+        return {exact.v_x(x.x(), x.y(), t), exact.v_y(x.x(), x.y(), t)};
+      }),
+      in_views.methods(scene_of, methods_on),
+      "Carried along: a uniform velocity of 0.5 m/s is added. Disturbed lattice: each particle starts "
+      "up to a tenth of a spacing off its place.");
+  declared.title = "Invariance: standing gravity wave";
   declared.description =
-      "A standing gravity wave of small amplitude, 40 particles to its length, seen in other ways: carried along "
-      "at 0.5 m/s; from a disturbed lattice; with particles numbered anew. Physics knows no difference. Every "
-      "method claims the numbers. None claims more: the particles that make the floor of SPH are no even floor to "
-      "slide along.";
+      "A standing gravity wave of small amplitude, 40 particles per wavelength, under symmetry transformations: in a frame moving "
+      "at 0.5 m/s; from a disturbed lattice; with renumbered particles. The equations are invariant. Every "
+      "method claims the renumbering. None claims more: the boundary particles of SPH do not make a perfectly smooth "
+      "bottom.";
   return declared;
 }

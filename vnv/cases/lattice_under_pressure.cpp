@@ -1,4 +1,4 @@
-/// Which pressures a lattice of particles bears: where it is stiff, where it is unstable under tension, and how fast.
+/// Stability of a particle lattice under uniform pressure: tensile and pairing instability, and their growth rates.
 
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/stability/critical_step.hpp"
@@ -47,7 +47,7 @@ Run under(const LatticeMethod& method, double pressure) {
   run.add(theory_holds, (radius > growing) == !std::isnan(growth) ? 1 : 0);
   const std::string figure = "growth";
   run.curves = {{figure, method.name(), Role::ours, {pressure}, {by_theory}, false},
-                {figure, method.name() + ", seen", Role::ours, {pressure}, {seen}, true}};
+                {figure, method.name() + ", measured", Role::ours, {pressure}, {seen}, true}};
   return run;
 }
 
@@ -65,7 +65,7 @@ Method under_pressures(const LatticeMethod& on_lattice) {
       if (name_of_pressure(p) == level.name) return under(on_lattice, p);
     return under(on_lattice, 0);
   };
-  method.tolerance = {0.1, "a growth rate is read off a line through noise"};
+  method.tolerance = {0.1, "the growth rate is fitted to noise"};
   method.claims = {at_least(theory_holds, 1, theory("the spectral radius of its own linearised step"))};
   return method;
 }
@@ -80,8 +80,8 @@ std::vector<LatticeMethod> methods_that_feel_it() {
 void join_curves(const Results&, Record& record) {
   record.figures.push_back(
       {"growth",
-       "Growth of noise over the pressure of the fluid",
-       "Lines by linear theory, points as seen in a trial of 4000 steps; half of the step that a method "
+       "Growth rate of noise against background pressure",
+       "Lines: linear theory; points: simulations of 4000 steps, with half of the time step that a method "
        "chooses. Negative pressures are tension.",
        {"pressure / (rho c^2)"},
        {"growth rate, spacing / c"}});
@@ -102,14 +102,14 @@ void join_curves(const Results&, Record& record) {
 
 Case vnv::the_case() {
   return {
-      .title = "A lattice under pressure and tension",
+      .title = "Particle lattice under pressure and tension",
       .description =
-          "Fluid at rest on a lattice that repeats along both axes, under a uniform pressure: from a tension of a twentieth of "
-          "rho c² to a pressure of a fifth. A fluid does not feel it. A lattice of particles does: kernels whose slope falls "
-          "off between neighbours pull pairs together under tension (tensile instability, Swegle, Hicks & Attaway 1995), or "
-          "under pressure (pairing). Noise of a hundred-millionth of the speed of sound grows, or does not; beside it stands "
-          "the largest eigenvalue of the method's own linearised step. Methods that keep the particles' volumes to those of "
-          "the domain take any uniform pressure away, and are not here.",
+          "Fluid at rest on a doubly periodic lattice, under a uniform pressure: from a tension of a twentieth of "
+          "rho c² to a pressure of a fifth. A continuum does not feel it. A lattice of particles does: kernels whose slope decreases "
+          "between neighbours pull pairs together under tension (tensile instability, Swegle, Hicks & Attaway 1995), or "
+          "under pressure (pairing). Whether noise of 1e-8 times the speed of sound grows is compared with "
+          "the largest eigenvalue of the method's own linearised step. Methods that constrain the particle volumes to that of "
+          "the domain remove any uniform pressure and are left out.",
       .times = {1},
       .measurements = {},
       .methods = each_of(methods_that_feel_it(), under_pressures),

@@ -1,4 +1,4 @@
-/// Plane Poiseuille flow whose force swings: Womersley's flow in the plane.
+/// Oscillating plane Poiseuille flow: Womersley flow between plates.
 
 #include "reference/oscillating_poiseuille.hpp"
 #include "solvers/forces/force_field.hpp"
@@ -37,8 +37,8 @@ Case vnv::the_case() {
   Case declared = flow_along(scene, {period / 4, 3 * period / 4}, exact, {20, 28, 40, 56, 80});
   declared.title = "Oscillating Poiseuille flow";
   declared.description =
-      "A force along a channel of 1 mm swings with up to 40 mm/s², ten times a second; the Womersley number of half the gap is "
-      "4, so that water at the walls turns before that in the middle. The oracle is Womersley's (1955) in the plane, for a "
-      "force that has swung for ever; its motion at t = 0 is the start.";
+      "A body force along a channel of 1 mm oscillates with an amplitude of 40 mm/s² at 10 Hz; the Womersley number on half the gap is "
+      "4, so that the near-wall flow leads the core in phase. The oracle is the plane form of Womersley's (1955) solution for a "
+      "force that has always oscillated; its velocity at t = 0 is the initial state.";
   return declared;
 }

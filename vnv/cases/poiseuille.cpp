@@ -1,5 +1,5 @@
-/// Start-up of plane Poiseuille flow [Sun et al., section 3.1]. Water at rest between two plates feels a force along x
-/// from t = 0; at 1 s the profile is the steady parabola to four digits.
+/// Start-up of plane Poiseuille flow [Sun et al., section 3.1]. Water at rest between two plates is subject to a body
+/// force along x from t = 0; at 1 s the profile is the steady parabola to four digits.
 
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/uniform.hpp"
@@ -32,8 +32,8 @@ Case vnv::the_case() {
   Case declared{
       .title = "Start-up of plane Poiseuille flow",
       .description =
-          "Water at rest between two plates 1 mm apart feels a body force of 8 mm/s² along them from t = 0. The "
-          "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.",
+          "Water at rest between two plates 1 mm apart is driven by a body force of 8 mm/s² along them from t = 0. The "
+          "oracle is the exact series of Morris, Fox & Zhu (1997), as a Fourier series at late and by images at early times.",
       .times = {0.05, 0.1, 0.2, 1, 10},
       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{largest_velocity(s)}; }},
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
@@ -47,10 +47,16 @@ Case vnv::the_case() {
                .levels = mpm_levels(1, 10),
                .ladders = mpm_ladders(),
                .claims =
-                   {at_most(l2, 0.07, baseline("a plain prototype of the same scheme had 0.064")).on("M2").at(1),
-                    at_most(linf, 0.08, baseline("a plain prototype of the same scheme had 0.068")).on("M2").at(1),
-                    order_between(grid, l2, 1.9, 2.1, theory("linear hats, central quadrature: order 2")).at(1),
-                    order_between(grid, linf, 1.9, 2.1, theory("linear hats, central quadrature: order 2")).at(1)},
+                   {at_most(l2, 0.07, baseline("an independent prototype of the same scheme gave 0.064"))
+                        .on("M2")
+                        .at(1),
+                    at_most(linf, 0.08, baseline("an independent prototype of the same scheme gave 0.068"))
+                        .on("M2")
+                        .at(1),
+                    order_between(grid, l2, 1.9, 2.1, theory("linear shape functions, central quadrature: order 2"))
+                        .at(1),
+                    order_between(grid, linf, 1.9, 2.1, theory("linear shape functions, central quadrature: order 2"))
+                        .at(1)},
            },
            {
                .name = "mpm_reset",
@@ -58,8 +64,9 @@ Case vnv::the_case() {
                .run = mpm_with<mpm::VelocityReset>(scene),
                .levels = mpm_levels(0, 1),
                .ladders = mpm_ladders(),
-               .claims = {order_between(grid, linf, 0.8, 1.2,
-                                        theory("a reset wall acts up to half a cell inside: order 1 at the wall"))
+               .claims = {order_between(
+                              grid, linf, 0.8, 1.2,
+                              theory("a reset wall acts up to half a cell into the fluid: order 1 at the wall"))
                               .at(1),
                           between(l2_rows, 3.34 / 1.5, 3.34 * 1.5, literature("Sun et al., table 3, M1, within 1.5"))
                               .on("M1")
@@ -98,9 +105,9 @@ Case vnv::the_case() {
                .levels = regularised_levels(),
                .ladders = sph_ladders({"S1", "S2", "S3"}),
                .claims =
-                   {at_most(l2, 0.5, baseline("a prototype with mirrored wall velocities had 0.39")).on("S1").at(1),
+                   {at_most(l2, 0.5, baseline("a prototype with mirrored wall velocities gave 0.39")).on("S1").at(1),
                     at_most(l2, 0.5, baseline("the same at 10 s")).on("S1").at(10),
-                    at_most(growth, 1.25, theory("a steady flow: no growth but the passing of particles"))
+                    at_most(growth, 1.25, theory("steady flow: no growth other than from particles passing each other"))
                         .on("S1")
                         .at(10)},
                .tolerance = stretched,
@@ -108,13 +115,13 @@ Case vnv::the_case() {
            }},
       .plots = {profiles({"profile",
                           "Velocity profiles",
-                          "Row means at 3200 particles. Re-draws figure 5(b) of Sun et al.",
+                          "Row means at 3200 particles. Reproduces figure 5(b) of Sun et al.",
                           {"y [mm]", 1e3},
                           {"v_x [mm/s]", 1e3}},
                          by_rows, exact, H, {"M2", "S2"}),
                 over_time({"history",
-                           "Largest velocity over time",
-                           "Re-draws figure 5(a) of Sun et al.",
+                           "Maximum velocity over time",
+                           "Reproduces figure 5(a) of Sun et al.",
                            {"t [s]"},
                            {"v_x [mm/s]", 1e3}},
                           0, {"M2", "S1"}),

@@ -1,4 +1,4 @@
-/// What an error costs in start-up plane Poiseuille flow [Sun et al., section 3.1], at the paper's bulk modulus.
+/// Work-precision diagram of start-up plane Poiseuille flow [Sun et al., section 3.1], at the paper's bulk modulus.
 
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/uniform.hpp"
@@ -36,8 +36,8 @@ std::vector<WorkPoint> elsewhere() {
   return points;
 }
 
-/// A plain loop as cheap as it can be for an error of 1 %: 12 cells across, one particle in each, steps of 70 us. It
-/// takes 0.04 s where the goal of 0.03 s was set; beside it, on the same machine, the goal is three quarters of it.
+/// The cheapest reference loop for an error of 1 %: 12 cells across, one particle in each, steps of 70 us. It
+/// takes 0.04 s where the goal of 0.03 s was set; relative to it, on the same machine, the goal is three quarters.
 const Quantity beside_plain_loop{"CPU time to 1 % over that of the reference loop", "", Kind::cost};
 std::vector<Value> price_beside_a_plain_loop(const Results& results, const Record& record) {
   if (results.method.name != "mpm") return {};
@@ -69,10 +69,10 @@ Case vnv::the_case() {
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1, price_at_most(1, 2, baseline("goal: the best of other codes takes 83 s"))}}});
   declared.findings.push_back(price_beside_a_plain_loop);
-  declared.title = "Poiseuille flow: error against run time";
+  declared.title = "Poiseuille flow: work-precision diagram";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "
-      "and over time steps, from the paper's 5 us up to nearly the longest that it can bear. A method is worth what its "
+      "and over time steps, from the paper's 5 us up to nearly the largest stable one. Methods are compared by the cost of a given "
       "error costs.";
   return declared;
 }

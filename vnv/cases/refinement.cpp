@@ -16,7 +16,7 @@ constexpr double end = 0.2;  // s
 struct Point {
   int across;    // cells, or lengths of 1.3 spacings that h is long
   double finer;  // points along a cell, or h over the spacing
-  double share;  // of a cell or of a spacing, that sound travels in a step
+  double share;  // acoustic Courant number, by the cell or the spacing
   bool quick;    // in the suite acceptance too
 };
 
@@ -85,7 +85,7 @@ Method over_surface(Method method, const std::vector<Point>& all, Level (*level_
 void over_time_steps(const Results& results, Record& record) {
   record.figures.push_back(
       {"time_step",
-       "Error over the time step",
+       "Error against time step",
        fmt::format("L2 error of the velocity, particle by particle, at t = {:g} s; 32 cells across with "
                    "2 x 2 points each, or h = 1.3 / 32 m with 1.3 spacings in it.",
                    end),
@@ -110,19 +110,19 @@ void over_time_steps(const Results& results, Record& record) {
 Case vnv::the_case() {
   const Method mpm = mpm_least_squares(scene, output_interval), sph = sph_second_order(scene, output_interval);
   return {
-      .title = "Refinement in each direction",
+      .title = "Refinement of cells, particles and time step separately",
       .description =
-          "The manufactured solution again. A material point method is refined by finer cells, by more points in each, or "
+          "The manufactured solution. A material point method is refined by finer cells, by more points in each, or "
           "by shorter steps; smoothed particle hydrodynamics by a shorter smoothing length h, by more particles within "
-          "it, or by shorter steps. Only where cells or kernels shrink does the error of second order fall; the others show "
-          "what is left.",
+          "it, or by shorter steps. Only refining cells or kernels reduces the second-order error; the other ladders show "
+          "the remaining error.",
       .times = {end},
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
       .methods = {over_surface(mpm, surface(points), mpm_level, cells_at, points_in_cells),
                   over_surface(sph, surface(ratios), sph_level, kernels_at, spacing_in_kernels)},
       .plots = {along_ladders({"surface",
-                               "Error over spacing, in each direction",
-                               "L2 error of the velocity at the end; each line refines one thing.",
+                               "Error against spacing, each parameter refined separately",
+                               "L2 error of the velocity at the end; each line refines one parameter.",
                                {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
                                {.label = "L2 v [%]", .logarithmic = true}},
                               {}, spacing(), {{"", error_of(l2_velocity, end)}}),

@@ -1,4 +1,4 @@
-/// A square patch that rotates and that nothing holds together [Colagrossi 2005]: what it must keep, under tension.
+/// Rotating square patch [Colagrossi 2005]: conservation under tension.
 
 #include "vnv/flows/patch.hpp"
 #include "vnv/judge/norms.hpp"
@@ -29,7 +29,7 @@ Scene<Tait> scene_of(const Level& level) {
   return seen;
 }
 
-/// What is watched.
+/// Monitored quantities.
 enum Column : std::size_t { momentum_x, momentum_y, angular_momentum, energy, longer, shorter, middle };
 
 /// Mean pressure [Pa] over the particles within a tenth of a side from the middle.
@@ -79,12 +79,12 @@ std::vector<Level> levels() {
   return all;
 }
 
-Claim keeps_momentum() { return at_most(drift, 1e-9, theory("no force acts on it")); }
+Claim keeps_momentum() { return at_most(drift, 1e-9, theory("no external force")); }
 
 /// A method, which `make` makes for a scene, on its ladder and once from a disturbed lattice.
 template <class Make>
 Method turned_by(const Make& make, std::vector<Claim> claims = {}) {
-  claims.push_back(at_most(skew, 1, theory("a quarter turn changes nothing")).on("40 across" + with_disorder));
+  claims.push_back(at_most(skew, 1, theory("fourfold symmetry")).on("40 across" + with_disorder));
   Method rotating = with_ladder(levels(), make(scene_of({})), std::move(claims));
   rotating.ladders[0].levels.pop_back();
   rotating.run = [=](const Level& level, const Schedule& when) { return make(scene_of(level)).run(level, when); };
@@ -104,11 +104,11 @@ Case vnv::the_case() {
   return {
       .title = "Rotating square patch",
       .description =
-          "A square patch of an inviscid fluid begins to rotate as if rigid, in nothing (Colagrossi 2005; Le Touzé et al. "
-          "2013). Arms grow from its corners, and its pressure, negative but for ripples of sound, tears at methods whose "
-          "particles do not bear tension. Momentum, angular momentum and the symmetry of a square stay; kinetic energy too, "
-          "as far as the fluid is incompressible. One run starts from a disturbed lattice, which has not that symmetry to "
-          "begin with. Mach number of a corner 1/28.",
+          "A square patch of an inviscid fluid starts in rigid rotation, with a free surface all around (Colagrossi 2005; Le Touzé et al. "
+          "2013). Arms grow from its corners, and its pressure, negative apart from acoustic ripples, exposes the tensile instability of "
+          "particle methods. Momentum, angular momentum and the symmetry of a square are conserved; kinetic energy too, "
+          "in the incompressible limit. One run starts from a disturbed lattice, which lacks that symmetry "
+          "from the start. Mach number of a corner 1/28.",
       .times = {0.5, end},
       .watch = {.every = 0.02, .see = look},
       .measurements = {what_is_not_kept,
@@ -117,28 +117,27 @@ Case vnv::the_case() {
                   turned_by(delta, {keeps_momentum(),
                                     at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
                   shifted_and_turned()},
-      .plots = {
-          snapshots({"patch",
-                     "Patch and its pressure",
-                     "Particles coloured by pressure, 40 across; what is beyond the colours has the last of them.",
-                     {"x [m]"},
-                     {"y [m]"},
-                     {"p [Pa]", 1, false, -200, 50}},
-                    {"40 across"}, {0.5, end}),
-          over_time({"energy",
-                     "Kinetic energy over time",
-                     fmt::format("At the start it is {:.2f} J per metre of depth.", exact.kinetic_energy()),
-                     {"t [s]"},
-                     {"kinetic energy [J/m]"}},
-                    energy, {"40 across"}),
-          exact_over_time(
-              "energy", [](double) { return exact.kinetic_energy(); }, end),
-          over_time({"middle",
-                     "Pressure in the middle",
-                     "Mean within a tenth of a side. Exact is the pressure at the start.",
-                     {"t [s]"},
-                     {"p [Pa]"}},
-                    middle, {"40 across"}),
-          exact_over_time(
-              "middle", [](double) { return exact.p(0, 0); }, 0.05)}};
+      .plots = {snapshots({"patch",
+                           "Patch, coloured by pressure",
+                           "40 particles across; pressures beyond the colour scale are clipped.",
+                           {"x [m]"},
+                           {"y [m]"},
+                           {"p [Pa]", 1, false, -200, 50}},
+                          {"40 across"}, {0.5, end}),
+                over_time({"energy",
+                           "Kinetic energy over time",
+                           fmt::format("Initially {:.2f} J per metre of depth.", exact.kinetic_energy()),
+                           {"t [s]"},
+                           {"kinetic energy [J/m]"}},
+                          energy, {"40 across"}),
+                exact_over_time(
+                    "energy", [](double) { return exact.kinetic_energy(); }, end),
+                over_time({"middle",
+                           "Central pressure",
+                           "Mean within a tenth of a side. Exact is the pressure at the start.",
+                           {"t [s]"},
+                           {"p [Pa]"}},
+                          middle, {"40 across"}),
+                exact_over_time(
+                    "middle", [](double) { return exact.p(0, 0); }, 0.05)}};
 }

@@ -1,4 +1,4 @@
-/// What a particle costs among a thousand and among ten million: time of a step, and memory.
+/// Cost per particle from a thousand to ten million particles: time of a step, and memory.
 
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/machine.hpp"
@@ -19,7 +19,7 @@ const Quantity moved_meanwhile{"memory traffic in the extra time per particle-st
 const Quantity passes{
     "memory traffic in the extra time per particle-step over 10^4 particles, over the memory of a particle", "",
     Kind::cost};
-const Author goal = baseline("goal set");
+const Author goal = baseline("performance goal");
 const Author two_reads_and_a_write = theory("a step reads the particles twice and writes them once");
 
 constexpr double spacing = channel_cell / 2;
@@ -118,11 +118,11 @@ Pick memory_per_particle() {
 Case vnv::the_case() {
   const Axis number{.label = "particle number", .logarithmic = true};
   return {
-      .title = "Scale",
+      .title = "Scaling to ten million particles",
       .description =
-          "A channel with four particles per cell, the larger the more particles it has; a few steps, each run in a "
-          "process of its own and timed in turn with ten thousand particles. Where the state outgrows a cache, time bends "
-          "upwards: by what the machine, asked by McCalpin's triad, takes to move a particle's memory so many times.",
+          "A channel with four particles per cell, whose size grows with the number of particles; a few steps, each run in a "
+          "process of its own and timed in turn with ten thousand particles. Where the state outgrows a cache, the time per particle "
+          "rises: by the time that the machine, measured by McCalpin's STREAM triad, takes to move a particle's memory so many times.",
       .times = {1},
       .measurements = {},
       .findings = {find_memory},
@@ -139,18 +139,19 @@ Case vnv::the_case() {
                    .ladders = ladders,
                    .claims = claims_of_sph()}},
       .plots = {along_ladders({"cost_per_particle",
-                               "CPU time of a particle-step",
+                               "CPU time per particle-step",
                                "One core. The channel grows at equal spacing.",
                                number,
                                {.label = "time per particle-step [ns]", .scale = 1e9, .logarithmic = true}},
                               {}, particle_number(), {{"", per_particle_step()}}),
-                along_ladders({"memory_per_particle",
-                               "Memory of a particle",
-                               "Peak memory of the process over the number of particles; below 10^5 particles it is "
-                               "that of the program.",
-                               number,
-                               {.label = "memory per particle [bytes]", .logarithmic = true}},
-                              {}, particle_number(), {{"", memory_per_particle()}})},
+                along_ladders(
+                    {"memory_per_particle",
+                     "Memory per particle",
+                     "Peak memory of the process over the number of particles; below 10^5 particles it is mostly "
+                     "that of the program.",
+                     number,
+                     {.label = "memory per particle [bytes]", .logarithmic = true}},
+                    {}, particle_number(), {{"", memory_per_particle()}})},
       .timed = true,
   };
 }

@@ -1,4 +1,4 @@
-/// A decaying wave of shear: the viscous term alone, in a fluid whose rows of particles slip past each other.
+/// A decaying shear wave: the viscous term alone, in a fluid whose rows of particles slip past each other.
 
 #include "reference/shear_wave.hpp"
 #include "vnv/flows/square.hpp"
@@ -36,10 +36,10 @@ Claim of_second_order(const std::string& words) {
 
 Case vnv::the_case() {
   return with_plots(
-      {.title = "A decaying wave of shear",
+      {.title = "Decaying shear wave",
        .description =
-           "In a periodic square of 1 m fluid moves along x with sin(2 pi y / m) m/s; Reynolds number 100, Mach "
-           "number 0.1. The oracle solves the whole equations of motion: pressure and density stay uniform, "
+           "In a periodic square of 1 m the initial velocity along x is sin(2 pi y / m) m/s; Reynolds number 100, Mach "
+           "number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: pressure and density stay uniform, "
            "and the wave decays by viscosity alone.",
        .times = {early, end},
        .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},

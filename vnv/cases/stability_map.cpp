@@ -1,4 +1,4 @@
-/// Where each method is stable, and where it is right: over the acoustic and the viscous Courant number, and over
+/// Where each method is stable and where it is accurate: over the acoustic and the viscous Courant number, and over
 /// stiffness and Reynolds number with the step that it chooses.
 
 #include "solvers/stepping/diverged.hpp"
@@ -134,7 +134,7 @@ class CourantMap {
 
   CourantMap(const LatticeMethod& method, const std::string& figure, std::vector<double> acoustic, const Wave& wave)
       : method_(method), acoustic_(std::move(acoustic)), wave_(wave), map_(figure), theory_{figure,
-                                                                                            "limit by linear theory",
+                                                                                            "linear stability limit",
                                                                                             Role::exact,
                                                                                             {},
                                                                                             {},
@@ -271,8 +271,8 @@ Method maps_of(const LatticeMethod& on_lattice) {
                                              : map_of_courant_numbers(on_lattice);
   };
   method.claims = {
-      at_least(stable_as_theory, 95, theory("but for points on the boundary trial and linear theory agree")),
-      at_least(stable_where_made_for, 100, theory("the step that a method chooses is a stable one")).on(over_fluids)};
+      at_least(stable_as_theory, 95, theory("except on the boundary, simulation and linear theory agree")),
+      at_least(stable_where_made_for, 100, theory("the time step that a method chooses is stable")).on(over_fluids)};
   return method;
 }
 
@@ -281,22 +281,22 @@ void declare_figures(const Results& results, Record& record) {
   const std::string length = method.family == Family::mpm ? "cell" : "spacing";
   record.figures.push_back(
       {figure_of(over_courant_numbers, method),
-       method.name() + ": stable steps",
-       "A wave of velocity of a hundredth of the speed of sound decays on a lattice without walls. Each point is a trial of "
-       "400 to 1500 steps, until half of the wave is left.",
+       method.name() + ": stability over acoustic and viscous Courant number",
+       "A shear wave of a hundredth of the speed of sound decays on a periodic lattice. Each point is a simulation of "
+       "400 to 1500 steps, until the amplitude has halved.",
        {.label = "c dt / " + length, .logarithmic = true},
        {.label = "nu dt / " + length + "^2", .logarithmic = true}});
   if (can_be_arranged(method))
     record.figures.push_back(
         {figure_of(over_arrangements, method),
-         method.name() + ": stable steps by arrangement",
+         method.name() + ": stability over resolution of the kernel or cell",
          "The same for a wave of a ten-thousandth, over the smoothing length or the number of particles in a cell, with nu dt = 0.01 " +
              length + "^2.",
          {.label = "c dt / " + length, .logarithmic = true},
          {.label = method.family == Family::mpm ? "particles in a cell" : "h / spacing", .low = 0}});
   record.figures.push_back(
       {figure_of(over_fluids, method),
-       method.name() + ": stiff and viscous fluids",
+       method.name() + ": stability over stiffness and Reynolds number",
        "The same with the step that the method chooses, over the wave's Reynolds number and the bulk "
        "modulus over that at which its Mach number is 0.1.",
        {.label = "Reynolds number", .logarithmic = true},
@@ -307,12 +307,12 @@ void declare_figures(const Results& results, Record& record) {
 
 Case vnv::the_case() {
   return {
-      .title = "Maps of stability",
+      .title = "Stability maps",
       .description =
-          "A wave of shear on a lattice that repeats along both axes, 16 particles across. Over the distance that sound "
-          "travels in a step and that over which momentum diffuses, the boundary of linear theory is drawn: the largest "
+          "A shear wave on a doubly periodic lattice, 16 particles across. Over the acoustic "
+          "and the viscous Courant number, the stability boundary of linear theory is drawn, from the largest "
           "eigenvalue of the method's own linearised step; likewise over the number of particles in a cell, or the smoothing "
-          "length. Over stiffness and Reynolds number, eight decades of each, the method chooses its step itself.",
+          "length. Over stiffness and Reynolds number, eight decades of each, each method uses the time step that it chooses.",
       .times = {1},
       .measurements = {},
       .methods = each_of(methods_on_lattice(), maps_of),

@@ -1,4 +1,4 @@
-/// A standing gravity wave of small amplitude: its period and how viscosity makes it die.
+/// A standing gravity wave of small amplitude: its period and its viscous decay.
 
 #include "vnv/flows/gravity_wave.hpp"
 #include "vnv/measures/swing.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double end = 4;  // s
 
-/// How high the wave stands: the first moment of the particles' heights along it, over that of the exact wave at the
+/// Wave amplitude: the first moment of the particles' heights along it, over that of the exact wave at the
 /// start.
 std::vector<double> look(const Samples& s) {
   const Scalars heights = s.x.row(1).transpose(),
@@ -46,8 +46,9 @@ std::vector<Claim> swings_right(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Each up the levels that are worth their time: 150 across takes the dearer methods three to ten minutes each, 100
-/// across takes those on B-splines one or more. XPIC, the dearest, comes at night only; by day the drop tries it.
+/// Each up to the levels worth their cost: 150 across takes the more expensive methods three to ten minutes each, 100
+/// across takes those on B-splines one or more. XPIC, the most expensive, runs in the nightly suite only; acceptance
+/// tests it in the drop.
 std::vector<Method> methods_up_levels() {
   Level at_night = levels[0];
   at_night.acceptance = 0;
@@ -70,16 +71,16 @@ Case vnv::the_case() {
   return {
       .title = "Standing gravity wave",
       .description =
-          "Water 0.5 m deep, 1 m from crest to crest, starts at rest with its surface heaped up by 2 cm, and swings for five "
-          "periods; a tenth of its height is lost in each by a viscosity of 2e-3 m²/s. The oracle is the linear wave (Lamb 1932): "
-          "its period by gravity and depth, its decay 2 nu k² by the potential flow. Period and decay are those of the "
-          "swing that lies closest to the first moment of the particles' heights.",
+          "Water 0.5 m deep, 1 m from crest to crest, starts at rest with a surface elevation of 2 cm and oscillates for five "
+          "periods; a viscosity of 2e-3 m²/s reduces the amplitude by a tenth in each. The oracle is the linear wave (Lamb 1932): "
+          "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
+          "damped oscillation fitted to the first moment of the particle heights.",
       .times = {end},
       .watch = {.every = 0.02, .see = look},
       .measurements = {errors_of_swing},
       .methods = methods_up_levels(),
       .plots = {over_time({"swing",
-                           "First moment of the heights over time",
+                           "First moment of the particle heights",
                            "Mass times height times the cosine of the wave, summed over all particles.",
                            {"t [s]"},
                            {"moment [kg m / m]"}},

@@ -1,4 +1,4 @@
-/// Stokes' first problem: a plate below fluid at rest slides from t = 0 on, and its layer grows into the fluid.
+/// Stokes' first problem: a plate below a fluid at rest slides from t = 0, and the boundary layer grows into the fluid.
 
 #include "reference/stokes.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double V = 1 * mm;  // m/s
 
-/// The layer is a tenth of the gap thick when the run ends: of what the oracle has at the ceiling, 1e-12 is left.
+/// At the end the layer is a tenth of the gap thick: at the ceiling the oracle is 1e-12 of the plate velocity.
 const Scene<Newtonian> scene{
     .domain = {.box = gap, .periodic_x = true},
     .fluid = water,
@@ -30,8 +30,8 @@ Case vnv::the_case() {
   Case declared = flow_along(scene, {early, end}, exact, {40, 48, 56, 80, 112});
   declared.title = "Stokes' first problem";
   declared.description =
-      "A plate below water at rest slides at 1 mm/s from t = 0 on. The oracle is Stokes' (1851), erfc(y / 2 sqrt(nu t)); the "
-      "layer is 0.1 mm thick at the end, a tenth of the depth, so that the ceiling, along which water slides freely, is "
-      "beyond all motion.";
+      "A plate below water at rest slides at 1 mm/s from t = 0. The oracle is Stokes' (1851), erfc(y / 2 sqrt(nu t)); the "
+      "layer is 0.1 mm thick at the end, a tenth of the depth, so that the free-slip ceiling is "
+      "outside the boundary layer.";
   return declared;
 }

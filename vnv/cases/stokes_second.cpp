@@ -1,4 +1,4 @@
-/// Stokes' second problem: a plate below a fluid swings along itself, and its motion dies out with the height.
+/// Stokes' second problem: a plate below a fluid oscillates in its own plane, and the motion decays with height.
 
 #include "reference/stokes.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -35,8 +35,8 @@ Case vnv::the_case() {
   Case declared = flow_along(scene, {period / 4, 3 * period / 4}, exact, {40, 48, 56, 80, 112});
   declared.title = "Stokes' second problem";
   declared.description =
-      "A plate below water swings along itself at up to 1 mm/s, once in 20 ms; water far above is at rest. The oracle is "
-      "Stokes' (1851) for a plate that has swung for ever, whose motion at t = 0 is the start; its layer is 0.08 mm thick, a "
+      "A plate below water oscillates in its own plane with an amplitude of 1 mm/s and a period of 20 ms; water far above is at rest. The oracle is "
+      "Stokes' (1851) for a plate that has always oscillated, whose velocity at t = 0 is the initial state; the Stokes layer is 0.08 mm thick, a "
       "twelfth of the depth.";
   return declared;
 }

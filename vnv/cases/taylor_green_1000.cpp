@@ -1,4 +1,4 @@
-/// Decaying Taylor-Green vortices at a Reynolds number of 1000 [Taylor 1923]: ten times less viscosity than in
+/// Decaying Taylor-Green vortices at Re = 1000 [Taylor 1923]: ten times less viscosity than in
 /// `taylor_green` to hide what a method damps of its own.
 
 #include "vnv/flows/taylor_green.hpp"
@@ -21,11 +21,11 @@ const std::vector<Level> coarsely = levels_across(side, {{50, early, 0, end}, {1
 
 Case vnv::the_case() {
   Case declared = taylor_green::declared(flow, early, end, 50);
-  declared.title = "Taylor-Green vortices at a Reynolds number of 1000";
+  declared.title = "Taylor-Green vortices at Re = 1000";
   declared.description =
-      "Four vortices in a periodic square of 1 m decay; top speed 1 m/s at the start, Mach number 1/40. The oracle is "
-      "Taylor's solution for an incompressible fluid. Energy falls by 4 % in half a second: what a method damps of its own "
-      "shows.";
+      "Four vortices in a periodic square of 1 m decay; maximum initial speed 1 m/s, Mach number 1/40. The oracle is "
+      "Taylor's solution for an incompressible fluid. The kinetic energy decays by 4 % in half a second: numerical dissipation "
+      "is visible.";
   declared.methods = {with_ladder(coarsely, mpm_as_printed(scene, output_interval)),
                       with_ladder(coarsely, mpm_affine(scene, output_interval)),
                       with_ladder(finely, mpm_least_squares(scene, output_interval)),

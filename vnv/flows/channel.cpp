@@ -19,7 +19,7 @@ Plot comparison(const std::string& flow, const std::string& title) {
     Table table{
         "comparison",
         title,
-        "Errors of row means at t = 1 s, CPU time per step and memory: as printed, ours, and ours over printed. The "
+        "Errors of row means at t = 1 s, CPU time per step and memory: published, computed here, and their ratio. The "
         "paper's machine was one core of an AMD Opteron 6272; memory is that of the whole process.",
         {"method", "model", "L2 paper [%]", "L2 ours [%]", "ratio", "Linf paper [%]", "Linf ours [%]", "ratio",
          "T_p paper [ms]", "T_p ours [ms]", "ratio", "memory paper [MB]", "memory ours [MB]", "ratio"},
@@ -58,8 +58,8 @@ std::vector<Plot> figures(const std::string& flow, const std::string& errors_fig
   const Axis error{.label = "error [%]", .logarithmic = true};
   return {
       along_ladders(
-          {"errors", "Error over particle number",
-           "Norms (34) and (35) of row means at t = 1 s. Re-draws figure " + errors_figure + "(a) of Sun et al.",
+          {"errors", "Error against particle number",
+           "Norms (34) and (35) of row means at t = 1 s. Reproduces figure " + errors_figure + "(a) of Sun et al.",
            number, error},
           {points_per_cell, spacing_ladder}, particle_number(),
           {{", L2", error_of(l2_rows, 1)}, {", Linf", error_of(linf_rows, 1)}}),
@@ -67,30 +67,30 @@ std::vector<Plot> figures(const std::string& flow, const std::string& errors_fig
               published_curve("errors", "paper MPM, Linf", mpm, "Linf [%]", 1),
               published_curve("errors", "paper SPH, L2", sph, "L2 [%]", 1),
               published_curve("errors", "paper SPH, Linf", sph, "Linf [%]", 1)}),
-      along_ladders(
-          {"step_time",
-           "CPU time per step",
-           "One core each; the paper's was an AMD Opteron 6272. Re-draws figure " + errors_figure + "(b) of Sun et al.",
-           number,
-           {.label = "T_p [ms]", .scale = 1e3, .logarithmic = true}},
-          {points_per_cell, spacing_ladder}, particle_number(), {{"", time_per_step()}}),
+      along_ladders({"step_time",
+                     "CPU time per step",
+                     "One core each; the paper's was an AMD Opteron 6272. Reproduces figure " + errors_figure +
+                         "(b) of Sun et al.",
+                     number,
+                     {.label = "T_p [ms]", .scale = 1e3, .logarithmic = true}},
+                    {points_per_cell, spacing_ladder}, particle_number(), {{"", time_per_step()}}),
       beside({published_curve("step_time", "paper MPM", mpm, "T_p [ms]", 1e-3),
               published_curve("step_time", "paper SPH", sph, "T_p [ms]", 1e-3)}),
       along_ladders({"cost",
-                     "Error over run time",
-                     "L2 error of row means at t = 1 s over the CPU seconds that it took; lower left is better.",
+                     "Work-precision diagram",
+                     "L2 error of row means at t = 1 s against CPU time; lower left is better.",
                      {.label = "CPU time [s]", .logarithmic = true},
                      error},
                     {}, cpu_time_until(1), {{"", error_of(l2_rows, 1)}}),
       along_ladders(
           {"convergence",
-           "Error over spacing",
+           "Error against spacing",
            "L2 error per particle at t = 1 s. More points in the same cell refine the quadrature, not the grid: the "
            "two ladders of MPM are drawn apart.",
            {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
            error},
           {}, spacing(), {{"", error_of(l2, 1)}}),
-      comparison(flow, "Table " + table + " of Sun et al. beside ours"),
+      comparison(flow, "Table " + table + " of Sun et al., with results computed here"),
   };
 }
 

@@ -119,7 +119,7 @@ Plot DamFront::models() const {
   return [published](const Results& results, Record& record) {
     Table table{
         "models",
-        "Table 5 of Sun et al. beside ours",
+        "Table 5 of Sun et al., with the values used here",
         "Our walls are as high as the domain and their corners are filled, so there are more boundary particles. The "
         "paper says that a step of SPH costs 2.6 to 4.6 times one of MPM.",
         {"method", "model", "particles paper", "particles ours", "ratio", "boundary particles paper",

@@ -27,19 +27,18 @@ inline std::vector<Plot> figures(double time, const std::string& quantity, doubl
                  false};
   };
   return {along_ladders({"order",
-                         "Error over spacing",
-                         fmt::format("L2 error of the velocity, particle by particle, at t = {:g} s.", time),
+                         "Error against spacing",
+                         fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", time),
                          {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
                          error},
                         {}, spacing(), {{"", error_of(quantity, time)}}),
           beside({guide("order 1", 1), guide("order 2", 2)}),
-          along_ladders(
-              {"cost",
-               "Error over run time",
-               fmt::format("The same over the CPU seconds from the start to t = {:g} s; lower left is better.", time),
-               {.label = "CPU time [s]", .logarithmic = true},
-               error},
-              {}, cpu_time_until(time), {{"", error_of(quantity, time)}})};
+          along_ladders({"cost",
+                         "Work-precision diagram",
+                         fmt::format("The same against CPU time to t = {:g} s; lower left is better.", time),
+                         {.label = "CPU time [s]", .logarithmic = true},
+                         error},
+                        {}, cpu_time_until(time), {{"", error_of(quantity, time)}})};
 }
 
 }  // namespace touchstone::vnv::square

@@ -51,15 +51,15 @@ Case in_several_views(const PlaneFlow<Force>& flow, double end) {
   };
   return flows.declared(
       velocity_errors(flow.velocity), flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
-      "Carried along: all moves with (1, 0.5) m/s besides. Turned: by 26.6 degrees against the lattice. "
-      "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
+      "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the lattice. "
+      "Disturbed lattice: each particle is initially displaced by up to a tenth of a spacing.");
 }
 
 /// What methods claim of the views, for the description of a case.
 inline const std::string claimed_of_views =
-    "Physics knows no difference. A method claims what follows from its equations: every method the mirror image and the "
-    "numbers; SPH, which knows no grid, also the view of one who is carried along, but for the transport velocity, whose "
-    "drift carries momentum as it is at rest. None is the same in all directions or from every lattice: there the "
-    "figures show how much it loses.";
+    "The equations are invariant. A method claims what follows from its discretisation: every method the mirror image and the "
+    "renumbering; SPH, which has no grid, also Galilean invariance, except with the transport velocity, whose "
+    "drift carries momentum as seen in the rest frame. None is isotropic or independent of the lattice: there the "
+    "table shows the loss.";
 
 }  // namespace touchstone::vnv::square

@@ -140,9 +140,9 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
 /// What the members of an ensemble are together is of the distribution that was accepted; each alone is chance.
 void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
   for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
-    const Claim alike = at_least(
-        {one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
-        baseline(fmt::format("{} accepted starts; Anderson & Darling's test, by random deals", one.accepted.size())));
+    const Claim alike =
+        at_least({one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
+                 baseline(fmt::format("{} accepted members; Anderson-Darling permutation test", one.accepted.size())));
     const Place place{record.case_name, record.method, "", not_a_number, one.time};
     if (!one.accepted.empty())
       record.verdicts.push_back(judge(alike, place, one.p_value));
@@ -151,7 +151,8 @@ void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
   }
 }
 
-/// What a baseline holds of a run must still be measured, unless it is told of the end of a run and this one went on.
+/// What a baseline holds of a run must still be measured, unless it is reported at the end of a run and this run went
+/// on.
 void miss_lost_values(const Baselines& baselines, Record& record) {
   for (const Baseline& last : baselines.rows) {
     const auto run = std::ranges::find(record.runs, last.level, &RunSummary::level);
@@ -175,7 +176,7 @@ const Quantity end_of_run{"end time reached", "", Kind::value, Better::larger};
 void judge_ends(const Method& method, Record& record) {
   for (const RunSummary& run : record.runs) {
     if (std::ranges::find(method.levels, run.level, &Level::name)->may_diverge) continue;
-    const Claim ends = at_least(end_of_run, 1, theory("a stable method answers"));
+    const Claim ends = at_least(end_of_run, 1, theory("a stable method reaches the end time"));
     Verdict v =
         judge(ends, {record.case_name, record.method, run.level, run.spacing, run.end_time}, run.finished ? 1 : 0);
     if (!run.finished)

@@ -19,7 +19,7 @@ Method mpm_affine(const AnyScene& scene, double output_interval, double courant)
       {.name = "mpm_affine",
        .description = fmt::format(
            "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
-           "cell. Sound travels {:g} cells in a step; each step damps, so that long ones are the more accurate.",
+           "cell. Acoustic Courant number {:g}, by the cell; each step adds dissipation, so that larger steps are more accurate.",
            courant),
        .tolerance = stretched},
       [=](const Level& level, double time_step) { return mpm_affine_solver(scene, level, time_step); },

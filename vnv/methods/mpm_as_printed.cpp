@@ -22,8 +22,8 @@ Method mpm_as_printed(const AnyScene& scene, double output_interval, double cour
   return simulating(
       {.name = "mpm",
        .description = fmt::format(
-           "Material point method as printed by Sun et al., section 2.1: linear hats, lumped mass, FLIP, MUSL; four "
-           "particles in a cell. Sound travels {:g} cells in a step.",
+           "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, MUSL; four "
+           "particles per cell. Acoustic Courant number {:g}, by the cell.",
            courant),
        .tolerance = stretched},
       [=](const Level& level, double time_step) { return mpm_solver<>(scene, level, time_step); },

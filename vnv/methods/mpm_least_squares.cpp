@@ -18,9 +18,9 @@ Method mpm_least_squares(const AnyScene& scene, double output_interval, double c
   return simulating(
       {.name = "mpm_least_squares",
        .description = fmt::format(
-           "Material point method by least squares: nodes know the fluid by fits of second degree to its particles, the "
-           "equations are solved by central differences on the nodes, particles are put back onto their lattice before "
-           "it is strained by a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells "
+           "Material point method by least squares: nodal values from quadratic fits to the particles, the "
+           "equations are solved by central differences on the nodes, particles are remeshed onto their lattice before "
+           "its strain reaches a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells "
            "in a step.",
            courant),
        .tolerance = stretched},

@@ -25,9 +25,9 @@ Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std
   return simulating(
       {.name = name,
        .description = fmt::format(
-           "Material point method with quadratic B-splines that are right at walls, MUSL, {}, and densities that are "
-           "smoothed over the nodes without flattening a pressure that bears weight; four particles in a cell. Sound "
-           "travels {:g} cells in a step.",
+           "Material point method with quadratic B-splines modified at walls, MUSL, {}, and densities that are "
+           "smoothed over the nodes while preserving hydrostatic gradients; four particles per cell. Acoustic "
+           "Courant number {:g}, by the cell.",
            transfer, courant),
        .tolerance = stretched,
        .relative_cost = 2},

@@ -38,7 +38,7 @@ Method sph_as_printed(const AnyScene& scene, double output_interval, double cour
       {.name = "sph",
        .description = fmt::format(
            "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term "
-           "and an artificial viscosity of 0.01. Sound travels {:g} spacings in a step.",
+           "and an artificial viscosity of 0.01. Acoustic Courant number {:g}, by the spacing.",
            courant),
        .tolerance = stretched,
        .relative_cost = 2},

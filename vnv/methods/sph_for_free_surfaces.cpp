@@ -37,7 +37,7 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
       {.name = name,
        .description = fmt::format(
            "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), Wendland's C2 "
-           "kernel with h = {:g} spacings, kick-drift-kick. Sound travels {:g} h in a step.",
+           "kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, by h.",
            words, viscosity, choice.ratio, choice.courant),
        .tolerance = stretched,
        .relative_cost = 4},
@@ -59,8 +59,8 @@ template <class AnyScene>
 Method sph_delta(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
       scene, output_interval, "sph_delta",
-      "diffusion of density less its linear part with delta = 0.1 (Antuono et al. 2010), sums of pressures", choice,
-      [](const auto& fluid, double h) {
+      "density diffusion with renormalised gradient, delta = 0.1 (Antuono et al. 2010), symmetric pressure term p_i + p_j",
+      choice, [](const auto& fluid, double h) {
         return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in(fluid, h)};
       });
 }
@@ -70,8 +70,8 @@ template <class AnyScene>
 Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
       scene, output_interval, "sph_shifted",
-      "diffusion of density less its linear part with delta = 0.1 (Antuono et al. 2010), sums of pressures, particles "
-      "shifted from where they are crowded, along a surface only (Sun et al. 2017)",
+      "density diffusion with renormalised gradient, delta = 0.1 (Antuono et al. 2010), symmetric pressure term p_i + p_j, particle "
+      "shifting, tangential at a free surface (Sun et al. 2017)",
       choice, [](const auto& fluid, double h) {
         return sph::Parts{.pressure = sph::PressureSum{},
                           .diffusion = diffusion_in(fluid, h),
@@ -85,7 +85,7 @@ template <class AnyScene>
 Method sph_corrected(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
       scene, output_interval, "sph_corrected",
-      "gradients corrected after Bonet & Lok (1999), diffusion of density less its linear part with delta = 0.1 (Antuono et "
+      "gradients corrected after Bonet & Lok (1999), density diffusion with renormalised gradient, delta = 0.1 (Antuono et "
       "al. 2010)",
       choice, [](const auto& fluid, double h) {
         return sph::Parts{

@@ -21,9 +21,9 @@ Method sph_second_order(const AnyScene& scene, double output_interval, double co
   return simulating(
       {.name = "sph_second_order",
        .description = fmt::format(
-           "Smoothed particle hydrodynamics of second order: fits of second degree to velocity and pressure around each "
-           "particle, drift from where particles are dense, third-order Adams-Bashforth, Wendland's C2 kernel with h = "
-           "1.3 spacings. Sound travels {:g} spacings in a step.",
+           "Smoothed particle hydrodynamics of second order: quadratic fits to velocity and pressure around each "
+           "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 kernel with h = "
+           "1.3 spacings. Acoustic Courant number {:g}, by the spacing.",
            courant),
        .tolerance = stretched,
        .relative_cost = 2},

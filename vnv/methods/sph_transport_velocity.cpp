@@ -34,7 +34,7 @@ Method sph_transport_velocity(const AnyScene& scene, double output_interval, dou
       {.name = "sph_transport_velocity",
        .description = fmt::format(
            "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = "
-           "1 spacing, density by continuity, conservative pressure. Sound travels {:g} spacings in a step.",
+           "1 spacing, density by continuity, conservative pressure. Acoustic Courant number {:g}, by the spacing.",
            courant),
        .tolerance = stretched,
        .relative_cost = 2},

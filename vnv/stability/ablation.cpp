@@ -69,10 +69,10 @@ Method ablation(Method method, const Level& level, std::vector<Variant> variants
 Plot ablation_table(Quantity quantity, std::vector<std::string> with_more) {
   return [=](const Results& results, Record& record) {
     Table table{"ablation",
-                "What each ingredient is needed for",
-                "Each variant lacks one ingredient of the whole method, or has another in its place. An ingredient is "
+                "Ablation: what each ingredient contributes",
+                "Each variant lacks one ingredient of the complete method, or replaces it. An ingredient is "
                 "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "
-                "not end or the critical step falls by more than a twentieth. Errors are those at the end of the run.",
+                "not finish or the largest stable step falls by more than 5 %. Errors are those at the end time.",
                 {"method", "variant", "end [s]", quantity.heading(), "change [%]", "critical step [us]", "change [%]",
                  "ns per particle-step", "change [%]", "needed for"},
                 {}};

@@ -47,11 +47,10 @@ inline const Quantity stable_end{"largest stable time step, lower bound", "us", 
 /// The step that a method takes where a scene names none, and that it is a stable one.
 inline const Quantity step_chosen{"chosen time step over the largest stable one", "", Kind::value, Better::smaller};
 inline const Claim chosen_is_stable =
-    at_most(step_chosen, 0.95, theory("the step that a method takes by itself has to be a stable one"));
+    at_most(step_chosen, 0.95, theory("the time step that a method chooses must be stable"));
 
 /// How far a stability limit may be from its baseline.
-inline const Tolerance moved_limit{0.03,
-                                   "a change that moves a stability limit by more than 3 % is one to be accepted"};
+inline const Tolerance moved_limit{0.03, "a change of a stability limit by more than 3 % has to be accepted"};
 
 /// The search as a run of a case: bracket, ratio to the Courant limit (31) of Sun et al., length / c, and growth.
 Run search_critical_step(const SolverWith& solver_with, const StepSearch& search, double length, double sound_speed);
@@ -67,7 +66,7 @@ Plot limits_table(std::string title, std::string caption, std::string levels, st
 
 /// What most such tables have to say.
 inline const std::string words_of_limits =
-    "In lengths that sound travels, cells of MPM with four particles each and spacings of SPH; growth is that of the "
-    "fastest particle's speed in a step that is longer by a twentieth.";
+    "As acoustic Courant numbers, by cells of four particles in MPM and by spacings in SPH; growth is that of the "
+    "maximum particle speed per step at 1.05 times the largest stable step.";
 
 }  // namespace touchstone::vnv

@@ -47,8 +47,8 @@ std::string_view name_of(Ending ending) {
 }
 
 Method meeting(Method method, std::vector<Extreme> extremes) {
-  method.claims = {at_least(ends_as_declared, 1, theory("what a method is made for says how a scene has to end"))};
-  method.tolerance = {1.0, "how far off a run is that need not be right"};
+  method.claims = {at_least(ends_as_declared, 1, theory("the outcome follows from what a method is designed for"))};
+  method.tolerance = {1.0, "the error of a run that need not be accurate"};
   for (const Extreme& extreme : extremes)
     method.levels.push_back({.name = extreme.name,
                              .spacing = 1,
@@ -66,8 +66,8 @@ Method meeting(Method method, std::vector<Extreme> extremes) {
 Plot endings(std::vector<std::string> drawn) {
   return [=](const Results& results, Record& record) {
     Table table{"endings",
-                "How each scene ends",
-                "Expected, as declared beforehand, and seen; the error where something exact is known.",
+                "Outcome of each scene",
+                "Declared in advance and observed; the error where an exact value is known.",
                 {"scene", "method", "expected", "seen", "error [%]", "in words"},
                 {}};
     for (const Run& run : results.runs) {
@@ -82,7 +82,7 @@ Plot endings(std::vector<std::string> drawn) {
       if (!run || run->samples.empty()) continue;
       std::string id = "picture_" + scene;
       std::ranges::replace(id, ' ', '_');
-      Figure figure{id, scene, "Particles at the end, coloured by their speed.", {"x [m]"}, {"y [m]"}, {"speed [m/s]"}};
+      Figure figure{id, scene, "Particles at the end time, coloured by speed.", {"x [m]"}, {"y [m]"}, {"speed [m/s]"}};
       figure.equal_axes = true;
       record.figures.push_back(figure);
       const Samples& s = run->samples.back();

@@ -35,7 +35,8 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
     return simulating(
         {.name = name,
          .description =
-             "Material point method with linear hats, FLIP, MUSL and carried densities, but for " + part + ".",
+             "Material point method with linear shape functions, FLIP, MUSL and densities stored on particles, except for " +
+             part + ".",
          .relative_cost = 2},
         [=](const Level& level, double time_step) {
           return mpm::composed<Shape, Transfer, Density>(
@@ -54,7 +55,7 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
     return simulating(
         {.name = name,
          .description = fmt::format("delta-SPH with sums of pressures, Wendland's C2 kernel and kick-drift-kick, "
-                                    "but for {}; h = {:g} spacings.",
+                                    "except for {}; h = {:g} spacings.",
                                     part, ratio),
          .relative_cost = 2},
         [=](const Level& level, double time_step) {
@@ -86,12 +87,12 @@ LatticeMethod sph_moved_by(const std::string& name, const std::string& part) {
 std::vector<LatticeMethod> parts_on_lattice() {
   using Hat = mpm::LinearHat;
   return {
-      mpm_with<mpm::Gimp, mpm::Flip>("mpm_gimp", "generalised interpolation (GIMP) in the place of hats"),
-      mpm_with<mpm::BSpline<2>, mpm::Flip>("mpm_quadratic", "quadratic B-splines in the place of hats"),
-      mpm_with<mpm::BSpline<3>, mpm::Flip>("mpm_cubic", "cubic B-splines in the place of hats"),
+      mpm_with<mpm::Gimp, mpm::Flip>("mpm_gimp", "generalised interpolation (GIMP) in place of linear shape functions"),
+      mpm_with<mpm::BSpline<2>, mpm::Flip>("mpm_quadratic", "quadratic B-splines in place of linear shape functions"),
+      mpm_with<mpm::BSpline<3>, mpm::Flip>("mpm_cubic", "cubic B-splines in place of linear shape functions"),
       mpm_with<Hat, mpm::Xpic<2>>("mpm_xpic_2", "XPIC(2)"),
       mpm_with<Hat, mpm::Apic>("mpm_apic_hats", "affine particle velocities (APIC)"),
-      mpm_with<Hat, mpm::Flip, mpm::AffineDensity>("mpm_affine_density", "densities that nodes smooth"),
+      mpm_with<Hat, mpm::Flip, mpm::AffineDensity>("mpm_affine_density", "densities smoothed over nodes"),
       sph_with_kernel<sph::CubicSpline>("sph_cubic", "the cubic spline", 1.5),
       sph_with_kernel<sph::QuinticSpline>("sph_quintic", "the quintic spline", 1.5),
       sph_with<sph::WendlandC2, KickDriftKick>(

@@ -34,7 +34,7 @@ struct Ensemble {
   Method method(const AnyScene& scene, const Level& one, const MethodOn& method_on) const {
     Method method = method_on(scene);
     method.levels = levels(one);
-    method.tolerance = {1, "a member of an ensemble: only what all of them are together is compared"};
+    method.tolerance = {1, "a member of an ensemble: only the distribution is compared"};
     method.run = [=, *this](const Level& level, const Schedule& when) {
       AnyScene disturbed_scene = scene;
       disturbed_scene.start.places = [by = jitter * level.spacing, seed = seed_of(level)](const Vectors& lattice) {

@@ -41,15 +41,14 @@ inline Plot bands(Figure frame, std::size_t column) {
 /// A row for each number of each method: today's ensemble beside the accepted one.
 inline Plot ensemble_table() {
   return [](const Results& results, Record& record) {
-    Table table{
-        "ensembles",
-        "Today's ensemble beside the accepted one",
-        "The median of the starts and between which values eight of ten lie; how far the two ensembles are from each "
-        "other (Wasserstein, in the unit of the number), and how often chance alone makes two of one "
-        "distribution so unlike (Anderson & Darling).",
-        {"method", "number", "t [s]", "median", "eight of ten", "accepted median", "accepted eight of ten", "distance",
-         "chance"},
-        {}};
+    Table table{"ensembles",
+                "Ensemble compared with the accepted one",
+                "Medians and 10 to 90 % ranges; Wasserstein distance between the two ensembles "
+                "(in the unit of the quantity), and p-value of the hypothesis of equal "
+                "distributions (Anderson-Darling test).",
+                {"method", "number", "t [s]", "median", "10 to 90 %", "accepted median", "accepted 10 to 90 %",
+                 "distance", "chance"},
+                {}};
     const auto median = [](const std::vector<double>& members) {
       return members.empty() ? Cell("–") : Cell(quantile(members, 0.5));
     };

@@ -52,8 +52,7 @@ namespace views {
 
 inline View plain() { return {.name = "plain"}; }
 inline View mirrored(const Mat2& by, const Vec2& centre) {
-  return {
-      .name = "mirrored", .turned = by, .centre = centre, .theory = "no direction is preferred to its mirror image"};
+  return {.name = "mirrored", .turned = by, .centre = centre, .theory = "mirror symmetry"};
 }
 /// Left and right change places, about a line x = constant [m].
 inline View mirrored_about_x(double x) { return mirrored(Vec2(-1, 1).asDiagonal(), {x, 0}); }
@@ -75,7 +74,7 @@ inline View numbered_anew() {
             for (std::size_t k = order.size() - 1; k > 0; --k) std::swap(order[k], order[random() % (k + 1)]);
             return lattice(Eigen::all, order);
           },
-          .theory = "numbers of particles mean nothing"};
+          .theory = "particle numbering is arbitrary"};
 }
 
 }  // namespace views
@@ -126,7 +125,7 @@ struct SeveralViews {
   Plot table(const std::string& words) const {
     return [*this, words](const Results& results, Record& record) {
       Table table{"views",
-                  "The same flow in several views",
+                  "The same flow under symmetry transformations",
                   fmt::format("\"{}\" at t = {:g} s. {}", error.heading(), end, words),
                   {"method"},
                   {}};
@@ -181,7 +180,8 @@ struct SeveralViews {
       if (std::ranges::find(galilean, method.name) == galilean.end()) continue;
       for (const View& view : views)
         if (view.carried != Vec2::Zero())
-          method.claims.push_back(unchanged(view, "only differences of velocities and of places act"));
+          method.claims.push_back(
+              unchanged(view, "Galilean invariance: only differences of velocity and position enter"));
     }
     return all;
   }

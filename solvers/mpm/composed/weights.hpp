@@ -74,7 +74,7 @@ class Weights {
     const auto alone = std::find(near.weight.begin(), near.weight.end(), 1.0);
     if (alone == near.weight.end())
       throw std::invalid_argument(fmt::format(
-          "mpm: wall at {} = {:g} m, expected at an edge of the domain that is no seam: this shape has no node "
+          "mpm: wall at {} = {:g} m, expected at an edge of the domain that is not periodic: this shape has no node "
           "of its own elsewhere",
           wall.axis == 0 ? "x" : "y", wall.position));
     const int line = near.first + static_cast<int>(alone - near.weight.begin());
