@@ -1,5 +1,5 @@
 #pragma once
-/// The words in which every room speaks of places, velocities and fields. SI units throughout.
+/// The types of places, velocities and fields in every folder. SI units throughout.
 
 #include <Eigen/Dense>
 

@@ -17,7 +17,7 @@ struct QuadraticFit {
   using Polynomial = std::array<Real, monomials>;
 
   /// What one neighbour adds to the sums.
-  static Sums share(const Real& weight, const Real& x, const Real& y, const std::array<Real, fields>& values) {
+  static Sums terms(const Real& weight, const Real& x, const Real& y, const std::array<Real, fields>& values) {
     const Real wx = weight * x, wy = weight * y, wxx = wx * x, wxy = wx * y, wyy = wy * y;
     const Real wxxx = wxx * x, wxxy = wxx * y, wxyy = wyy * x, wyyy = wyy * y;
     Sums all{weight, wx, wy, wxx, wxy, wyy, wxxx, wxxy, wxyy, wyyy, wxxx * x, wxxx * y, wxxy * y, wyyy * x, wyyy * y};

@@ -31,7 +31,7 @@ auto sums_of(const std::vector<Neighbour>& neighbours, const Field& field) {
   using Fit = QuadraticFit<Real, fields>;
   typename Fit::Sums sums{};
   for (const auto& [x, y, weight] : neighbours) {
-    const auto share = Fit::share(Real{} + weight, Real{} + x, Real{} + y, field(x, y));
+    const auto share = Fit::terms(Real{} + weight, Real{} + x, Real{} + y, field(x, y));
     for (std::size_t k = 0; k < Fit::count; ++k) sums[k] += share[k];
   }
   return sums;

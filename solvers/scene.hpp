@@ -6,6 +6,7 @@
 #include "solvers/forces/none.hpp"
 #include "solvers/walls/wall.hpp"
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -26,6 +27,14 @@ struct Domain {
   Box box;
   bool periodic_x = false;
   bool periodic_y = false;
+
+  bool periodic(int axis) const { return axis == 0 ? periodic_x : periodic_y; }
+  /// A coordinate [m], taken back into the box along a periodic axis.
+  double wrapped(int axis, double x) const {
+    if (!periodic(axis)) return x;
+    const double low = box.low[axis], length = box.high[axis] - low;
+    return x - length * std::floor((x - low) / length);
+  }
 };
 
 /// How the fluid is when the run starts: at rest, without pressure, and on a lattice, where nothing is said.

@@ -131,7 +131,7 @@ inline void expect_driven_by_the_lid(const Samples& s) {
   EXPECT_LT(s.v.colwise().norm().maxCoeff(), 1.1);
 }
 
-/// All of `start` is carried along by v for a time, through the seams of a box of that size.
+/// All of `start` is carried along by v for a time, across the periodic boundaries of a box of that size.
 inline void expect_carried(const Samples& start, const Samples& end, const Vec2& v, double time, const Vec2& size) {
   EXPECT_LT((end.v.colwise() - v).norm(), 1e-9);
   EXPECT_LT((end.density - oil.density).abs().maxCoeff(), 1e-7);

@@ -1,5 +1,5 @@
 #pragma once
-/// The background grid, its indices and its periodic seam.
+/// The background grid, its indices and its periodic boundary.
 
 #include "solvers/scene.hpp"
 
@@ -13,8 +13,8 @@
 namespace touchstone::mpm {
 
 /// Cells that fill the box of a domain exactly. Cells and nodes are numbered row by row from the low corner. Across the
-/// seam of a periodic x the last column of cells has its right corners in the first column of nodes; across that of a
-/// periodic y the first row of nodes stands again above the last row of cells.
+/// boundary of a periodic x the last column of cells has its right corners in the first column of nodes; across that of
+/// a periodic y the first row of nodes stands again above the last row of cells.
 class Grid {
  public:
   /// Takes the whole number of cells nearest to size / expected along each direction, so that opposite walls both lie

@@ -53,7 +53,7 @@ int settle(Particles& particles, int slot, int cell, const Grid& grid, const Flu
   return grid.cell_at(column, row);
 }
 
-/// Carries the particles that left their cell to the one they are in; looks only into blocks that are not calm. True if
+/// Carries the particles that left their cell to the one they are in; visits only blocks that are not calm. True if
 /// a block has come or has been emptied. Throws Diverged as `settle` does.
 template <class Particles, class FluidLaw>
 bool keep_order(Particles& particles, const std::vector<char>& calm, const Grid& grid, const FluidLaw& fluid, long step,

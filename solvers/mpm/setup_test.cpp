@@ -1,6 +1,7 @@
 #include "solvers/fluids/tait.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/navier_slip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ TEST(Grid, FillsItsBoxWithWholeCells) {
   EXPECT_EQ(grid.nodes(), 17 * 13);
 }
 
-TEST(Grid, ClosesThePeriodicSeam) {
+TEST(Grid, ClosesThePeriodicBoundary) {
   const Grid grid({.box = {.high = {0.4, 0.3}}, .periodic_x = true}, 0.1);
   EXPECT_EQ(grid.nodes(), 4 * 4);
   for (int row = 0; row < grid.rows; ++row) {
@@ -120,6 +121,13 @@ TEST(Mpm, RefusesWallsOffTheGrid) {
     scene.walls = {floor_at(y, free_slip())};
     EXPECT_NE(refusal(scene, coarse).find("mpm: wall at y = "), std::string::npos) << refusal(scene, coarse);
   }
+}
+
+TEST(Mpm, RefusesWallsWhoseAnswerDependsOnTheDistanceThatItsNodesDoNotHave) {
+  Scene<Tait> scene = tank();
+  scene.walls = {floor_at(0, navier_slip(0.1))};
+  EXPECT_EQ(refusal(scene, coarse),
+            "mpm: wall at y = 0 m answers by the distance of the fluid, expected one that can be asked on the wall");
 }
 
 TEST(Mpm, RefusesInOneLine) {

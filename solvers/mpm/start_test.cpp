@@ -56,7 +56,7 @@ TYPED_TEST(MpmStart, RefusesAParticleOutsideTheDomainAndNoneAtAll) {
   EXPECT_THROW(after<TypeParam>(0, endless({.places = none}), coarse), std::invalid_argument);
 }
 
-TYPED_TEST(MpmStart, UniformFlowCrossesBothSeamsUnchanged) {
+TYPED_TEST(MpmStart, UniformFlowCrossesBothPeriodicBoundariesUnchanged) {
   const Vec2 v(7, -5), size(0.7, 0.9);
   const Scene<Newtonian> scene = endless(uniform_flow(v), size);
   expect_carried(after<TypeParam>(0, scene, coarse), after<TypeParam>(1000, scene, coarse), v, 1, size);

@@ -10,21 +10,21 @@ namespace touchstone::sph {
 
 class Cells {
  public:
-  /// Sorts those of `count` places that are expected; a place that is not finite is refused by the caller.
-  template <class Wanted>
-  Cells(const Scalars& x, const Scalars& y, Index count, double side, Wanted expected) : per_side_(1 / side) {
-    Vec2 high = measure(x, y, count, expected);
+  /// Sorts those of `count` places that are accepted; a place that is not finite is refused by the caller.
+  template <class Accept>
+  Cells(const Scalars& x, const Scalars& y, Index count, double side, Accept accept) : per_side_(1 / side) {
+    Vec2 high = measure(x, y, count, accept);
     columns_ = column(high.x()) + 1;
     rows_ = row(high.y()) + 1;
     first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
     std::vector<int> cell(count, -1);
     for (Index i = 0; i < count; ++i)
-      if (expected(i)) ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1];
+      if (accept(i)) ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1];
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     sort(x, y, cell);
   }
 
-  /// The expected particles, cell by cell, each cell in the order of the numbers.
+  /// The accepted particles, cell by cell, each cell in the order of the numbers.
   const std::vector<int>& sorted() const { return sorted_; }
 
   /// Writes those but `self` that are closer than `reach` to a place and accepted into `found`, in a fixed order, and
@@ -48,11 +48,11 @@ class Cells {
   }
 
  private:
-  template <class Wanted>
-  Vec2 measure(const Scalars& x, const Scalars& y, Index count, Wanted expected) {
+  template <class Accept>
+  Vec2 measure(const Scalars& x, const Scalars& y, Index count, Accept accept) {
     Vec2 low = Vec2::Constant(1e300), high = -low;
     for (Index i = 0; i < count; ++i)
-      if (expected(i)) {
+      if (accept(i)) {
         low = low.cwiseMin(Vec2(x[i], y[i]));
         high = high.cwiseMax(Vec2(x[i], y[i]));
       }

@@ -35,10 +35,17 @@ void add_force(const Force& body_force, Particles& all, double time, int threads
   });
 }
 
-/// The ghosts as the fluid near them moves, and the images of all.
-template <class Kernel, class Record>
-void move_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, double density, double time) {
-  fill_ghosts<Kernel>(near.seen, near.fluid_near_ghost, near.all.fluid, near.boundary.ghosts, walls, h, density, time);
+/// Calls give(ghost, sums, seen) for each ghost that fluid is near, with sums of terms(g, j) over that fluid, of which
+/// the first is a weight, to write what is seen of it; then its images follow. A ghost out of the kernel's reach, which
+/// lists may hold, is at rest at a density without pressure.
+template <std::size_t K, class Record, class Terms, class Give>
+void give_to_ghosts(Neighbourhood<Record>& near, double density, const Terms& terms, const Give& give) {
+  sum_over_neighbours<K>(near.fluid_near_ghost, near.seen, terms, [&](Index g, const std::array<double, K>& sums) {
+    Record& seen = near.seen[g];
+    if (sums[0] > 0) return give(near.boundary.ghosts[g - near.all.fluid], sums, seen);
+    seen.move(0, 0);
+    seen.set_state(density, 0);
+  });
   near.images.refresh_boundary(near.all, near.seen);
 }
 

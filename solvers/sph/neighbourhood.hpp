@@ -55,7 +55,7 @@ class Neighbourhood {
         threads_(threads) {
     const Vec2 period = domain_.box.size();
     for (const int axis : {0, 1})
-      if (const double farthest = reach.kernel + reach.greatest_skin; periodic(axis) && farthest > period[axis])
+      if (const double farthest = reach.kernel + reach.greatest_skin; domain_.periodic(axis) && farthest > period[axis])
         throw std::invalid_argument(fmt::format(
             "sph: neighbours are listed up to {} m, expected at most the period {} m", farthest, period[axis]));
     const Lattice cells = lattice(scene.filled, spacing, domain_.box);
@@ -88,9 +88,9 @@ class Neighbourhood {
 
   /// Throws Diverged when a particle is outside the domain or nowhere.
   void refuse_strays(long step, double time) const {
-    const Vec2 period = domain_.box.size();  // a particle may be up to one of them beyond a seam
+    const Vec2 period = domain_.box.size();  // a particle may be up to one of them beyond a periodic boundary
     const auto is_inside = [&](int axis, double x) {
-      const double beyond = periodic(axis) ? period[axis] : 0;
+      const double beyond = domain_.periodic(axis) ? period[axis] : 0;
       return x >= domain_.box.low[axis] - beyond && x <= domain_.box.high[axis] + beyond;
     };
     for (Index i = 0; i < all.fluid; ++i) {
@@ -129,7 +129,7 @@ class Neighbourhood {
               Scalars(all.fluid)};
     for (Index i = 0; i < all.fluid; ++i) {
       const int n = all.number[i];
-      s.x.col(n) = Vec2(wrapped(0, all.x[i]), wrapped(1, all.y[i]));
+      s.x.col(n) = Vec2(domain_.wrapped(0, all.x[i]), domain_.wrapped(1, all.y[i]));
       s.v.col(n) = Vec2(all.vx[i], all.vy[i]);
       s.density[n] = all.rho[i];
       s.pressure[n] = fluid.pressure(all.rho[i]);
@@ -191,18 +191,11 @@ class Neighbourhood {
     reach_.skin = std::clamp(std::sqrt(5 * reach_.kernel * fastest * dt), reach_.least_skin, reach_.greatest_skin);
   }
 
-  bool periodic(int axis) const { return axis == 0 ? domain_.periodic_x : domain_.periodic_y; }
-  double wrapped(int axis, double x) const {
-    if (!periodic(axis)) return x;
-    const double low = domain_.box.low[axis], length = domain_.box.high[axis] - low;
-    return x - length * std::floor((x - low) / length);
-  }
-
   void list_anew() {
     const double listed = reach_.kernel + reach_.skin;
     for (Index i = 0; i < all.fluid; ++i) {
-      all.x[i] = wrapped(0, all.x[i]);
-      all.y[i] = wrapped(1, all.y[i]);
+      all.x[i] = domain_.wrapped(0, all.x[i]);
+      all.y[i] = domain_.wrapped(1, all.y[i]);
     }
     sort_fluid(Cells(all.x, all.y, all.fluid, listed, [](Index) { return true; }).sorted());
     images.choose(all, domain_, listed);

@@ -94,8 +94,8 @@ template <std::size_t K, int width, class Record, class Term>
   for (Sum& sum : total) sum = Sum{};
   const Row<Record, width> i{all, rows.data()};
   for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
-    const auto share = term(i, Row<Record, width>{all, row});
-    for (std::size_t k = 0; k < K; ++k) total[k] += share[k];
+    const auto added = term(i, Row<Record, width>{all, row});
+    for (std::size_t k = 0; k < K; ++k) total[k] += added[k];
   }
   return total;
 }

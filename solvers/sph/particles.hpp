@@ -1,6 +1,6 @@
 #pragma once
-/// All particles of a run in one numbering: fluid, then boundary, then their images beyond the periodic seam, then one
-/// so far away that no kernel reaches it, which fills the vector lanes that have no neighbour.
+/// All particles of a run in one numbering: fluid, then boundary, then their images beyond the periodic boundary, then
+/// one so far away that no kernel reaches it, which fills the vector lanes that have no neighbour.
 
 #include "solvers/integrators/fluid_state.hpp"
 #include "solvers/scene.hpp"
@@ -29,7 +29,7 @@ struct Particles : FluidState {
   }
 };
 
-/// Copies of particles near a periodic seam, one domain length further.
+/// Copies of particles near a periodic boundary, one domain length further.
 class Images {
  public:
   struct Image {
@@ -37,7 +37,7 @@ class Images {
     Vec2 shift;  // m
   };
 
-  /// Chooses the particles within `reach` of a seam, fluid first, and says where they stand.
+  /// Chooses the particles within `reach` of a periodic boundary, fluid first, and says where they stand.
   void choose(Particles& all, const Domain& domain, double reach) {
     images_.clear();
     add(all, 0, all.fluid, domain, reach);

@@ -4,7 +4,7 @@
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/walls/mirrored_ghosts.hpp"
 #include "solvers/stepping/clock.hpp"
 #include "solvers/stepping/extremes.hpp"
 
@@ -58,7 +58,7 @@ class Simulation : public Clock {
   void see_fluid_and_ghosts(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
-    move_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid.density, time);
+    mirror_to_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid.density, time);
     lap(SubStep::boundaries);
   }
   template <class Laps>

@@ -201,7 +201,7 @@ TEST(Ghosts, MirrorTheVelocityAtEachWall) {
   all.vx = 1;
   all.vy = 0.5;
   see(near, Scalars::Zero(all.fluid));
-  fill_ghosts<CubicSpline>(near.seen, near.fluid_near_ghost, all.fluid, near.boundary.ghosts, walls, h, 1000, 0);
+  mirror_to_ghosts<CubicSpline>(near, walls, h, 1000, 0);
   for (Index k = 0; k < near.ghosts(); ++k) {
     const bool below = near.boundary.ghosts[k].x.y() < 0;
     EXPECT_NEAR(near.seen[all.fluid + k].vx, below ? 5 : 1, 1e-9);

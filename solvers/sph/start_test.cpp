@@ -47,7 +47,7 @@ TYPED_TEST(SphStart, ASceneMayPutItsParticlesElsewhere) {
   expect_rearranged(after<TypeParam>(0, endless({})), after<TypeParam>(0, endless({.places = rearranged})));
 }
 
-TYPED_TEST(SphStart, UniformFlowCrossesBothSeamsUnchanged) {
+TYPED_TEST(SphStart, UniformFlowCrossesBothPeriodicBoundariesUnchanged) {
   const Vec2 v(7, -5);
   const Scene<Newtonian> scene = endless(uniform_flow(v));
   expect_carried(after<TypeParam>(0, scene), after<TypeParam>(400, scene), v, 0.4, {1, 1});
@@ -82,7 +82,7 @@ TEST(Walls, RefuseFluidThatStartsOnThem) {
   }
 }
 
-TEST(Images, StandBeyondBothSeamsAndBeyondTheCorner) {
+TEST(Images, StandBeyondBothPeriodicBoundariesAndBeyondTheCorner) {
   Particles all;
   all.fluid = 3;
   all.x = Scalars{{0.1, 0.5, 0.9, 0}};

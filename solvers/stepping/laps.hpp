@@ -6,7 +6,7 @@
 
 namespace touchstone {
 
-/// Parts of a step whose times are told apart.
+/// Parts of a step that are timed separately.
 enum class SubStep {
   scatter,     // particles to nodes
   grid,        // on the nodes

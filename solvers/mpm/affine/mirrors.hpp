@@ -6,14 +6,14 @@
 
 namespace touchstone::mpm {
 
-/// Walls and the periodic seams of the affine method. With nodes at cell centres a wall lies midway between a line of
-/// nodes in the fluid and a line of ghosts behind it, and every particle beside it has an image behind it.
+/// Walls and the periodic boundaries of the affine method. With nodes at cell centres a wall lies midway between a line
+/// of nodes in the fluid and a line of ghosts behind it, and every particle beside it has an image behind it.
 ///
 /// What a particle gives to a ghost, its image gives to the node in the fluid: the same mass, and the momentum m v
 /// mirrored by the wall's answer, m (2 W(v) - v). Body force and stress are parts of that momentum: at a wall with free
 /// slip this is exact, pressure being even and its force on the fluid odd; at one with no slip forces along the wall
 /// are odd like the velocity that they change. The ghost then moves with 2 W(v) - v of that node, so that fluid at the
-/// wall moves just as the wall says. Across a seam the same is done with nothing mirrored.
+/// wall moves just as the wall says. Across a periodic boundary the same is done with nothing mirrored.
 class Mirrors {
  public:
   /// Throws std::invalid_argument for a wall off the grid.

@@ -161,7 +161,8 @@ class Composed : public Simulation<FluidLaw, Force> {
     return gradient;
   }
 
-  /// Takes particles back across seams. Throws Diverged for one that has left the domain or has no plausible density.
+  /// Takes particles back across periodic boundaries. Throws Diverged for one that has left the domain or has no
+  /// plausible density.
   void settle() {
     for (Index p = 0; p < particles_.count(); ++p) {
       const Vec2 place = particles_.x.col(p);
@@ -171,10 +172,9 @@ class Composed : public Simulation<FluidLaw, Force> {
       };
       for (const int axis : {0, 1}) {
         const double low = grid_.box.low[axis], high = grid_.box.high[axis], length = high - low;
-        const bool periodic = axis == 0 ? grid_.periodic_x : grid_.periodic_y;
-        const double slack = periodic ? length : 0;  // further in a step is no flow
+        const double slack = scene_.domain.periodic(axis) ? length : 0;  // further in a step is no flow
         refuse(axis == 0 ? "x [m]" : "y [m]", place[axis], low - slack, high + slack);
-        if (periodic) particles_.x(axis, p) -= length * std::floor((place[axis] - low) / length);
+        particles_.x(axis, p) = scene_.domain.wrapped(axis, place[axis]);
       }
       const double at_rest = scene_.fluid.density;
       refuse("density [kg/m³]", at_rest / (1 + particles_.expansion[p]), least_density * at_rest,

@@ -60,7 +60,7 @@ void expect_same_bits(const Samples& a, const Samples& b) {
   EXPECT_TRUE((a.density == b.density).all());
 }
 
-TYPED_TEST(ComposedMpm, CarriesUniformFlowUnchangedAcrossBothSeams) {
+TYPED_TEST(ComposedMpm, CarriesUniformFlowUnchangedAcrossBothPeriodicBoundaries) {
   const Vec2 v(7, -5), size(0.7, 0.9);
   const Scene<Newtonian, Uniform> scene = unbounded(uniform_flow(v), size);
   const Settings settings{.cell = 0.1, .spacing = 0.05, .time_step = 3e-3};

@@ -68,7 +68,7 @@ class Weights {
   }
 
   /// The nodes that alone carry what is at a wall. Throws std::invalid_argument if there are none: a wall off the grid,
-  /// or with wider shapes than hats one inside the domain or on a seam.
+  /// or with wider shapes than hats one inside the domain or on a periodic boundary.
   std::vector<int> nodes_on(const Wall& wall) const {
     const auto near = along_[wall.axis].near(grid_.line_of(wall));
     const auto alone = std::find(near.weight.begin(), near.weight.end(), 1.0);
@@ -84,7 +84,7 @@ class Weights {
     return found;
   }
 
-  /// Finds the ties of particles at places [m] within the domain, but for its seams.
+  /// Finds the ties of particles at places [m] within the domain, but for its periodic boundaries.
   void find(const Vectors& places, int threads) {
     near_.resize(places.cols());
     one_by_one(threads, places.cols(), [&](Index p) {

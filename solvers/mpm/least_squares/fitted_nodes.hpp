@@ -14,7 +14,7 @@ struct NearNode {
   double X, Y;
 };
 
-/// A node on every corner of the grid's cells; across a periodic seam the last is the first.
+/// A node on every corner of the grid's cells; across a periodic boundary the last is the first.
 class FittedNodes {
  public:
   /// Fields that are fitted: velocity [m/s], and density less that at rest [kg/m³].
@@ -48,7 +48,7 @@ class FittedNodes {
 
   bool has_column(int column) const { return grid_.periodic_x || (column >= 0 && column < columns); }
   bool has_row(int row) const { return grid_.periodic_y || (row >= 0 && row < rows); }
-  /// A node by its place in the lattice, which may be a period beyond a seam.
+  /// A node by its place in the lattice, which may be a period beyond a boundary.
   int node_at(int column, int row) const { return (row + rows) % rows * columns + (column + columns) % columns; }
 
   NearNode near(double x, double y) const {
@@ -146,9 +146,9 @@ class FittedNodes {
       const std::array<double, fields> values{all.vx[i], all.vy[i], all.rho[i] - density};
       for (const int right : {-1, 0, 1}) {
         if (!has_column(at.column + right)) continue;
-        const auto share = Fit::share(weight_x[1 + right] * weight_y, at.X - right, Y, values);
+        const auto added = Fit::terms(weight_x[1 + right] * weight_y, at.X - right, Y, values);
         Fit::Sums& sums = sums_[node_at(at.column + right, row)];
-        for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += share[s];
+        for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += added[s];
       }
     }
   }

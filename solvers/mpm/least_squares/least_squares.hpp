@@ -72,7 +72,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
               all_.rho,
               Scalars(all_.fluid)};
     for (Index i = 0; i < all_.fluid; ++i) {
-      s.x.col(i) = Vec2(wrapped(0, all_.x[i]), wrapped(1, all_.y[i]));
+      s.x.col(i) = Vec2(scene_.domain.wrapped(0, all_.x[i]), scene_.domain.wrapped(1, all_.y[i]));
       s.v.col(i) = Vec2(all_.vx[i], all_.vy[i]);
       s.pressure[i] = scene_.fluid.pressure(all_.rho[i]);
     }
@@ -96,13 +96,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
 
   FluidState& state() { return all_; }
   int threads() const { return threads_; }
-
-  bool periodic(int axis) const { return axis == 0 ? grid_.periodic_x : grid_.periodic_y; }
-  double wrapped(int axis, double x) const {
-    if (!periodic(axis)) return x;
-    const double low = grid_.box.low[axis], length = grid_.box.size()[axis];
-    return x - length * std::floor((x - low) / length);
-  }
 
   /// Sets the particles going as the scene says; those near a wall that jumps into motion feel the jump.
   void begin() {
@@ -174,27 +167,32 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     lap(SubStep::gather);
   }
 
+  /// A field of the nodes along an axis from one of them, and on which sides of it there are nodes.
+  template <class Value>
+  struct Along {
+    const FittedNodes& nodes;
+    const Value& value;
+    int column, row, axis;
+    bool before = axis == 0 ? nodes.has_column(column - 1) : nodes.has_row(row - 1),
+         beyond = axis == 0 ? nodes.has_column(column + 1) : nodes.has_row(row + 1);
+
+    double operator()(int step) const {
+      return value(axis == 0 ? nodes.node_at(column + step, row) : nodes.node_at(column, row + step));
+    }
+  };
   /// Differences along an axis [per cell], central inside, to one side at a wall.
   template <class Value>
   double slope(const Value& value, int column, int row, int axis) const {
-    const auto at = [&](int step) {
-      return value(axis == 0 ? nodes_.node_at(column + step, row) : nodes_.node_at(column, row + step));
-    };
-    const bool before = axis == 0 ? nodes_.has_column(column - 1) : nodes_.has_row(row - 1),
-               beyond = axis == 0 ? nodes_.has_column(column + 1) : nodes_.has_row(row + 1);
-    if (before && beyond) return (at(1) - at(-1)) / 2;
-    const int in = before ? -1 : 1;
+    const Along<Value> at{nodes_, value, column, row, axis};
+    if (at.before && at.beyond) return (at(1) - at(-1)) / 2;
+    const int in = at.before ? -1 : 1;
     return in * (4 * at(in) - at(2 * in) - 3 * at(0)) / 2;
   }
   /// Second differences along an axis [per cell²]; a field is mirrored at a wall: nothing drags along it.
   template <class Value>
   double curvature(const Value& value, int column, int row, int axis) const {
-    const auto at = [&](int step) {
-      return value(axis == 0 ? nodes_.node_at(column + step, row) : nodes_.node_at(column, row + step));
-    };
-    const bool before = axis == 0 ? nodes_.has_column(column - 1) : nodes_.has_row(row - 1),
-               beyond = axis == 0 ? nodes_.has_column(column + 1) : nodes_.has_row(row + 1);
-    return at(beyond ? 1 : -1) + at(before ? -1 : 1) - 2 * at(0);
+    const Along<Value> at{nodes_, value, column, row, axis};
+    return at(at.beyond ? 1 : -1) + at(at.before ? -1 : 1) - 2 * at(0);
   }
 
   template <class Work>
@@ -281,7 +279,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
       const Vec2 x(all_.x[i], all_.y[i]);
       for (const int axis : {0, 1}) {
         const double slack = grid_.cell[axis] / 2;
-        const bool inside = periodic(axis)
+        const bool inside = scene_.domain.periodic(axis)
                                 ? std::isfinite(x[axis])
                                 : x[axis] > grid_.box.low[axis] - slack && x[axis] < grid_.box.high[axis] + slack;
         if (!inside)

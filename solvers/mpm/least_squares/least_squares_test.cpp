@@ -70,7 +70,7 @@ TEST(LeastSquaresMpm, ARunHasTheVelocityAndThePressureOfItsScene) {
   expect_as_in(varied_start(), after<LeastSquaresMethod>(0, endless(varied_start())), 1e-14, 1e-8);
 }
 
-TEST(LeastSquaresMpm, UniformFlowCrossesBothSeamsUnchanged) {
+TEST(LeastSquaresMpm, UniformFlowCrossesBothPeriodicBoundariesUnchanged) {
   const Vec2 v(7, -5), size(0.7, 0.9);
   const Scene<Newtonian> scene = endless(uniform_flow(v), size);
   expect_carried(after<LeastSquaresMethod>(0, scene), after<LeastSquaresMethod>(1000, scene), v, 1, size);

@@ -45,7 +45,7 @@ void accelerate(Nodes& nodes, const Force& force, const Vec2& cell, double dt, i
   });
 }
 
-/// Velocity (17), from (10) and what the particles have been told to change.
+/// Velocity (17), from (10) and what the particles change by (16).
 inline void remap_velocity(Nodes& nodes, int threads) {
   for_near(nodes, threads, [&](int node) {
     const Lanes per_mass = load<Lanes>(&nodes.per_mass[node]);

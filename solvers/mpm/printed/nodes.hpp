@@ -28,8 +28,8 @@ struct NodeVectors {
   }
 };
 
-/// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic seam the first column
-/// stands again behind the last cell, or the first row above it, and both images hold the same.
+/// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic boundary the first
+/// column stands again behind the last cell, or the first row above it, and both images hold the same.
 ///
 /// A node is given its sums in two halves, by the row of cells above it and by the row below, so that rows of cells can
 /// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
@@ -63,7 +63,7 @@ class Nodes {
   /// The first of each `lanes` nodes that may be near particles.
   const std::vector<int>& near() const { return near_; }
 
-  /// Where a node of the grid stands: twice, if it is on the seam.
+  /// Where a node of the grid stands: twice, if it is on a periodic boundary.
   std::vector<int> images(int node, const Grid& grid) const {
     const int column = node % grid.node_columns(), first = node / grid.node_columns() * stride;
     if (periodic_x_ && column == 0) return {first, first + columns_};
@@ -88,10 +88,11 @@ class Nodes {
   }
 
   /// Whether cells that end at this column have their right corners in the first column of nodes.
-  bool at_seam(int end_column) const { return periodic_x_ && end_column >= columns_; }
+  bool at_periodic_boundary(int end_column) const { return periodic_x_ && end_column >= columns_; }
 
-  /// Makes the first nodes of a row of cells, and of the row above, ready for what comes to them across the seam.
-  void open_seam(int row) {
+  /// Makes the first nodes of a row of cells, and of the row above, ready for what comes to them across the periodic
+  /// boundary.
+  void open_boundary(int row) {
     for (Field<double>& half : from_above) store(Lanes{}, &half[row * stride]);
     for (Field<double>& half : from_below) store(Lanes{}, &half[(row + 1) * stride]);
   }
@@ -128,7 +129,7 @@ class Nodes {
   void add_row(const Block* begin, const Block* end, std::vector<int>& nodes) const {
     constexpr int width = std::tuple_size_v<decltype(begin->count)>;
     const int first = begin->row * stride;
-    if (at_seam(end[-1].column + width) && begin->column > 0) nodes.push_back(first);
+    if (at_periodic_boundary(end[-1].column + width) && begin->column > 0) nodes.push_back(first);
     for (const Block* block = begin; block < end; ++block) {
       for (int lane = 0; lane < width; lane += lanes) nodes.push_back(first + block->column + lane);
       const bool last = block + 1 == end || block[1].column > block->column + width;

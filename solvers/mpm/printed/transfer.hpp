@@ -41,8 +41,8 @@ class GivenByRow {
     else
       with_indices<last - first + 1>([&](auto... i) { (give<static_cast<Given>(first + i)>(column, {}), ...); });
   }
-  /// Adds what both images of a node on the seam were given.
-  void close_seam() {
+  /// Adds what both images of a node on a periodic boundary were given.
+  void close_boundary() {
     with_indices<last - first + 1>([&](auto... i) {
       (nodes_.join_images(nodes_.from_above[first + i], low_), ...);
       (nodes_.join_images(nodes_.from_below[first + i], high_), ...);
@@ -76,20 +76,20 @@ void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
   });
 }
 
-/// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the seams.
+/// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the periodic boundaries.
 template <Given first, Given last, int width, class Give>
 void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
   const auto scatter_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
     const int row = block_at(begin).row;
-    const bool seam = nodes.at_seam(block_at(end - 1).column + width);
-    if (seam && block_at(begin).column > 0) nodes.open_seam(row);
+    const bool at_boundary = nodes.at_periodic_boundary(block_at(end - 1).column + width);
+    if (at_boundary && block_at(begin).column > 0) nodes.open_boundary(row);
     GivenByRow<first, last> to(nodes, row);
     for (int i = begin; i < end; ++i) {
       give(i, block_at(i), to);
       const int next = block_at(i).column + width;
       if (i + 1 == end || block_at(i + 1).column > next) to.finish(next);
     }
-    if (seam) to.close_seam();
+    if (at_boundary) to.close_boundary();
   };
   for_rows(order, threads, scatter_row);
   nodes.join_rows(first, last);
@@ -194,7 +194,7 @@ Real at(const Real& X, const Real& Y, const Within& q) {
 }
 
 /// Gives the nodes what (16) adds to the momentum of the particles, with which it becomes that of (17):
-/// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its share of M_ij.
+/// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its part of M_ij.
 /// The only particle of a cell gives its own change.
 template <class FluidLaw, class Number>
 void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,

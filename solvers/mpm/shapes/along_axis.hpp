@@ -14,7 +14,7 @@ struct Axis {
   double reach;  // cells  half the side of a particle
 };
 
-/// The nodes that a place on an axis touches: `first` and those that follow, counted on across a periodic seam.
+/// The nodes that a place on an axis touches: `first` and those that follow, counted on across a periodic boundary.
 template <int width_>
 struct NearNodes {
   static constexpr int width = width_;

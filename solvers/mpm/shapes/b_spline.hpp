@@ -6,9 +6,10 @@ namespace touchstone::mpm {
 /// B-splines of a degree with knots where cells meet (de Boor, A Practical Guide to Splines (1978), chapters 9 and 10;
 /// for the material point method Steffen, Kirby & Berzins 2008).
 ///
-/// At an edge that is no seam the knot is repeated (an open knot vector): splines are cut off there without losing
-/// unity or linear fields, and the last one alone is left at the edge, where a wall takes hold of it. Along a periodic
-/// axis all splines are the same. A node stands at the mean of the inner knots of its spline (Greville's abscissa).
+/// At an edge that is no periodic boundary the knot is repeated (an open knot vector): splines are cut off there
+/// without losing unity or linear fields, and the last one alone is left at the edge, where a wall takes hold of it.
+/// Along a periodic axis all splines are the same. A node stands at the mean of the inner knots of its spline
+/// (Greville's abscissa).
 template <int degree>
 struct BSpline {
   static_assert(degree >= 1);

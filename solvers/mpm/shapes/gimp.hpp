@@ -9,9 +9,9 @@ namespace touchstone::mpm {
 /// Generalised interpolation with particles that stay upright squares (uniform GIMP; Bardenhagen & Kober, CMES 5
 /// (2004), 477-496): a weight is the mean of a hat over the particle, whose side is the spacing at the start.
 ///
-/// Beside an edge that is no seam a particle may reach over it. There the hats of the last cell are continued as
-/// straight lines, and the mean of a straight line over the particle is its value in the middle: GIMP turns into hats,
-/// and unity and linear fields are kept.
+/// Beside an edge that is no periodic boundary a particle may reach over it. There the hats of the last cell are
+/// continued as straight lines, and the mean of a straight line over the particle is its value in the middle: GIMP
+/// turns into hats, and unity and linear fields are kept.
 struct Gimp {
   class Along {
    public:

@@ -4,9 +4,8 @@
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/free_surface/diffusion/none.hpp"
 #include "solvers/sph/free_surface/gradients/plain.hpp"
-#include "solvers/sph/free_surface/shifting/none.hpp"
+#include "solvers/sph/free_surface/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/terms/pressure_sum.hpp"
@@ -43,7 +42,7 @@ void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMet
           if constexpr (is_present<decltype(PartsOfMethod::diffusion)>) rates[0] += parts.diffusion.rate(ij, i, j);
         }
         if constexpr (of_velocity) {
-          if constexpr (LooksAround<decltype(PartsOfMethod::pressure)>)
+          if constexpr (ReadsSurroundings<decltype(PartsOfMethod::pressure)>)
             pull += parts.pressure(ij, i, j);
           else
             pull += parts.gradient(i, j, parts.pressure(ij));
@@ -64,9 +63,9 @@ void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMet
 /// What a part reads of the surroundings decides what has to be found and kept of them.
 template <class PartsOfMethod>
 inline constexpr bool corrects =
-    LooksAround<decltype(PartsOfMethod::gradient)> || LooksAround<decltype(PartsOfMethod::pressure)>;
+    ReadsSurroundings<decltype(PartsOfMethod::gradient)> || ReadsSurroundings<decltype(PartsOfMethod::pressure)>;
 template <class PartsOfMethod>
-inline constexpr bool diffuses_rise = LooksAround<decltype(PartsOfMethod::diffusion)>;
+inline constexpr bool diffuses_rise = ReadsSurroundings<decltype(PartsOfMethod::diffusion)>;
 template <class PartsOfMethod>
 inline constexpr bool shifts = is_present<decltype(PartsOfMethod::shifting)>;
 template <class Real, class PartsOfMethod>
@@ -86,7 +85,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
               const PartsOfMethod& parts)
       : Base(scene, settings, 0), terms_(terms), parts_(parts) {}
 
-  /// The particles are shifted, then one step of the integrator. `lap` is told what was done.
+  /// The particles are shifted, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     shift(lap);
@@ -102,7 +101,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {
     constexpr bool finds_rise = of_density && diffuses_rise<PartsOfMethod>;
-    look_around<corrects<PartsOfMethod> || finds_rise>(time, lap);
+    see_all<corrects<PartsOfMethod> || finds_rise>(time, lap);
     if constexpr (finds_rise) carry_rise_to_ghosts<Kernel>(near_, smoothing_length());
     sum_rates<Kernel, of_density, of_velocity>(near_, terms_, parts_, smoothing_length());
     lap(SubStep::pairs);
@@ -114,7 +113,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
 
   /// Fluid, ghosts and images as the last motion left them, and their surroundings if they are needed.
   template <bool surroundings, class Laps>
-  void look_around(double time, const Laps& lap) {
+  void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
     balance_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid, scene_.body_force, time);
@@ -126,7 +125,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   template <class Laps>
   void shift(const Laps& lap) {
     if constexpr (shifts<PartsOfMethod>) {
-      look_around<true>(this->time(), lap);
+      see_all<true>(this->time(), lap);
       parts_.shifting.template shift<Kernel>(near_, smoothing_length(), this->settings_.spacing, this->time_step());
       lap(SubStep::motion);
     }

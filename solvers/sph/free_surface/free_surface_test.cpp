@@ -67,7 +67,7 @@ TEST(FreeSurface, ARunHasTheVelocityAndThePressureOfItsScene) {
   expect_as_in(patch.start, after(0, patch, delta), 1e-14, 1e-8);
 }
 
-TEST(FreeSurface, UniformFlowCrossesBothSeamsUnchanged) {
+TEST(FreeSurface, UniformFlowCrossesBothPeriodicBoundariesUnchanged) {
   const Vec2 v(7, -5);
   const Scene<Newtonian> scene = endless(uniform_flow(v));
   const auto check = [&](const auto& parts) {

@@ -15,7 +15,7 @@ struct Surroundings : Record<Number> {
   /// Takes the sums of V_j (r_j - r_i) grad W, symmetric, whose inverse is L, and of V_j (rho_j - rho_i) grad W.
   /// Eigenvalues below 0.2, of splashes, tips and corners, count as that: L does not jump, and what it corrects there
   /// is too small, never too large. In the very corner of a square it is 0.09, on a straight surface 0.5.
-  void look(const std::array<double, 3>& moments, const std::array<double, 2>& rise) {
+  void set_surroundings(const std::array<double, 3>& moments, const std::array<double, 2>& rise) {
     constexpr double least = 0.2;
     const auto [xx, xy, yy] = moments;
     const double middle = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy), low = middle - apart,
@@ -37,11 +37,11 @@ struct Surroundings : Record<Number> {
   }
 };
 
-/// A part of a method that says `looks_around` reads what this pass finds.
+/// A part of a method that says `reads_surroundings` reads what this pass finds.
 template <class Part>
-concept LooksAround = Part::looks_around;
+concept ReadsSurroundings = Part::reads_surroundings;
 
-/// Lets the fluid look around, its ghosts included.
+/// Finds the surroundings of the fluid, of which its ghosts are a part.
 template <class Kernel, class Record>
 void find_surroundings(Neighbourhood<Record>& near, double h) {
   sum_over_neighbours<5>(
@@ -53,7 +53,7 @@ void find_surroundings(Neighbourhood<Record>& near, double h) {
         return std::array{-x * ij.x, -x * ij.y, -y * ij.y, rise * x, rise * y};
       },
       [&](Index i, const std::array<double, 5>& sums) {
-        near.seen[i].look({sums[0], sums[1], sums[2]}, {sums[3], sums[4]});
+        near.seen[i].set_surroundings({sums[0], sums[1], sums[2]}, {sums[3], sums[4]});
       });
   near.images.refresh_fluid(near.all, near.seen);
 }
@@ -61,14 +61,14 @@ void find_surroundings(Neighbourhood<Record>& near, double h) {
 /// Gives each ghost that fluid is near the mean rise of density in that fluid.
 template <class Kernel, class Record>
 void carry_rise_to_ghosts(Neighbourhood<Record>& near, double h) {
-  const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+  const auto terms = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
     const auto r = distance(g, j);
     using Real = std::remove_cvref_t<decltype(r)>;
     const Real weight = Kernel::w(Real(r * per_h));
     const auto along = j.two(&Record::rho_along_x);
     return std::array<Real, 3>{weight, weight * along[0], weight * along[1]};
   };
-  sum_over_neighbours<3>(near.fluid_near_ghost, near.seen, share, [&](Index g, const std::array<double, 3>& sums) {
+  sum_over_neighbours<3>(near.fluid_near_ghost, near.seen, terms, [&](Index g, const std::array<double, 3>& sums) {
     const double per = sums[0] > 0 ? 1 / sums[0] : 0;  // what the lists hold may be beyond the kernel
     near.seen[g].rho_along_x = static_cast<typename Record::Number>(per * sums[1]);
     near.seen[g].rho_along_y = static_cast<typename Record::Number>(per * sums[2]);

@@ -23,7 +23,8 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
              lay_out_ghosts_and_walls(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))),
         terms_(terms) {}
 
-  /// One step of the integrator, section 2.4, and every so often the density restored. `lap` is told what was done.
+  /// One step of the integrator, section 2.4, and every so often the density restored. `lap` is called at the end of
+  /// each sub-step.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     this->list_neighbours(lap);

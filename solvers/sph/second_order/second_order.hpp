@@ -33,7 +33,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     mean_density_ = near_.all.rho.mean();
   }
 
-  /// The particles drift, then one step of the integrator. `lap` is told what was done.
+  /// The particles drift, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     this->list_neighbours(lap);
@@ -120,7 +120,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
           const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
           const auto v_i = i.two(&Record<Real>::vx), v_j = j.two(&Record<Real>::vx);
           const auto volume_p_i = i.two(&Record<Real>::volume), volume_p_j = j.two(&Record<Real>::volume);
-          return Fit::share(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
+          return Fit::terms(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
         },
         [per_h = static_cast<Real>(per_h)](const auto& sums) { return derivatives(sums, per_h); },
         [this](Index i, const std::array<double, made>& fit) { move(i, fit); });

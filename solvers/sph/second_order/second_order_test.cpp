@@ -30,7 +30,7 @@ TEST(SecondOrderSph, ARunHasTheVelocityAndThePressureOfItsScene) {
   expect_as_in(varied_start(), after<SecondOrderMethod>(0, endless(varied_start())), 1e-14, 1e-8);
 }
 
-TEST(SecondOrderSph, UniformFlowCrossesBothSeamsUnchanged) {
+TEST(SecondOrderSph, UniformFlowCrossesBothPeriodicBoundariesUnchanged) {
   const Vec2 v(7, -5);
   const Scene<Newtonian> scene = endless(uniform_flow(v));
   expect_carried(after<SecondOrderMethod>(0, scene), after<SecondOrderMethod>(400, scene), v, 0.4, {1, 1});

@@ -6,10 +6,10 @@ namespace touchstone::sph {
 /// -(1 / rho_i) grad P as -sum_j m_j (P_i L_i + P_j L_j) / (rho_i rho_j) grad W, what continuity with the gradient of
 /// `BonetLok` gives back when energy is kept (Bonet & Lok, Comput. Methods Appl. Mech. Engrg. 180 (1999), 97-115).
 /// Momentum and its moment are kept, though a pair's forces do not lie on the line between the two, since the corrected
-/// gradient sees no strain in a rigid motion; and free surfaces are right without looking for them. A sum does not
+/// gradient sees no strain in a rigid motion; and free surfaces are right without detecting them. A sum does not
 /// vanish for a uniform pressure.
 struct BonetLokPressure {
-  static constexpr bool looks_around = true;
+  static constexpr bool reads_surroundings = true;
 
   template <class Real, class I, class J>
   Pull<Real> operator()(const Pair<Real>& ij, const I& i, const J& j) const {

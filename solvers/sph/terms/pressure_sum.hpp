@@ -4,7 +4,7 @@
 namespace touchstone::sph {
 
 /// -(1 / rho_i) grad P as -sum_j m_j (P_i + P_j) / (rho_i rho_j) grad W: what continuity with volumes gives back when
-/// energy is kept, right at a free surface without looking for it (Colagrossi & Landrini, J. Comput. Phys. 191 (2003),
+/// energy is kept, right at a free surface without detecting it (Colagrossi & Landrini, J. Comput. Phys. 191 (2003),
 /// 448-475).
 struct PressureSum {
   template <class Real>

@@ -35,7 +35,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   TransportVelocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
       : Base(scene, settings, spreads ? 2 : 0), terms_(terms) {}
 
-  /// The particles drift, then one step of the integrator. `lap` is told what was done.
+  /// The particles drift, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     this->list_neighbours(lap);

@@ -14,7 +14,7 @@ namespace touchstone::sph {
 template <class Kernel, class Record, class FluidLaw, class Force>
 void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, const FluidLaw& fluid,
                     const Force& body_force, double time) {
-  const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+  const auto terms = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
     const auto sides = apart(g, j);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
     const Real r = square_root(Real(sides[0] * sides[0] + sides[1] * sides[1])), weight = Kernel::w(Real(r * per_h));
@@ -23,23 +23,17 @@ void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls,
     return std::array<Real, 6>{weight,           weight * v[0],   weight * v[1], weight * volume_p[1],
                                heavy * sides[0], heavy * sides[1]};
   };
-  const Index first = near.all.fluid;
-  sum_over_neighbours<6>(near.fluid_near_ghost, near.seen, share, [&](Index g, const std::array<double, 6>& sums) {
-    if (!(sums[0] > 0)) {  // what the lists hold is beyond the kernel
-      near.seen[g].move(0, 0);
-      near.seen[g].set_state(fluid.density, 0);
-      return;
-    }
-    const BoundaryLayout::Ghost& ghost = near.boundary.ghosts[g - first];
-    const double per = 1 / sums[0];
-    Vec2 v(per * sums[1], per * sums[2]);
-    for (const int w : ghost.behind) v = 2 * walls[w].at_wall(v, time, -walls[w].distance(ghost.x)) - v;
-    double p = per * sums[3];
-    if constexpr (is_present<Force>) p += per * body_force(ghost.x, time).dot(Vec2(sums[4], sums[5]));
-    near.seen[g].move(v.x(), v.y());
-    near.seen[g].set_state(fluid.density_at(p), p);
-  });
-  near.images.refresh_boundary(near.all, near.seen);
+  give_to_ghosts<6>(near, fluid.density, terms,
+                    [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Record& seen) {
+                      const double per = 1 / sums[0];
+                      Vec2 v(per * sums[1], per * sums[2]);
+                      for (const int w : ghost.behind)
+                        v = 2 * walls[w].at_wall(v, time, -walls[w].distance(ghost.x)) - v;
+                      double p = per * sums[3];
+                      if constexpr (is_present<Force>) p += per * body_force(ghost.x, time).dot(Vec2(sums[4], sums[5]));
+                      seen.move(v.x(), v.y());
+                      seen.set_state(fluid.density_at(p), p);
+                    });
 }
 
 }  // namespace touchstone::sph

@@ -60,29 +60,4 @@ inline BoundaryLayout lay_out_ghosts_and_walls(const Domain& domain, const std::
   return layout;
 }
 
-/// Gives each ghost that fluid is near the mean of that fluid, weighted by volume and kernel, and mirrors its velocity
-/// at the walls it is behind. A ghost that is out of reach is at rest, at the density of fluid without pressure.
-template <class Kernel, int width, class Record>
-void fill_ghosts(std::vector<Record>& seen, const NeighbourLists<width>& fluid_near, Index fluid,
-                 const std::vector<BoundaryLayout::Ghost>& ghosts, const std::vector<Wall>& walls, double h,
-                 double density, double time) {
-  const auto share = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
-    const auto r = distance(g, j);
-    using Real = std::remove_cvref_t<decltype(r)>;
-    const auto v = j.two(&Record::vx), volume_p = j.two(&Record::volume);
-    const Real rho = j.two(&Record::rho)[0], weight = volume_p[0] * Kernel::w(Real(r * per_h));
-    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * rho, weight * volume_p[1]};
-  };
-  sum_over_neighbours<5>(fluid_near, seen, share, [&](Index g, const std::array<double, 5>& sums) {
-    const bool alone = !(sums[0] > 0);  // what the lists hold is beyond the kernel
-    const double per = 1 / (alone ? 1 : sums[0]);
-    Vec2 v(sums[1] * per, sums[2] * per);
-    if (!alone)
-      for (const int w : ghosts[g - fluid].behind)
-        v = 2 * walls[w].at_wall(v, time, -walls[w].distance(ghosts[g - fluid].x)) - v;
-    seen[g].move(v.x(), v.y());
-    seen[g].set_state(alone ? density : sums[3] * per, sums[4] * per);
-  });
-}
-
 }  // namespace touchstone::sph

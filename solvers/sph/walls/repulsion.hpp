@@ -26,8 +26,8 @@ struct SoftRepulsion {
     const Real& along = axis == 0 ? ij.y : ij.x;
     const Real r = square_root(Real(normal * normal)), off = square_root(Real(along * along));
     const Real near = positive_part(Real(1 - r * Number<Real>(2 / spacing))),
-               share = positive_part(Real(1 - off * Number<Real>(1 / spacing)));
-    const Real c = Number<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * share / (r * r);
+               fraction = positive_part(Real(1 - off * Number<Real>(1 / spacing)));
+    const Real c = Number<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * fraction / (r * r);
     return axis == 0 ? Pull<Real>{c * ij.x, Real{}} : Pull<Real>{Real{}, c * ij.y};
   }
 };

@@ -8,7 +8,7 @@ namespace touchstone::sph {
 /// exact for it at free surfaces too: delta h c sum_j (2 (rho_j - rho_i) r_ji / r² - (grad rho_i + grad rho_j)) · grad
 /// W V_j. What is left smooths like a fourth derivative and keeps the sum of V_i drho_i at zero.
 struct Antuono {
-  static constexpr bool looks_around = true;
+  static constexpr bool reads_surroundings = true;
 
   double delta = 0.1;  // -
   double sound_speed;  // m/s

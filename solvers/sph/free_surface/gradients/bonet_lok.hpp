@@ -7,7 +7,7 @@ namespace touchstone::sph {
 /// Appl. Mech. Engrg. 180 (1999), 97-115): sums of differences are exact for linear fields, however the particles
 /// stand, at a free surface too. What a pair feels is then not opposite: momentum is not kept.
 struct BonetLok {
-  static constexpr bool looks_around = true;
+  static constexpr bool reads_surroundings = true;
 
   template <class Real, class I, class J>
   Pull<Real> operator()(const I& i, const J&, const Pull<Real>& along) const {

@@ -15,7 +15,7 @@ struct TangentialShifting {
   static constexpr double surface = 0.75;  // -  fullness: a particle with less is at a surface
   static constexpr double edge = 0.4;      // -  one with less is not shifted
 
-  /// Shifts the fluid, whose neighbours have looked around, as far as in a time `dt` [s].
+  /// Shifts the fluid, whose surroundings have been found, as far as in a time `dt` [s].
   template <class Kernel, class Record>
   void shift(Neighbourhood<Record>& near, double h, double spacing, double dt) const {
     Particles& all = near.all;
