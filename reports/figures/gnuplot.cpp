@@ -1,12 +1,11 @@
 #include "reports/figures/gnuplot.hpp"
 
-#include "reports/text/text.hpp"
+#include "reports/text/html.hpp"
+#include "vnv/files/whole_file.hpp"
+#include "vnv/programs/programs.hpp"
 
 #include <fmt/format.h>
-#include <gnuplot-iostream.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -18,54 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A gnuplot that ends early must not end this program with it.
-class NoBrokenPipes {
- public:
-  NoBrokenPipes() = default;
-  ~NoBrokenPipes() { std::signal(SIGPIPE, former_); }
-  NoBrokenPipes(const NoBrokenPipes&) = delete;
-  NoBrokenPipes& operator=(const NoBrokenPipes&) = delete;
-
- private:
-  void (*former_)(int) = std::signal(SIGPIPE, SIG_IGN);
-};
-
-// Where gnuplot leaves what it has drawn, what it says, and that it came to the end.
-struct Traces {
-  fs::path image, log, marker;
-  bool is_raster;
-
-  explicit Traces(const fs::path& final_image)
-      : image(beside(final_image, "part")),
-        log(beside(final_image, "log")),
-        marker(beside(final_image, "end")),
-        is_raster(final_image.extension() == ".png") {}
-  ~Traces() {
-    std::error_code ignored;
-    for (const auto& file : {image, log, marker}) fs::remove(file, ignored);
-  }
-  Traces(const Traces&) = delete;
-  Traces& operator=(const Traces&) = delete;
-
- private:
-  static fs::path beside(const fs::path& file, const char* kind) {
-    return file.parent_path() / fmt::format(".{}.{}", file.filename().string(), kind);
-  }
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string quoted(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "'\\''")); }
-
-// In gnuplot's own single quotes, a quote is written twice.
-std::string as_text(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "''")); }
+// In gnuplot's single quotes, a quote is written twice.
+std::string quoted(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "''")); }
 
 // gnuplot's message is the last line that says something; those before repeat the command and point at it.
-std::string message_in(const fs::path& log) {
-  std::istringstream lines(text_of(log));
+std::string message_in(const std::string& errors) {
+  std::istringstream lines(errors);
   std::string message = "it ended early and said nothing; is the disk full?";
   for (std::string line; std::getline(lines, line);)
     if (line.find_first_not_of(" \t^") != std::string::npos) message = line.substr(line.find_first_not_of(" \t"));
@@ -74,20 +31,10 @@ std::string message_in(const fs::path& log) {
 
 // gnuplot does not notice a full disk.
 bool is_whole(const fs::path& image) {
-  const std::string text = text_of(image);
+  std::ifstream stream(image, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   const std::string tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 16));
   return tail.find("</svg>") != std::string::npos || tail.find("IEND") != std::string::npos;
-}
-
-// Read as a file, not as a dialogue: then the first error ends gnuplot, and the marker is never written.
-void send(const fs::path& gnuplot, const fs::path& script, const Traces& traces) {
-  const NoBrokenPipes guard;
-  // `|| :` since gnuplot-iostream complains on standard error of an exit status; the marker tells as much.
-  Gnuplot pipe(fmt::format("cd {} && {} -d /dev/stdin > {} 2>&1 || :", quoted(script.parent_path()), quoted(gnuplot),
-                           quoted(traces.log)));
-  pipe << fmt::format("{}image = {}\nload {}\nset output\n", traces.is_raster ? "raster = 1\n" : "",
-                      as_text(traces.image), as_text(script));
-  pipe << fmt::format("set print {}\nprint 'end'\n", as_text(traces.marker));
 }
 
 }  // namespace
@@ -96,22 +43,28 @@ fs::path find_gnuplot() {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (!folder.empty() && access((fs::path(folder) / "gnuplot").c_str(), X_OK) == 0)
-      return fs::path(folder) / "gnuplot";
+    if (!folder.empty() && fs::exists(fs::path(folder) / "gnuplot")) return fs::path(folder) / "gnuplot";
   throw GnuplotMissing(
       "gnuplot: not found on PATH, expected for the figures; install it (Debian: apt install gnuplot-nox)");
 }
 
 void run_gnuplot(const fs::path& script, const fs::path& image) {
-  const fs::path gnuplot = find_gnuplot();
-  const Traces traces(fs::absolute(image));
-  send(fs::absolute(gnuplot), fs::absolute(script), traces);
-  if (text_of(traces.marker) != "end\n")
-    throw std::runtime_error(fmt::format("gnuplot: {} not drawn: {}", image.string(), message_in(traces.log)));
-  if (!is_whole(traces.image))
-    throw std::runtime_error(
-        fmt::format("gnuplot: {} not drawn: the image is not whole; is the disk full?", image.string()));
-  fs::rename(traces.image, image);
+  const fs::path gnuplot = fs::absolute(find_gnuplot()), whole = fs::absolute(script);
+  const fs::path part = files::neighbour(fs::absolute(image), "part");
+  const std::string raster = image.extension() == ".png" ? "raster = 1; " : "";
+  const programs::Heard heard =
+      programs::run_and_hear({gnuplot, "-d", "-e",
+                              fmt::format("{}cd {}; image = {}; load {}; set output; print 'drawn'", raster,
+                                          quoted(whole.parent_path()), quoted(part), quoted(whole))});
+  std::string fault;
+  if (!heard.errors.ends_with("drawn\n"))  // its exit status is 0 where a script ends it early
+    fault = message_in(heard.errors);
+  else if (!is_whole(part))
+    fault = "the image is not whole; is the disk full?";
+  if (fault.empty()) return fs::rename(part, image);
+  std::error_code ignored;
+  fs::remove(part, ignored);
+  throw std::runtime_error(fmt::format("gnuplot: {} not drawn: {}", image.string(), fault));
 }
 
 void run_gnuplot(const fs::path& image) { run_gnuplot(fs::path(image).replace_extension(".gp"), image); }

@@ -1,6 +1,6 @@
 #pragma once
-/// gnuplot through gnuplot-iostream, which by itself fails silently: without gnuplot it ends the program by a signal or
-/// leaves no file; after a bad command it leaves an empty one. Here an image is whole or there is an exception.
+/// gnuplot, which does not notice a full disk and after a bad command leaves an empty file: here an image is whole or
+/// there is an exception.
 
 #include <filesystem>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 #include "reports/read/night.hpp"
 
-#include "reports/read/history.hpp"
 #include "reports/testing.hpp"
 
 #include <gtest/gtest.h>

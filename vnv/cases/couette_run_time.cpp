@@ -42,7 +42,7 @@ Case vnv::the_case() {
              .at(1)}},
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1}}});
-  declared.title = "Couette flow: error against run time";
+  declared.title = "Couette flow: work-precision diagram";
   declared.description =
       "The start-up of plane Couette flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "
       "and over time steps, from the paper's 5 us up to nearly the longest that it can bear. At 1 s the exact profile is a "

@@ -156,7 +156,7 @@ Case vnv::the_case() {
                     {}, particle_number(), {{"", error_of(pressure_roughness, 0.32)}}),
                 error_against_run_time(
                     {.id = "work",
-                     .title = "Distance from the measured front against run time",
+                     .title = "Work-precision diagram of the front",
                      .caption = "RMS of L over T in [1, 1.5], without a shift of the clock, over the CPU seconds from "
                                 "rest to t = 0.5 s. The gate of the experiment is in no method: a distance from it of "
                                 "some hundredths does not shrink with the resolution.",

@@ -69,7 +69,7 @@ Case vnv::the_case() {
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1, price_at_most(1, 2, baseline("goal: the best of other codes takes 83 s"))}}});
   declared.findings.push_back(price_beside_a_plain_loop);
-  declared.title = "Poiseuille flow: error against run time";
+  declared.title = "Poiseuille flow: work-precision diagram";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions "
       "and over time steps, from the paper's 5 us up to nearly the longest that it can bear. A method is worth what its "

@@ -88,7 +88,7 @@ std::vector<Level> sph_run_time_levels(const std::vector<int>& particles, double
 
 WorkDiagram work_diagram() {
   return {.id = "work",
-          .title = "Error against run time",
+          .title = "Work-precision diagram",
           .caption =
               "L2 error of the particles' velocities at t = 1 s over the CPU seconds from rest until then, each "
               "method over resolutions and time steps; lower left is better.",

@@ -1,5 +1,5 @@
 #pragma once
-/// Error against run time in the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
+/// Work-precision diagrams of the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
 /// the points of Sun et al. and of other codes.
 
 #include "vnv/flows/channel.hpp"
