@@ -35,7 +35,7 @@ std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
           {typeset(v.quantity), "words"},
           optional_number(v.time),
           {valued(v.value, v.unit), "number"},
-          {printed_limit(v.lower, v.upper) + unit, "number"},
+          {printed_limit(v.lower, v.upper) + unit, "number limit"},
           {has_margin(v) ? margin_bar(v.margin) : "", "number"},
           {escape(v.author), "words"}};
 }
