@@ -1,5 +1,5 @@
 #pragma once
-/// What the tests of this room share: a folder of their own and a small record.
+/// What the tests of this module share: a folder of their own and a small record.
 
 #include "reports/read/cases.hpp"
 #include "vnv/programs/scratch_folder.hpp"

@@ -2,8 +2,8 @@
 
 The browser is a headless Chromium without a network. Of each page: links lead to a file and a place in it, images show,
 nothing is asked of a network, nothing is wider than a phone (390 px) or a desktop (1280 px), it prints, the headings of
-its first table sort, no script complains; with --within the index and all beside it open so soon. With --pictures
-screenshots and prints are left in a folder.
+its first table sort, a filter keeps the rows that it should, no script complains; with --within the index and all
+beside it open so soon. With --pictures screenshots and prints are left in a folder.
 """
 import argparse
 import base64
@@ -111,8 +111,21 @@ SORTS = r"""(() => {
     }
   return 'sorted';
 })()"""
+# What the first filter leaves for a word that nobody writes, and for the last word of the first row.
+FILTERS = r"""(() => {
+  const field = document.querySelector('.filtered input');
+  if (!field) return 'none';
+  const rows = [...document.querySelectorAll('.filtered tbody tr')];
+  const left = word => {
+    field.value = word;
+    field.dispatchEvent(new Event('input'));
+    return rows.filter(row => !row.hidden).length;
+  };
+  const none = left('qqqq'), some = left(rows[0].cells[0].textContent);
+  return none === 0 && some > 0 && left('') === rows.length ? 'filtered' : `${none} and ${some} rows`;
+})()"""
 # A finger on the middle of the first curve.
-TELLS = r"""(() => {
+SHOWS = r"""(() => {
   const trend = document.querySelector('.trend');
   if (!trend) return 'none';
   const svg = trend.querySelector('svg'), box = svg.getBoundingClientRect();
@@ -137,14 +150,14 @@ def broken_links(page, links, places):
 
 def complaints_in(events):
     for event in events:
-        method, told = event["method"], event.get("params", {})
+        method, said = event["method"], event.get("params", {})
         if method == "Runtime.exceptionThrown":
-            yield f"a script fails: {told['exceptionDetails'].get('exception', {}).get('description', '?')}"
-        url = told.get("request", {}).get("url", "file:")
+            yield f"a script fails: {said['exceptionDetails'].get('exception', {}).get('description', '?')}"
+        url = said.get("request", {}).get("url", "file:")
         if method == "Network.requestWillBeSent" and not url.startswith(("file:", "data:", "about:")):
             yield f"asks for {url}, expected no network"
-        if method == "Network.loadingFailed" and not told.get("canceled"):
-            yield f"could not load something: {told['errorText']}"
+        if method == "Network.loadingFailed" and not said.get("canceled"):
+            yield f"could not load something: {said['errorText']}"
 
 
 def check(browser, site, page, places, within, pictures):
@@ -176,9 +189,12 @@ def check(browser, site, page, places, within, pictures):
     sorted_by = browser.run(SORTS)
     if sorted_by not in ("sorted", "none"):
         yield f"a table does not sort: {sorted_by}"
-    told = browser.run(TELLS)
-    if told != "none" and ": " not in told:
-        yield f"a curve tells '{told}', expected night, revision and value"
+    filtered = browser.run(FILTERS)
+    if filtered not in ("filtered", "none"):
+        yield f"a table does not filter: {filtered}"
+    shown = browser.run(SHOWS)
+    if shown != "none" and ": " not in shown:
+        yield f"a curve shows '{shown}', expected night, revision and value"
     print(f"{page.parent.name}/{page.name}: opened in {seconds:.2f} s, {page.stat().st_size / 1e6:.2f} MB, "
           f"{len(printed) / 1e6:.2f} MB in print")
 

@@ -1,6 +1,6 @@
 #include "reports/compare/orders.hpp"
 
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "reports/compare/series.hpp"
 
 #include <fmt/format.h>
+#include <boost/math/statistics/univariate_statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace {
 
 using Kind = Series::Kind;
 
+double median(std::vector<double> values) { return boost::math::statistics::median(values); }
+
 /// Where a number stands in every night; times agree to nine digits.
 using Place = std::tuple<std::string, std::string, bool, std::string, std::string, std::string>;
 
@@ -23,26 +26,26 @@ class Collector {
   Series& at(Kind kind, const std::string& case_name, const std::string& method, const std::string& level, double time,
              const std::string& quantity) {
     const Place place{case_name, method, kind == Kind::cost, quantity, level, fmt::format("{:.9g}", time)};
-    const auto [found, is_new] = by_place_.try_emplace(place, all_.size());
-    if (is_new) {
-      Series series{
-          .kind = kind, .case_name = case_name, .method = method, .level = level, .time = time, .quantity = quantity};
-      series.points.resize(nights_);
-      all_.push_back(std::move(series));
-    }
-    return all_[found->second];
+    return by_place_
+        .try_emplace(place, Series{.kind = kind,
+                                   .case_name = case_name,
+                                   .method = method,
+                                   .level = level,
+                                   .time = time,
+                                   .quantity = quantity,
+                                   .points = std::vector<SeriesPoint>(nights_)})
+        .first->second;
   }
 
   std::vector<Series> sorted() && {
     std::vector<Series> sorted;
-    for (const auto& [place, i] : by_place_) sorted.push_back(std::move(all_[i]));
+    for (auto& [place, series] : by_place_) sorted.push_back(std::move(series));
     return sorted;
   }
 
  private:
   std::size_t nights_;
-  std::vector<Series> all_;
-  std::map<Place, std::size_t> by_place_;
+  std::map<Place, Series> by_place_;
 };
 
 void put(Series& series, std::size_t night, double value) {
@@ -100,11 +103,6 @@ void add(Collector& all, const Night& night, std::size_t n) {
   for (const auto& limit : night.limits) add_value(all, Kind::limit, limit, n);
   for (const auto& order : night.orders) add_order(all, order, n);
   for (const auto& verdict : night.verdicts) add_verdict(all, verdict, n);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 /// What a series keeps to between two steps.
@@ -168,14 +166,14 @@ std::vector<bool> places_changed(const std::vector<Night>& nights) {
 }
 
 /// Runs of the largest CPU time of each method, in the last night that has them.
-std::map<std::pair<std::string, std::string>, const Series*> dearest_runs(const std::vector<Series>& all) {
-  std::map<std::pair<std::string, std::string>, const Series*> dearest;
+std::map<std::pair<std::string, std::string>, const Series*> most_expensive_runs(const std::vector<Series>& all) {
+  std::map<std::pair<std::string, std::string>, const Series*> most_expensive;
   for (const Series& s : all) {
     if (s.quantity != "CPU time [s]" || s.kind != Kind::cost || !s.points.back().is_there) continue;
-    const Series*& best = dearest[{s.case_name, s.method}];
+    const Series*& best = most_expensive[{s.case_name, s.method}];
     if (!best || s.points.back().value > best->points.back().value) best = &s;
   }
-  return dearest;
+  return most_expensive;
 }
 
 bool is_judged(const Series& s) { return s.has_margin && !s.author.empty(); }
@@ -187,8 +185,8 @@ bool is_candidate(const Series& s) {
 
 double or_lowest(double value) { return std::isnan(value) ? -INFINITY : value; }
 
-/// Whether one tells more of its quantity: a later time, then a finer spacing.
-bool tells_more(const Series& a, const Series& b) {
+/// Whether one says more of its quantity: a later time, then a finer spacing.
+bool is_more_telling(const Series& a, const Series& b) {
   return std::pair(or_lowest(a.time), -a.spacing) > std::pair(or_lowest(b.time), -b.spacing);
 }
 
@@ -234,15 +232,15 @@ std::vector<const Series*> worth_drawing(const std::vector<Series>& all) {
   for (const Series& s : all) {
     if (s.kind == Kind::cost || !is_candidate(s)) continue;
     const Series*& so_far = best[kind_of(s)];
-    if (!so_far || tells_more(s, *so_far)) so_far = &s;
+    if (!so_far || is_more_telling(s, *so_far)) so_far = &s;
   }
-  const auto dearest = dearest_runs(all);
+  const auto most_expensive = most_expensive_runs(all);
   std::vector<const Series*> drawn;
   for (const Series& s : all) {
     if (s.kind != Kind::cost) {
       const auto found = best.find(kind_of(s));
       if (found != best.end() && found->second == &s) drawn.push_back(&s);
-    } else if (const auto found = dearest.find({s.case_name, s.method}); found != dearest.end()) {
+    } else if (const auto found = most_expensive.find({s.case_name, s.method}); found != most_expensive.end()) {
       if (found->second->level == s.level) drawn.push_back(&s);
     }
   }

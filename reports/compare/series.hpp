@@ -1,7 +1,7 @@
 #pragma once
 /// Each number of the nights as a series over them, and the steps in it.
 
-#include "reports/read/history.hpp"
+#include "reports/read/night.hpp"
 
 #include <optional>
 #include <string>
@@ -54,7 +54,7 @@ std::vector<Series> series_of(const std::vector<Night>& nights);
 void mark_steps(Series& series, const std::vector<bool>& starts_anew);
 
 /// The few that are drawn of each method: what theory or literature judge, at the last time and the finest spacing of
-/// each quantity; orders of the L2 norms; stability limits; time and memory of the dearest run.
+/// each quantity; orders of the L2 norms; stability limits; time and memory of the most expensive run.
 std::vector<const Series*> worth_drawing(const std::vector<Series>& all);
 
 }  // namespace touchstone::reports

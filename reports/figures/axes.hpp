@@ -19,7 +19,7 @@ class Extent {
   void add(const std::vector<double>& si_values);
 
   bool is_empty() const { return high_ < low_; }
-  /// With the limits that the axis states, and never of zero width; limits from the data move outwards by a share of
+  /// With the limits that the axis states, and never of zero width; limits from the data move outwards by a fraction of
   /// that width.
   std::pair<double, double> range(double air = 0) const;
 

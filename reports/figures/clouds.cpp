@@ -1,6 +1,6 @@
 #include "reports/figures/axes.hpp"
 #include "reports/figures/plot.hpp"
-#include "reports/text/csv.hpp"
+#include "reports/read/csv.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "reports/figures/axes.hpp"
-#include "reports/figures/look.hpp"
 #include "reports/figures/plot.hpp"
-#include "reports/text/csv.hpp"
+#include "reports/figures/style.hpp"
+#include "reports/read/csv.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ struct Series {
   std::size_t colour = 0, member = 0;
 };
 
-Look look(const Series& s) {
+LineStyle style_of(const Series& s) {
   const std::size_t turn = s.member + s.colour / palette.size();  // a second round of colours takes other marks
   switch (s.curve->role) {
     case Role::exact:
@@ -42,7 +42,7 @@ Look look(const Series& s) {
     case Role::ours:
       break;
   }
-  return look_of_method(s.colour, s.member);
+  return style_of_method(s.colour, s.member);
 }
 
 std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& records) {
@@ -93,7 +93,7 @@ long drawable_points(const vnv::Curve& curve, const vnv::Figure& figure) {
   return count;
 }
 
-std::string style(const vnv::Curve& curve, const Look& l) {
+std::string with_clause(const vnv::Curve& curve, const LineStyle& l) {
   const bool is_line = curve.role == Role::exact || curve.role == Role::guide || curve.x.size() > few_points;
   const double size = curve.x.size() < many_points ? l.size : 0.6 * l.size;
   const std::string line = fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", l.dash, l.width, l.colour);
@@ -105,7 +105,7 @@ std::string style(const vnv::Curve& curve, const Look& l) {
 // `first` is the row of the data at which the curve starts.
 std::string element(const Series& series, const vnv::Figure& figure, std::size_t first) {
   const vnv::Curve& curve = *series.curve;
-  const std::string with = style(curve, look(series)), label = shortened(curve.label);
+  const std::string with = with_clause(curve, style_of(series)), label = shortened(curve.label);
   if (drawable_points(curve, figure) == 0)
     return fmt::format("NaN with {} title {}", with, gnuplot_string(label + " (no finite value)"));
   return fmt::format("'{}.csv' skip 1 every ::{}::{} using 2:3 with {} title {}", figure.id, first,

@@ -82,6 +82,13 @@ TEST(Labels, OfAxesShowSymbolsAndKeepOtherUnderscores) {
   EXPECT_EQ(gnuplot_label("10^-3 of mpm_reset"), "10^{−3} of mpm\\_reset");
 }
 
+TEST(Key, HasNoMoreColumnsThanFitBesideEachOther) {  // gnuplot makes one of twenty letters 205 px wide, of 800
+  vnv::Record record = sample_record();
+  record.curves.clear();
+  for (int i = 0; i < 12; ++i) record.curves.push_back(sample_curve(fmt::format("{:020}", i)));
+  EXPECT_TRUE(contains(profile_of({record}).script, "maxrows 4"));
+}
+
 TEST(Figure, SameRecordsGiveTheSameBytes) {
   const ScratchFolder first, second;
   const vnv::Record record = sample_record(), cloud = cloud_record();

@@ -1,6 +1,6 @@
 #include "reports/figures/gnuplot.hpp"
 
-#include "reports/text/text.hpp"
+#include "reports/text/html.hpp"
 
 #include <fmt/format.h>
 #include <gnuplot-iostream.h>

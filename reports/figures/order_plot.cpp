@@ -1,9 +1,8 @@
 #include "reports/figures/order_plot.hpp"
 
-#include "reports/figures/look.hpp"
-#include "reports/figures/slope_guides.hpp"
-#include "reports/text/csv.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/figures/style.hpp"
+#include "reports/read/csv.hpp"
+#include "reports/text/notation.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +15,14 @@
 namespace touchstone::reports {
 namespace {
 
-constexpr int plot_height = 500;   // px
-constexpr double widest_band = 1;  // half-width of an order; beyond, a band would cover what it is to explain
+constexpr int plot_height = 500;    // px
+constexpr double below_data = 0.6;  // of the smallest error: where the guides start
+constexpr double widest_band = 1;   // half-width of an order; beyond, a band would cover what it is to explain
 
 /// A line of the comparison, and where its rows stand in the data.
 struct Series {
   std::string label;
-  Look look;
+  LineStyle style;
   std::size_t first;
   const vnv::ObservedOrder* order;
 
@@ -39,12 +39,12 @@ std::string order_words(const vnv::ObservedOrder& order) {
 }
 
 /// As in other figures, but with a mark of its own for each method: many lines meet here.
-Look look(const OrderLine& line, std::size_t member) {
-  Look look = look_of_method(line.place, member);
-  look.mark = pick(member == 0 ? filled_marks : hollow_marks, line.place);
-  look.width = 1.6;
-  look.size = 0.8;
-  return look;
+LineStyle style_of(const OrderLine& line, std::size_t member) {
+  LineStyle style = style_of_method(line.place, member);
+  style.mark = pick(member == 0 ? filled_marks : hollow_marks, line.place);
+  style.width = 1.6;
+  style.size = 0.8;
+  return style;
 }
 
 std::vector<Series> series_of(const OrderComparison& comparison) {
@@ -53,7 +53,7 @@ std::vector<Series> series_of(const OrderComparison& comparison) {
   std::size_t row = 0;
   for (const auto& line : comparison.lines) {
     all.push_back({fmt::format("{}: {}", comparison.name_of(line), order_words(line.order)),
-                   look(line, members[line.method]++), row, &line.order});
+                   style_of(line, members[line.method]++), row, &line.order});
     row += line.order.spacings.size();
   }
   return all;
@@ -99,7 +99,7 @@ long drawable_points(const Series& series, const vnv::Figure& figure) {
 }
 
 std::string line_element(const Series& series, const vnv::Figure& figure) {
-  const Look& l = series.look;
+  const LineStyle& l = series.style;
   const std::string with =
       fmt::format("linespoints dashtype {} linewidth {} linecolor rgb '{}' pointtype {} pointsize {:.3g}", l.dash,
                   l.width, l.colour, l.mark, l.size);
@@ -116,28 +116,45 @@ std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figu
     if (s.has_band())
       add(source(s, figure.id) +
           fmt::format("2:5:6 with filledcurves fillstyle transparent solid 0.18 noborder linecolor rgb '{}' notitle",
-                      s.look.colour));
+                      s.style.colour));
   for (const auto& s : all)
     if (s.has_floor())
       add(source(s, figure.id) +
-          fmt::format("2:7 with lines dashtype (8,5) linewidth 1.1 linecolor rgb '{}' notitle", s.look.colour));
+          fmt::format("2:7 with lines dashtype (8,5) linewidth 1.1 linecolor rgb '{}' notitle", s.style.colour));
   for (const auto& s : all) add(line_element(s, figure));
   return "plot " + elements + "\n";
 }
 
-std::vector<DrawnLine> drawn_lines(const std::vector<Series>& all, const vnv::Figure& figure) {
-  std::vector<DrawnLine> lines;
-  for (const auto& series : all) {
-    DrawnLine points, floor;
-    for (std::size_t i = 0; i < series.order->spacings.size(); ++i) {
-      const double x = series.order->spacings[i] * figure.x.scale;
-      points.emplace_back(x, series.order->errors[i]);
-      floor.emplace_back(x, series.order->floor);
-    }
-    lines.insert(lines.end(), {points, floor});
+/// The guides start below the smallest error at the finest spacing, where errors that decrease leave room.
+struct Guides {
+  double x = INFINITY, y = INFINITY, end = 0;  // where they start, and where the data end; as the axes show it
+
+  Guides(const std::vector<Series>& all, const vnv::Figure& figure) {
+    for (const auto& series : all)
+      for (std::size_t i = 0; i < series.order->spacings.size(); ++i) {
+        x = std::min(x, series.order->spacings[i] * figure.x.scale);
+        end = std::max(end, series.order->spacings[i] * figure.x.scale);
+        for (const double value : {series.order->errors[i], series.order->floor})
+          if (is_drawable(value, figure.y)) y = std::min(y, below_data * value);
+      }
   }
-  return lines;
-}
+  bool are_there() const { return x < end && std::isfinite(y); }
+
+  /// Slopes 1 and 2 up to the middle of the axis, each with its name.
+  std::string commands() const {
+    std::string text;
+    const double middle = std::sqrt(x * end);
+    for (const int slope : {1, 2}) {
+      const double top = y * std::pow(middle / x, slope);
+      text += fmt::format(
+          "set arrow from first {:.6g},{:.6g} to first {:.6g},{:.6g} nohead back linecolor rgb '#8A8A8A' "
+          "linewidth 1.2\nset label '{}' at first {:.6g},{:.6g} left offset 0.4,0 font ',12' textcolor rgb "
+          "'#6A6A6A'\n",
+          x, y, middle, top, slope, middle, top);
+    }
+    return text;
+  }
+};
 
 std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
   Extent x(figure.x), y(figure.y);
@@ -146,8 +163,10 @@ std::string script(const std::vector<Series>& all, const vnv::Figure& figure, co
     y.add(series.order->errors);
     y.add({series.order->floor});
   }
-  return frame.commands(figure, x, y) + slope_guides(x.range(), y.range(), drawn_lines(all, figure)) +
-         plot_command(all, figure) + "set output\n";
+  const Guides guides(all, figure);
+  if (guides.are_there()) y.add({guides.y});
+  return frame.commands(figure, x, y) + (guides.are_there() ? guides.commands() : "") + plot_command(all, figure) +
+         "set output\n";
 }
 
 /// "mpm along grid; sph along spacing", where not all have the same ladder.

@@ -10,7 +10,7 @@ namespace touchstone::reports {
 vnv::Figure order_figure(const OrderComparison& comparison);
 
 /// Each method a line with points; the 95 % interval of its order as a band, its floor dashed, slopes 1 and 2 in grey
-/// where there is room.
+/// below the data.
 Plot plot_orders(const OrderComparison& comparison);
 
 }  // namespace touchstone::reports

@@ -86,6 +86,12 @@ TEST(OrderPlot, DrawsAFloorWhereOneWasFoundAndLeavesRoomForIt) {
   EXPECT_TRUE(contains(order_figure(comparison_of({order})).caption, "Dashed"));
 }
 
+TEST(OrderPlot, HasGuidesOfSlopesOneAndTwoBelowItsData) {
+  const std::string script = plot_orders(comparison_of({sample_order()})).script;  // 1.6 to 0.1 % over 4 to 1 mm
+  EXPECT_TRUE(contains(script, "set arrow from first 1,0.06 to first 2,0.12 nohead")) << script;
+  EXPECT_TRUE(contains(script, "set arrow from first 1,0.06 to first 2,0.24 nohead")) << script;
+}
+
 TEST(OrderPlot, SaysAlongWhichLaddersItCompares) {
   vnv::ObservedOrder spacing = sample_order();
   EXPECT_TRUE(contains(order_figure(comparison_of({spacing, spacing})).caption, "Along the ladder “grid”."));

@@ -1,7 +1,7 @@
 #include "reports/figures/sparkline.hpp"
 
 #include "reports/text/html.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 

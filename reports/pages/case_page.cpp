@@ -3,7 +3,7 @@
 #include "reports/pages/case_tables.hpp"
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -16,14 +16,15 @@ std::string section(const std::string& title, const std::string& body) {
   return body.empty() ? "" : fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", title, body);
 }
 
+// In the colour of a failure only where a claim on that run fails: others were made to see whether they diverge.
 std::string unfinished_runs(const CaseRecords& records) {
-  std::string items;
+  std::string failed, declared;
   for (const auto& record : records.records)
     for (const auto& run : record.runs)
       if (!run.finished)
-        items += fmt::format("<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level),
-                             escape(run.outcome));
-  return items.empty() ? "" : fmt::format("<ul class=\"fails\">\n{}</ul>\n", items);
+        (fails_at(record, run.level) ? failed : declared) += fmt::format(
+            "<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level), escape(run.outcome));
+  return html_list("fails", failed) + html_list("declared", declared);
 }
 
 std::string head(const CaseRecords& records) {
@@ -37,28 +38,32 @@ std::string head(const CaseRecords& records) {
       complaints(verdicts));
 }
 
-std::string figure_html(const DrawnFigure& drawn) {
-  const std::string undrawn =
-      drawn.undrawn == 0
-          ? ""
-          : fmt::format(
-                " <span class=\"nan\">Not drawn (not finite, or not positive on a logarithmic axis): {} points.</span>",
-                printed(drawn.undrawn));
+// Points of runs that diverged as declared are no fault.
+std::string undrawn_html(const DrawnFigure& drawn, const CaseRecords& records) {
+  if (drawn.undrawn == 0) return "";
+  const bool is_declared = std::ranges::any_of(records.records, [](const vnv::Record& record) {
+    return std::ranges::any_of(record.runs, [&](const auto& r) { return !r.finished && !fails_at(record, r.level); });
+  });
+  return fmt::format(" <span class=\"{}\">{} not drawn, since no axis can show a value that is not finite{}.</span>",
+                     is_declared ? "quiet" : "nan", counted(drawn.undrawn, "point"),
+                     is_declared ? ", as a diverged run leaves" : "");
+}
+
+std::string figure_html(const DrawnFigure& drawn, const CaseRecords& records) {
   return fmt::format(
       "<figure id=\"{0}\">\n<div class=\"scroll\" tabindex=\"0\"><img src=\"{1}\" alt=\"{2}\" width=\"{3}\" "
       "height=\"{4}\"></div>\n"
       "<figcaption><b>{2}.</b> {5}{6} <span class=\"files\"><a href=\"{0}.csv\">data</a> "
       "<a href=\"{0}.gp\">gnuplot script</a></span></figcaption>\n</figure>\n",
       drawn.figure.id, drawn.image, escape(drawn.figure.title), drawn.width, drawn.height,
-      typeset(drawn.figure.caption), undrawn);
+      typeset(drawn.figure.caption), undrawn_html(drawn, records));
 }
 
 std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
   std::string html;
-  for (const auto& drawn : figures) html += figure_html(drawn);
+  for (const auto& drawn : figures) html += figure_html(drawn, records);
   for (const auto& declared : figures_of(records)) {
-    const auto is_it = [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; };
-    if (std::none_of(figures.begin(), figures.end(), is_it))
+    if (std::ranges::none_of(figures, [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; }))
       html += fmt::format("<p class=\"nan\">No record brings data for the figure “{}”.</p>\n", escape(declared.title));
   }
   return html;
@@ -66,7 +71,7 @@ std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigu
 
 std::string orders_section(const CaseRecords& records, const std::vector<DrawnFigure>& order_plots) {
   std::string html;
-  for (const auto& drawn : order_plots) html += figure_html(drawn);
+  for (const auto& drawn : order_plots) html += figure_html(drawn, records);
   if (is_in_matrix(records))
     html += "<p class=\"files\">Compared with other flows: <a href=\"../orders.html\">orders of convergence</a></p>\n";
   return html + orders_html(records);
@@ -79,21 +84,16 @@ std::string methods_html(const CaseRecords& records) {
   return "<dl>\n" + html + "</dl>\n";
 }
 
-std::string claims_html(const CaseRecords& records) {
-  const auto verdicts = verdicts_of(records);
-  return verdicts.empty() ? "" : verdict_table(verdicts);
-}
-
 }  // namespace
 
 std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
                       const std::vector<DrawnFigure>& order_plots) {
-  const std::string body = head(records) + paragraphs(records.records.front().description) +
-                           section("Figures", figures_html(records, figures)) +
-                           section("Tables", tables_html(records)) + section("Claims", claims_html(records)) +
-                           section("Errors", errors_html(records)) +
-                           section("Orders", orders_section(records, order_plots)) +
-                           section("Cost", cost_html(records)) + section("Methods", methods_html(records));
+  const std::string body =
+      head(records) + paragraphs(records.records.front().description) +
+      section("Figures", figures_html(records, figures)) + section("Tables", tables_html(records)) +
+      section("Claims", verdict_table(verdicts_of(records))) + section("Errors", errors_html(records)) +
+      section("Orders", orders_section(records, order_plots)) + section("Cost", cost_html(records)) +
+      section("Methods", methods_html(records));
   return html_page(records.title(), "../", "<main>\n" + body + "</main>\n");
 }
 

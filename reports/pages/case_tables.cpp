@@ -1,27 +1,18 @@
 #include "reports/pages/case_tables.hpp"
 
 #include "reports/text/html.hpp"
-#include "reports/text/numbers.hpp"
-#include "reports/text/trend_words.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace touchstone::reports {
 namespace {
 
 using Row = std::vector<HtmlCell>;
-
-// Equal rows appear once: methods of a case may each bring the same reference values.
-void add_once(std::vector<Row>& rows, Row row, std::set<std::string>& known) {
-  std::string text;
-  for (const auto& cell : row) text += cell.html + "\n";
-  if (known.insert(text).second) rows.push_back(std::move(row));
-}
 
 HtmlCell cell_html(const vnv::Cell& cell, const std::string& kind) {
   if (const double* value = std::get_if<double>(&cell)) return number_cell(*value);
@@ -41,12 +32,12 @@ Row table_head(const vnv::Table& table) {
 }
 
 std::string table_html(const vnv::Table& table) {
-  HtmlTable html{escape(table.title) + ".", typeset(table.caption), table_head(table), {}};
-  std::set<std::string> known;
+  HtmlTable html{escape(table.title) + ".", typeset(table.caption), table_head(table)};
   for (const auto& cells : table.rows) {
     Row row;
     for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(cell_html(cells[i], html.columns[i].kind));
-    add_once(html.rows, std::move(row), known);
+    const bool is_known = std::ranges::find(html.rows, row) != html.rows.end();
+    if (!is_known) html.rows.push_back(std::move(row));  // methods of a case may each bring the same reference values
   }
   return to_html(html);
 }
@@ -127,7 +118,9 @@ Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
 }
 
 /// In per cent; blank for a run that timed itself.
-HtmlCell share_cell(double share) { return std::isnan(share) ? HtmlCell{"", "number"} : number_cell(100 * share); }
+HtmlCell percent_cell(double fraction) {
+  return std::isnan(fraction) ? HtmlCell{"", "number"} : number_cell(100 * fraction);
+}
 
 /// The median, and the lowest and highest where there were several.
 std::string cpu_with_span(const vnv::Cost& c) {
@@ -148,11 +141,11 @@ Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
           {cpu_with_span(c), "number"},
           number_cell(c.repeats),
           number_cell(c.wall),
-          share_cell(c.harness_share()),
+          percent_cell(c.harness_share()),
           number_cell(c.peak_memory / 1e6),
           number_cell(c.per_particle_step() * 1e9),
           number_cell(c.particle_steps_per_second() / 1e6),
-          {escape(run.outcome), run.finished ? "words" : "words fails"}};
+          {escape(run.outcome), fails_at(record, run.level) && !run.finished ? "words fails" : "words"}};
 }
 
 }  // namespace
@@ -165,20 +158,20 @@ std::string tables_html(const CaseRecords& records) {
 
 std::string errors_html(const CaseRecords& records) {
   const auto columns = error_columns(records);
-  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", error_head(columns), {}};
+  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", error_head(columns)};
   for (const auto& record : records.records) {
     auto rows = error_rows(record, columns);
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
   }
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 std::string orders_html(const CaseRecords& records) {
   HtmlTable table{
       "Observed orders.",
       "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
-      "is that between two neighbouring levels. A floor is reported where it fits the errors significantly better than a "
-      "power law alone; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
+      "is that between two neighbouring levels. A floor is reported where errors that fall to it scatter significantly less than those of a "
+      "power law; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
       "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
       {{"method"},
        {"ladder"},
@@ -191,14 +184,14 @@ std::string orders_html(const CaseRecords& records) {
       {}};
   for (const auto& record : records.records)
     for (const auto& order : record.orders) table.rows.push_back(order_row(record, order));
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 std::string cost_html(const CaseRecords& records) {
   HtmlTable table{
       "Cost.",
       "User time of the steps, the median where a run was made several times, with the lowest and highest. "
-      "Memory is that of the run's own process. Harness: monitoring, sampling, measuring and process overhead, as a "
+      "Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
       "fraction of the wall time.",
       {},
       {}};
@@ -210,7 +203,7 @@ std::string cost_html(const CaseRecords& records) {
   table.columns.push_back({"outcome"});
   for (const auto& record : records.records)
     for (const auto& run : record.runs) table.rows.push_back(cost_row(record, run));
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 }  // namespace touchstone::reports

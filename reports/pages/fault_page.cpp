@@ -1,7 +1,7 @@
 #include "reports/pages/fault_page.hpp"
 
 #include "reports/text/html.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -55,9 +55,9 @@ HtmlCell conclusion_cell(const FaultTrial& trial) {
 
 std::string open_html(const FaultTrials& all) {
   HtmlTable table{
-      "To be examined.",
+      "Open.",
       "Faults that no test noticed or that do not compile, and harmless changes that some test noticed. The "
-      "margin is the unused fraction of a limit.",
+      "margin is the fraction of a limit that is left.",
       {{"fault"}, {"conclusion"}, {"what is known of why"}, {"tests"}},
       {}};
   for (const FaultTrial& trial : all.trials)
@@ -66,7 +66,7 @@ std::string open_html(const FaultTrials& all) {
                             conclusion_cell(trial),
                             {trial.why.empty() ? "nothing yet" : typeset(trial.why), "words"},
                             tests_cell(trial, trial.conclusion != Conclusion::survived)});
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 /// How far beyond its limit; nothing where no test that noticed has one.
@@ -86,15 +86,16 @@ std::vector<HtmlCell> fault_row(const FaultTrial& trial) {
 }
 
 std::string faults_html(const FaultTrials& all) {
-  HtmlTable table{"Faults.",
-                  "Survivors first, then what was hardly noticed. The margin is that of the test that noticed by most: "
-                  "the unused fraction of its limit, negative beyond it, −inf for a value that is no number; unit "
-                  "tests have none. Tests: how many of those that were run noticed.",
-                  {{"fault"}, {"conclusion"}, {"margin", "number"}, {"tests", "number"}, {"noticed by"}},
-                  {}};
+  HtmlTable table{
+      "Faults.",
+      "Survivors first, then what was hardly noticed. The margin is that of the test that noticed by most: "
+      "the fraction of its limit that is left, negative beyond it, −inf for a value that is no number; unit "
+      "tests have none. Tests: how many of those that were run noticed.",
+      {{"fault"}, {"conclusion"}, {"margin", "number"}, {"tests", "number"}, {"noticed by"}},
+      {}};
   for (const FaultTrial& trial : all.trials)
     if (!trial.is_harmless()) table.rows.push_back(fault_row(trial));
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 std::string harmless_html(const FaultTrials& all) {
@@ -106,13 +107,13 @@ std::string harmless_html(const FaultTrials& all) {
     if (trial.is_harmless())
       table.rows.push_back(
           {title_cell(trial), conclusion_cell(trial), number_cell(static_cast<long>(trial.tests.size()))});
-  return table.rows.empty() ? "" : to_html(table);
+  return to_html(table);
 }
 
 /// The column of a test: its own, but for tests without limits, which share one.
 std::string column_of(const FaultTest& test) {
-  const std::string room = test.name.substr(0, test.name.find('.', 5));
-  if (room.starts_with("unit.")) return room.substr(5) + ", units";
+  const std::string module = test.name.substr(0, test.name.find('.', 5));
+  if (module.starts_with("unit.")) return module.substr(5) + ", units";
   return test.name.starts_with("selftest.") ? "selftests" : test.name;
 }
 
@@ -129,29 +130,29 @@ std::vector<std::string> columns_of(const FaultTrials& all) {
 }
 
 /// What the tests of a column say of a fault.
-struct Kill {
+struct Detection {
   long run = 0, noticed = 0;
   double margin = vnv::not_a_number;  // the smallest of those that noticed
   std::string sentences{};            // a line each, of those that noticed
 };
 
-void add(Kill& kill, const FaultTest& test) {
-  ++kill.run;
+void add(Detection& found, const FaultTest& test) {
+  ++found.run;
   if (!test.noticed) return;
-  ++kill.noticed;
-  kill.margin = std::fmin(kill.margin, test.margin);
-  kill.sentences += fmt::format("{}{}: {}", kill.sentences.empty() ? "" : "\n", test.name, test.sentence);
+  ++found.noticed;
+  found.margin = std::fmin(found.margin, test.margin);
+  found.sentences += fmt::format("{}{}: {}", found.sentences.empty() ? "" : "\n", test.name, test.sentence);
 }
 
-HtmlCell kill_cell(const Kill& kill) {
-  if (kill.run == 0) return {""};
-  if (kill.noticed == 0) return {"–", "none"};
-  const bool has_margin = !std::isnan(kill.margin);
-  const std::string words = !has_margin               ? printed(kill.noticed)
-                            : std::isinf(kill.margin) ? printed(kill.margin)
-                                                      : printed(std::round(100 * kill.margin));
-  return {fmt::format("<span title=\"{}\">{}</span>", escape(kill.sentences), words),
-          kill.margin > hardly ? "hardly" : "noticed"};
+HtmlCell detection_cell(const Detection& found) {
+  if (found.run == 0) return {""};
+  if (found.noticed == 0) return {"–", "none"};
+  const bool has_margin = !std::isnan(found.margin);
+  const std::string words = !has_margin                ? printed(found.noticed)
+                            : std::isinf(found.margin) ? printed(found.margin)
+                                                       : printed(std::round(100 * found.margin));
+  return {fmt::format("<span title=\"{}\">{}</span>", escape(found.sentences), words),
+          found.margin > hardly ? "hardly" : "noticed"};
 }
 
 std::string matrix_html(const FaultTrials& all) {
@@ -167,13 +168,13 @@ std::string matrix_html(const FaultTrials& all) {
   for (const auto& column : columns) table.columns.push_back({"<span>" + escape(column) + "</span>"});
   for (const FaultTrial& trial : all.trials) {
     if (trial.is_harmless()) continue;
-    std::map<std::string, Kill> kills;
-    for (const FaultTest& test : trial.tests) add(kills[column_of(test)], test);
+    std::map<std::string, Detection> detections;
+    for (const FaultTest& test : trial.tests) add(detections[column_of(test)], test);
     std::vector<HtmlCell> row{{typeset(trial.title)}};
-    for (const auto& column : columns) row.push_back(kill_cell(kills[column]));
+    for (const auto& column : columns) row.push_back(detection_cell(detections[column]));
     table.rows.push_back(std::move(row));
   }
-  return columns.empty() ? "" : fmt::format("<div class=\"kills\">\n{}</div>\n", to_html(table));
+  return columns.empty() ? "" : fmt::format("<div class=\"wide detections\">\n{}</div>\n", to_html(table));
 }
 
 /// "Tried between 2026-11-20T23:00:00Z and 2026-11-22T04:00:00Z, at revisions def5678 to abc1234": each trial keeps the
@@ -187,10 +188,10 @@ std::string when_html(const FaultTrials& all) {
                      escape(last->date_and_time), code(*first), code(*last));
 }
 
-constexpr const char* how_to_read =
-    "<p>What would all the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody "
-    "could make in a solver, an exact solution, a measure or the judge itself. A test that fails notices it, by day "
-    "unless it is one of the nightly suite. Harmless changes are seeded as well, to find tests that raise false alarms.</p>\n";
+const std::string how_to_read =
+    "<p>What would the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody could "
+    "make in a solver, an exact solution, a measure or the judge itself. A test that fails has detected it, in the "
+    "acceptance suite unless it says nightly. Harmless changes are seeded as well, to count false alarms.</p>\n";
 
 }  // namespace
 
@@ -201,14 +202,12 @@ std::string kind_of(const FaultTrials& all) {
 }
 
 std::string fault_page(const FaultTrials& all) {
-  const std::string body = fmt::format(
-      "<main>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / faults</p>\n"
-      "<h1>Detection power</h1>\n<p class=\"sum {}\">{}</p>\n</header>\n{}"
-      "<p>{}, with {}, on {}.</p>\n{}{}{}{}"
-      "<p class=\"files\">Table for other programs: <a href=\"faults.csv\">each test of each fault</a></p>\n</main>\n",
-      kind_of(all), all.sentence(), how_to_read, when_html(all), escape(all.suite), escape(all.machine), open_html(all),
-      faults_html(all), matrix_html(all), harmless_html(all));
-  return html_page("Detection power", "", body);
+  const std::string when =
+      fmt::format("<p>{}, with {}, on {}.</p>\n", when_html(all), escape(all.suite), escape(all.machine));
+  return html_page_beside_index(
+      "Detection rate", "seeded faults", fmt::format("<p class=\"sum {}\">{}</p>\n", kind_of(all), all.sentence()),
+      how_to_read + when + open_html(all) + faults_html(all) + matrix_html(all) + harmless_html(all) +
+          "<p class=\"files\">Table for other programs: <a href=\"faults.csv\">each test of each fault</a></p>\n");
 }
 
 }  // namespace touchstone::reports

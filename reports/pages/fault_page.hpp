@@ -1,5 +1,5 @@
 #pragma once
-/// The page of the project's own detection power: which tests notice which seeded fault, and by how much.
+/// The page of the project's own detection rate: which tests notice which seeded fault, and by how much.
 
 #include "reports/read/fault_trials.hpp"
 

@@ -2,9 +2,8 @@
 
 #include "reports/figures/sparkline.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/text/csv.hpp"
-#include "reports/text/numbers.hpp"
-#include "reports/text/text.hpp"
+#include "reports/read/csv.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -23,27 +22,19 @@ struct Change {
   Step step;
 };
 
-/// Changes of a method in one night, but for costs that are told apart; the first went furthest.
+/// Changes of a method in one night, but for costs, which have a group of their own; the first went furthest.
 using Group = std::vector<Change>;
-
-bool belong_together(const Change& a, const Change& b) {
-  const auto place = [](const Change& c) {
-    const Series& s = *c.series;
-    return std::tuple(c.step.night, s.kind == Series::Kind::cost, std::string_view(s.case_name),
-                      std::string_view(s.method));
-  };
-  return place(a) == place(b);
-}
 
 /// In the order of their first ones.
 std::vector<Group> grouped(const std::vector<Change>& changes) {
   std::vector<Group> groups;
+  const auto place = [](const Change& c) {
+    return std::tuple(c.step.night, c.series->kind == Series::Kind::cost, std::string_view(c.series->case_name),
+                      std::string_view(c.series->method));
+  };
   for (const Change& change : changes) {
-    const auto found = std::ranges::find_if(groups, [&](const Group& g) { return belong_together(g.front(), change); });
-    if (found == groups.end())
-      groups.push_back({change});
-    else
-      found->push_back(change);
+    const auto found = std::ranges::find(groups, place(change), [&](const Group& g) { return place(g.front()); });
+    (found == groups.end() ? groups.emplace_back() : *found).push_back(change);
   }
   return groups;
 }
@@ -113,14 +104,12 @@ std::string changes_html(const std::vector<Change>& changes, const History& hist
   const auto groups = grouped(changes);
   for (const Group& group : groups | std::views::take(most_changes_listed))
     table.rows.push_back(change_row(group, history));
-  const std::string more =
-      groups.size() > most_changes_listed
-          ? fmt::format(
-                "<p class=\"notes\">{} older lines are left out; <a href=\"trend_steps.csv\">the table of steps</a> "
-                "has every value.</p>\n",
-                groups.size() - most_changes_listed)
-          : "";
-  return to_html(table) + more;
+  if (groups.size() <= most_changes_listed) return to_html(table);
+  return to_html(table) +
+         fmt::format(
+             "<p class=\"notes\">{} older lines are left out; <a href=\"trend_steps.csv\">the table of steps</a> "
+             "has every value.</p>\n",
+             groups.size() - most_changes_listed);
 }
 
 std::string summary(const std::vector<Change>& changes, const History& history) {
@@ -129,13 +118,10 @@ std::string summary(const std::vector<Change>& changes, const History& history) 
   const auto changed = std::ranges::count_if(changes, is_new);
   const bool fails =
       std::ranges::any_of(changes, [&](const Change& c) { return is_new(c) && c.series->points[c.step.night].fails; });
-  const std::string nights = last == 0 ? "One night, " + date(history.nights[0]) + ":"
-                                       : fmt::format("{} nights, {} to {}:", last + 1, date(history.nights.front()),
-                                                     date(history.nights.back()));
-  const std::string what = last == 0      ? "nothing to compare it with yet."
-                           : changed == 0 ? "the last one changed nothing."
-                           : changed == 1 ? "the last one changed one value."
-                                          : fmt::format("the last one changed {} values.", changed);
+  const std::string nights = fmt::format("{}, {} to {}:", counted(std::ssize(history.nights), "night"),
+                                         date(history.nights.front()), date(history.nights.back()));
+  const std::string what = last == 0 ? "nothing to compare it with yet."
+                                     : fmt::format("the last one changed {}.", counted(changed, "value"));
   return fmt::format("<p class=\"sum {}\">{} {}</p>\n",
                      fails         ? "fails"
                      : changed > 0 ? "inconclusive"
@@ -146,7 +132,7 @@ std::string summary(const std::vector<Change>& changes, const History& history) 
 std::string refusals(const History& history) {
   std::string items;
   for (const auto& refusal : history.refused) items += fmt::format("<li>Left out: {}</li>\n", escape(refusal));
-  return items.empty() ? "" : fmt::format("<ul class=\"fails\">\n{}</ul>\n", items);
+  return html_list("fails", items);
 }
 
 /// The values of all nights, for the script that shows them: "1.5,,nan".
@@ -178,11 +164,8 @@ std::string range_words(const Series& series) {
 
 std::string limit_words(const Series& series) {
   if (series.author.empty()) return "";
-  vnv::Verdict claim;
-  claim.lower = series.lower;
-  claim.upper = series.upper;
   return fmt::format("<span title=\"{}\">expected {}</span>", escape(series.author),
-                     replaced(replaced(limit(claim), "<=", "≤"), ">=", "≥"));
+                     printed_limit(series.lower, series.upper));
 }
 
 /// The revision that made the last step stands beside the curve.
@@ -199,31 +182,27 @@ std::string multiple(const Series& series, const History& history) {
                      limit_words(series), last_step(series, history));
 }
 
+/// A section of each case, and in it a grid of curves of each method.
 std::string multiples(const std::vector<const Series*>& drawn, const History& history,
                       const std::vector<CaseRecords>& tonight) {
   std::string html;
-  const Series* before = nullptr;
-  for (const Series* series : drawn) {
-    const bool new_case = !before || before->case_name != series->case_name;
-    if (before && (new_case || before->method != series->method)) html += "</div>\n";
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Series &series = *drawn[i], *before = i > 0 ? drawn[i - 1] : nullptr;
+    const bool new_case = !before || before->case_name != series.case_name;
+    const bool new_method = new_case || before->method != series.method;
+    if (before && new_method) html += "</div>\n";
+    if (before && new_case) html += "</section>\n";
     if (new_case)
-      html += fmt::format("{}<section class=\"trends\">\n<h2>{}</h2>\n", before ? "</section>\n" : "",
-                          case_link(series->case_name, tonight));
-    if (new_case || before->method != series->method)
-      html += fmt::format("<h3>{}</h3>\n<div class=\"multiples\">\n", escape(series->method));
-    html += multiple(*series, history);
-    before = series;
+      html += fmt::format("<section class=\"trends\">\n<h2>{}</h2>\n", case_link(series.case_name, tonight));
+    if (new_method) html += fmt::format("<h3>{}</h3>\n<div class=\"multiples\">\n", escape(series.method));
+    html += multiple(series, history);
   }
-  return before ? html + "</div>\n</section>\n" : "";
+  return drawn.empty() ? "" : html + "</div>\n</section>\n";
 }
 
 std::vector<HtmlCell> night_row(std::size_t number, const Night& night) {
   Tally sum;
-  for (const auto& verdict : night.verdicts) {
-    sum.holds += verdict.outcome == vnv::Outcome::holds;
-    sum.fails += verdict.outcome == vnv::Outcome::fails;
-    sum.inconclusive += verdict.outcome == vnv::Outcome::inconclusive;
-  }
+  for (const auto& verdict : night.verdicts) sum.add(verdict.outcome);
   double cpu = 0;  // s
   for (const auto& run : night.runs) cpu += run.cpu;
   return {number_cell(static_cast<long>(number + 1)),
@@ -237,7 +216,6 @@ std::vector<HtmlCell> night_row(std::size_t number, const Night& night) {
           {escape(night.machine), "words"}};
 }
 
-/// Also tells the script which night is which.
 std::string nights_html(const History& history) {
   HtmlTable table{"Nights.",
                   "All that are kept, the newest first; CPU is the user time of all runs.",
@@ -265,28 +243,26 @@ std::string names_of_nights(const History& history) {
 
 std::string plain_or_empty(double value) { return std::isnan(value) ? "" : plain(value); }
 
-const char* how_to_read =
-    "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and "
-    "value. An orange line marks a step: from there on the value is further from its level, the median of the "
-    "first fifteen nights since the last step, than the tolerance of its baseline (without one a hundredth, "
-    "for costs a tenth) and than four times its scatter. A cost has to stay away for two nights, and starts "
-    "anew on another machine. Dashed: a limit, where it is near; red dots: a claim fails; crosses: not a "
-    "number. Shown are values that theory or literature judge, at their last time and finest spacing, orders, "
-    "stability limits, and the most expensive run of each method; steps are sought in all values.</p>\n";
+const std::string how_to_read =
+    "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and value. An orange "
+    "line marks a step: from there on the value is further from its level, the median of the first fifteen nights since the "
+    "last step, than the tolerance of its baseline (without one 1 %, for costs 10 %) and than four times its scatter. A "
+    "step of a cost has to last for two nights, and costs start anew on another machine. Dashed: a limit within the range; "
+    "red dots: a claim fails; crosses: not a number. Shown are values that theory or literature judge, at their last time "
+    "and finest spacing, observed orders, stability limits, and the most expensive run of each method; steps are sought in "
+    "all values.</p>\n";
 
 }  // namespace
 
 std::string trend_page(const History& history, const std::vector<Series>& all,
                        const std::vector<CaseRecords>& tonight) {
   const auto changes = changes_of(all);
-  const std::string body = fmt::format(
-      "<main data-nights=\"{}\">\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / trend</p>\n"
-      "<h1>Trend over nightly runs</h1>\n{}{}</header>\n{}{}{}{}"
-      "<p class=\"files\">Tables for other programs: <a href=\"trend.csv\">curves</a> <a "
-      "href=\"trend_steps.csv\">steps</a></p>\n</main>\n",
-      names_of_nights(history), summary(changes, history), refusals(history), changes_html(changes, history),
-      how_to_read, multiples(worth_drawing(all), history, tonight), nights_html(history));
-  return html_page("Trend over nightly runs", "", body);
+  return html_page_beside_index("Trend over the nights", "trend", summary(changes, history) + refusals(history),
+                                changes_html(changes, history) + how_to_read +
+                                    multiples(worth_drawing(all), history, tonight) + nights_html(history) +
+                                    "<p class=\"files\">Tables for other programs: <a href=\"trend.csv\">curves</a> <a "
+                                    "href=\"trend_steps.csv\">steps</a></p>\n",
+                                fmt::format(" data-nights=\"{}\"", names_of_nights(history)));
 }
 
 std::string steps_csv(const History& history, const std::vector<Series>& all) {

@@ -2,7 +2,7 @@
 
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -14,15 +14,6 @@
 
 namespace touchstone::reports {
 namespace {
-
-std::vector<vnv::Verdict> all_verdicts(const std::vector<CaseRecords>& cases) {
-  std::vector<vnv::Verdict> all;
-  for (const auto& records : cases) {
-    const auto some = verdicts_of(records);
-    all.insert(all.end(), some.begin(), some.end());
-  }
-  return all;
-}
 
 std::string counts(const Tally& t) {
   if (t.fails > 0) return fmt::format("{} of {} {}", t.fails, t.total(), t.fails == 1 ? "fails" : "fail");
@@ -52,8 +43,8 @@ HtmlCell counts_cell(const Tally& sum, const std::string& name, const Standing& 
 
 std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing& standing) {
   HtmlTable table{"Cases.",
-                  "The smallest margin is the fraction of its limit that the most critical claim leaves unused; for "
-                  "each method, the number of its claims that hold.",
+                  "The smallest margin is the fraction of its limit that is left to the claim closest to it; beside "
+                  "each method, how many of its claims hold.",
                   {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
                   {}};
   for (const auto& records : cases) {
@@ -121,15 +112,36 @@ std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
 
 std::string orders_link(const std::vector<CaseRecords>& cases) {
   if (std::ranges::none_of(cases, is_in_matrix)) return "";
-  return "<p>Observed orders of each method in each flow: <a href=\"orders.html\">orders of "
+  return "<p>How fast the errors of each method decrease in each flow: <a href=\"orders.html\">observed orders of "
          "convergence</a>.</p>\n";
 }
 
-constexpr const char* trend_link = "<p>How values changed from night to night: <a href=\"trend.html\">trend</a>.</p>\n";
+/// Red and amber, with ids and expiry dates; empty if nothing fails and nothing is known.
+std::string standing_html(const Standing& s) {
+  std::string red, amber;
+  for (const auto& verdict : s.unknown) red += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
+  for (const auto& row : s.unexpected_passes)
+    red += fmt::format("<li>{}.{} {}: {}: unexpected pass of the known failure {}: remove it</li>\n",
+                       escape(row.case_name), escape(row.method), escape(row.level), typeset(row.quantity),
+                       escape(row.id));
+  for (const auto& row : s.expired)
+    red +=
+        fmt::format("<li>The known failure {} expired on {}: mend it or review it</li>\n", escape(row.id), row.expires);
+  for (std::size_t i = 0; i < s.known.size(); ++i)
+    amber += fmt::format("<li>{} <small>known as {} until {}: {}</small></li>\n", typeset(s.known[i].sentence),
+                         escape(s.of_known[i].id), s.of_known[i].expires, typeset(s.of_known[i].reason));
+  return html_list("fails", red) + html_list("known", amber);
+}
+
+constexpr const char* verdicts_link =
+    "<p>Every claim with its value, its limit and who set that: <a href=\"verdicts.html\">verdicts</a>.</p>\n";
+
+constexpr const char* trend_link =
+    "<p>How the values developed from night to night, and what changed last: <a href=\"trend.html\">trend</a>.</p>\n";
 
 std::string faults_link(const std::optional<FaultTrials>& faults) {
   if (!faults) return "";
-  return fmt::format("<p>What the tests detect: <a href=\"faults.html\">detection power</a>. {}</p>\n",
+  return fmt::format("<p>What the tests would miss: <a href=\"faults.html\">detection rate</a>. {}</p>\n",
                      faults->sentence());
 }
 
@@ -137,19 +149,18 @@ std::string faults_link(const std::optional<FaultTrials>& faults) {
 
 std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend,
                        const std::optional<FaultTrials>& faults) {
-  const auto verdicts = all_verdicts(cases);
+  const auto verdicts = verdicts_of(cases);
   const Tally sum = tally(verdicts);
   const std::string body = fmt::format(
       "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n"
-      "<p>Each claim limits the difference of a solver from an exact solution, an experiment, a published result or its "
-      "own "
-      "own last accepted value, and names the author of the limit. NaN never holds, and what cannot be decided is "
-      "inconclusive, not passed.</p>\n{}{}{}"
+      "<p>Verification and validation of particle methods for fluid flow. Each claim says how far a solver may be from an "
+      "exact solution, an experiment, a published result or its own earlier answer, and who set that limit. A value that is "
+      "not a number never holds, and what cannot be decided is called inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
       complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
-      orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
+      verdicts_link + orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
   return html_page("Touchstone", "", body);
 }
 

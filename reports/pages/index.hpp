@@ -1,5 +1,5 @@
 #pragma once
-/// The first page: how much holds, which case and method to look at, and where it was run.
+/// The first page: how much holds, the cases and their methods, and where it was run.
 
 #include "reports/read/fault_trials.hpp"
 #include "reports/read/known_failures.hpp"

@@ -1,10 +1,8 @@
 #include "reports/pages/order_matrix.hpp"
 
-#include "reports/compare/cheapest.hpp"
-#include "reports/compare/orders.hpp"
+#include "reports/compare/work_precision.hpp"
 #include "reports/text/html.hpp"
-#include "reports/text/numbers.hpp"
-#include "reports/text/trend_words.hpp"
+#include "reports/text/notation.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
@@ -63,7 +61,7 @@ const Reason& reason_for_none(const Flow& flow, const std::string& method) {
   return is_measured ? reasons[2] : reasons[1];
 }
 
-/// What a pointer that rests on an order is told.
+/// What is shown to a pointer that rests on an order.
 std::string details(const vnv::ObservedOrder& o) {
   return fmt::format("{} spacings from {} to {} mm, {}{}", o.spacings.size(), plain(1e3 * o.spacings.front()),
                      plain(1e3 * o.spacings.back()), o.ladder, o.asymptotic ? "; asymptotic" : "");
@@ -92,15 +90,15 @@ HtmlCell cell(const Flow& flow, const std::string& method, std::set<char>& notes
   return {html, word(lines.front().order.trend)};
 }
 
-std::string price(const Cheapest::Price& price) {
-  return (price.time.at_most ? "≤\u202f" : "") + rounded(price.time.cpu, "s");
+std::string cost(const Cheapest::Cost& cost) {
+  return (cost.time.at_most ? "≤\u202f" : "") + rounded(cost.time.cpu, "s");
 }
 
 HtmlCell cheapest_cell(const Flow& flow) {
   const auto found = cheapest(*flow.records, flow.comparison.subject);
   if (!found) return {"–", "best none"};
-  return {fmt::format("<b>{}</b><br>{} to {}<br><small>{} {}</small>", escape(found->best.method), price(found->best),
-                      rounded(found->error, flow.unit()), escape(found->next.method), price(found->next)),
+  return {fmt::format("<b>{}</b><br>{} to {}<br><small>{} {}</small>", escape(found->best.method), cost(found->best),
+                      rounded(found->error, flow.unit()), escape(found->next.method), cost(found->next)),
           "best"};
 }
 
@@ -136,7 +134,7 @@ std::string matrix(const std::string& title, Field field, const std::vector<Case
   std::vector<HtmlCell> last{{"cheapest", "best"}};
   for (const auto& flow : flows) last.push_back(cheapest_cell(flow));
   table.rows.push_back(std::move(last));
-  return fmt::format("<div class=\"matrix\">\n{}{}</div>\n", to_html(table), notes_html(notes));
+  return fmt::format("<div class=\"wide matrix\">\n{}{}</div>\n", to_html(table), notes_html(notes));
 }
 
 std::string legend() {
@@ -146,8 +144,8 @@ std::string legend() {
   return "<ul class=\"legend\">\n" +
          item(vnv::Trend::converging, "the whole interval of the order, above a floor if there is one, is positive") +
          item(vnv::Trend::stalled, "a floor is more than half of the finest error, or the order is 0 within 0.5") +
-         item(vnv::Trend::diverging, "the whole interval is negative: errors grow as the spacing shrinks") +
-         item(vnv::Trend::inconclusive, "the interval does not tell; two spacings never do") + "</ul>\n";
+         item(vnv::Trend::diverging, "the whole interval is negative: errors grow as the spacing decreases") +
+         item(vnv::Trend::inconclusive, "the interval contains both signs; two spacings have no interval") + "</ul>\n";
 }
 
 }  // namespace
@@ -157,15 +155,13 @@ bool is_in_matrix(const CaseRecords& records) {
 }
 
 std::string order_matrix_page(const std::vector<CaseRecords>& cases) {
-  const std::string body =
-      "<main>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / orders</p>\n"
-      "<h1>Orders of convergence</h1>\n</header>\n"
-      "<p>Observed order of convergence of each method in each flow. An order alone says little: a method "
+  return html_page_beside_index(
+      "Observed orders of convergence", "orders", "",
+      "<p>How fast the errors of each method decrease with its spacing, in each flow. An order alone says little: a method "
       "may converge fast from large errors, so the last row says what an error costs. Equal spacing would be no fair "
       "measure of that, since a step of one method costs many times that of another.</p>\n" +
-      legend() + matrix("Velocity.", Field::velocity, cases) + matrix("Pressure.", Field::pressure, cases) +
-      "<p class=\"files\">Table for other programs: <a href=\"orders.csv\">orders</a></p>\n</main>\n";
-  return html_page("Orders of convergence", "", body);
+          legend() + matrix("Velocity.", Field::velocity, cases) + matrix("Pressure.", Field::pressure, cases) +
+          "<p class=\"files\">Table for other programs: <a href=\"orders.csv\">orders</a></p>\n");
 }
 
 }  // namespace touchstone::reports

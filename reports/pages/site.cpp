@@ -1,5 +1,6 @@
 #include "reports/pages/site.hpp"
 
+#include "reports/compare/work_precision.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/gnuplot.hpp"
 #include "reports/pages/case_page.hpp"
@@ -7,10 +8,11 @@
 #include "reports/pages/history_page.hpp"
 #include "reports/pages/index.hpp"
 #include "reports/pages/order_matrix.hpp"
-#include "reports/text/csv.hpp"
-#include "reports/text/files.hpp"
-#include "reports/text/script.hpp"
-#include "reports/text/style.hpp"
+#include "reports/pages/staging.hpp"
+#include "reports/pages/style_and_script.hpp"
+#include "reports/pages/verdicts.hpp"
+#include "reports/read/csv.hpp"
+#include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +26,7 @@ namespace touchstone::reports {
 namespace {
 
 namespace fs = std::filesystem;
+using files::write_whole;
 
 // Publishing removes the former site, and what is kept inside would go with it.
 void want_apart(const fs::path& kept, const char* what, const fs::path& site) {
@@ -34,14 +37,14 @@ void want_apart(const fs::path& kept, const char* what, const fs::path& site) {
 }
 
 void write_tables(const std::vector<CaseRecords>& cases, const fs::path& folder) {
-  save(folder / "verdicts.csv", verdicts_csv(cases));
-  save(folder / "orders.csv", orders_csv(cases));
-  save(folder / "cost.csv", cost_csv(cases));
+  write_whole(folder / "verdicts.csv", verdicts_csv(cases));
+  write_whole(folder / "orders.csv", orders_csv(cases));
+  write_whole(folder / "cost.csv", cost_csv(cases));
 }
 
 void write_case(const CaseRecords& records, const fs::path& folder) {
   fs::create_directory(folder);
-  save(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
+  write_whole(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
 }
 
 /// The date of the night: the same records give the same pages on any day.
@@ -52,24 +55,24 @@ std::string date_of(const std::vector<CaseRecords>& cases) {
   return date;
 }
 
-/// Writes the trend over the history, which tells of what had to be left out.
+/// Writes the trend over the history, and names on standard error what had to be left out.
 void write_trend(const fs::path& folder, const History& history, const std::vector<CaseRecords>& cases) {
   for (const auto& refusal : history.refused) fmt::print(stderr, "touchstone_report: left out: {}\n", refusal);
   const auto all = series_of(history.nights);
-  save(folder / "trend.html", trend_page(history, all, cases));
-  save(folder / "trend.csv", trend_csv(history, all));
-  save(folder / "trend_steps.csv", steps_csv(history, all));
+  write_whole(folder / "trend.html", trend_page(history, all, cases));
+  write_whole(folder / "trend.csv", trend_csv(history, all));
+  write_whole(folder / "trend_steps.csv", steps_csv(history, all));
 }
 
 void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::path& table) {
-  save(folder / "faults.html", fault_page(faults));
+  write_whole(folder / "faults.html", fault_page(faults));
   fs::copy_file(table, folder / "faults.csv");
 }
 
 }  // namespace
 
 Standing make_site(const fs::path& records, const fs::path& site, const Memory& memory) {
-  const auto cases = read_cases(records);
+  auto cases = read_cases(records);
   want_apart(records, "records", site);
   const auto known =
       memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
@@ -83,6 +86,7 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
     write_night(night, memory.history);
     history = read_history(memory.history, night.suite);
   }
+  std::ranges::for_each(cases, add_work_precision);
   Staging staging(site);
   write_tables(cases, staging.folder());
   try {
@@ -95,10 +99,11 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
     staging.stop_if_told();
     write_case(one, staging.folder() / one.name);
   }
-  save(staging.folder() / "style.css", std::string(style));
-  save(staging.folder() / "site.js", std::string(script));
-  save(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
-  if (std::ranges::any_of(cases, is_in_matrix)) save(staging.folder() / "orders.html", order_matrix_page(cases));
+  write_whole(staging.folder() / "style.css", style_sheet);
+  write_whole(staging.folder() / "site.js", script);
+  write_whole(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
+  write_whole(staging.folder() / "verdicts.html", verdicts_page(cases));
+  if (std::ranges::any_of(cases, is_in_matrix)) write_whole(staging.folder() / "orders.html", order_matrix_page(cases));
   if (history) write_trend(staging.folder(), *history, cases);
   if (faults) write_faults(staging.folder(), *faults, memory.faults);
   staging.publish();

@@ -30,8 +30,9 @@ class Site : public testing::Test {
 
 TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
   make_site(records, site);
-  for (const char* name : {"index.html", "style.css", "verdicts.csv", "orders.csv", "cost.csv", "poiseuille/index.html",
-                           "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
+  for (const char* name :
+       {"index.html", "verdicts.html", "style.css", "site.js", "verdicts.csv", "orders.csv", "cost.csv",
+        "poiseuille/index.html", "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
     EXPECT_FALSE(page(name).empty()) << name;
   EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
   EXPECT_EQ(entries(), 2) << "something is left beside the site";
@@ -88,6 +89,33 @@ TEST_F(Site, SaysThatARunDidNotFinish) {
   put(record);
   make_site(records, site);
   EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
+}
+
+TEST_F(Site, ColoursARunThatDivergedOnlyWhereAClaimOnItFails) {
+  vnv::Record record = sample_record();
+  record.runs = {{.level = "M2", .outcome = "diverged at step 7"}};
+  record.curves[0].y[1] = vnv::not_a_number;
+  put(record);
+  make_site(records, site);
+  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<ul class=\"fails\">"));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<span class=\"quiet\">1 point not drawn"));
+  record.verdicts = {sample_verdict(vnv::Outcome::fails, -1)};
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<ul class=\"fails\">\n<li>mpm M2 did not finish"));
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<span class=\"nan\">1 point not drawn"));
+}
+
+TEST_F(Site, ListsTheClaimsOfAllCases) {
+  vnv::Record other = sample_record("sph");
+  other.case_name = "couette";
+  put(other);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("index.html"), "href=\"verdicts.html\""));
+  for (const char* name : {"couette", "poiseuille"})
+    EXPECT_TRUE(contains(page("verdicts.html"),
+                         fmt::format("<td><a href=\"{0}/index.html\">{0}</a></td><td class=\"holds\">", name)))
+        << name;
 }
 
 TEST_F(Site, SaysWhereEachLadderLeads) {
@@ -219,7 +247,7 @@ TEST_F(Site, WithAHistoryHasATrendOverItsNights) {
   std::ofstream(folder / "nights" / "torn.jsonl") << "{\"night\":1,";
   make_site(records, site, {.history = folder / "nights"});
   EXPECT_TRUE(contains(page("index.html"), "href=\"trend.html\""));
-  for (const char* words : {"2 nights, 2026-11-21 to 2026-11-22: the last one changed one value.", "revision22",
+  for (const char* words : {"2 nights, 2026-11-21 to 2026-11-22: the last one changed 1 value.", "revision22",
                             "torn.jsonl:1: no whole line of JSON", "data-values=\"1.575,1.654\""})
     EXPECT_TRUE(contains(page("trend.html"), words)) << words;
   EXPECT_TRUE(contains(page("trend_steps.csv"), "2026-11-22T04:00:00Z,revision22,poiseuille,mpm,M2"));
@@ -238,7 +266,7 @@ TEST_F(Site, DoesNotReplaceTheFolderOfItsNights) {
 TEST_F(Site, WithTrialsOfFaultsHasAPageOfThem) {
   std::ofstream(folder / "trials.csv") << sample_fault_keys() + fault_table(sample_fault_rows());
   make_site(records, site, {.faults = folder / "trials.csv"});
-  EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection power</a>. 4 of 6 seeded faults"));
+  EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection rate</a>. 4 of 6 seeded faults"));
   EXPECT_TRUE(contains(page("faults.html"), "href=\"index.html\""));
   EXPECT_TRUE(contains(page("faults.html"), "href=\"faults.csv\""));
   EXPECT_EQ(page("faults.csv"), text_of_file(folder / "trials.csv"));

@@ -1,7 +1,6 @@
 #include "reports/pages/verdicts.hpp"
 
-#include "reports/text/numbers.hpp"
-#include "reports/text/text.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +10,21 @@
 namespace touchstone::reports {
 namespace {
 
-// The plain text of a limit, with the signs of print.
-std::string limit_html(const vnv::Verdict& verdict) {
-  return replaced(replaced(replaced(limit(verdict), "<=", "≤"), ">=", "≥"), "-", "−");
-}
-
 HtmlCell optional_number(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
+
+// The case stands first on the page of all of them.
+std::vector<HtmlCell> heading() {
+  return {{"outcome"},
+          {"method"},
+          {"level"},
+          {"spacing [mm]", "number"},
+          {"quantity"},
+          {"time [s]", "number"},
+          {"value", "number"},
+          {"limit", "number"},
+          {"margin", "number"},
+          {"limit set by"}};
+}
 
 std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
@@ -24,27 +32,30 @@ std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
           {escape(v.method)},
           {escape(v.level)},
           optional_number(v.spacing * 1e3),
-          optional_number(v.time),
           {typeset(v.quantity), "words"},
+          optional_number(v.time),
           {valued(v.value, v.unit), "number"},
-          {limit_html(v) + unit, "number"},
-          {has_margin(v) ? margin_bar(v.margin) : ""},
+          {printed_limit(v.lower, v.upper) + unit, "number limit"},
+          {has_margin(v) ? margin_bar(v.margin) : "", "number"},
           {escape(v.author), "words"}};
 }
+
+constexpr const char* caption =
+    "The margin is the fraction of the limit that is left; negative where the claim fails. Who set a limit stands beside "
+    "it.";
 
 std::string complaint_list(const std::vector<vnv::Verdict>& verdicts, vnv::Outcome outcome) {
   std::string items;
   for (const auto& verdict : verdicts)
     if (verdict.outcome == outcome) items += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
-  return items.empty() ? "" : fmt::format("<ul class=\"{}\">\n{}</ul>\n", word(outcome), items);
+  return html_list(word(outcome), items);
 }
 
 }  // namespace
 
 std::string sentence(const Tally& t) {
   if (t.total() == 0) return "Nothing is claimed.";
-  std::string text = fmt::format("{} of {} {} {}", t.holds, t.total(), t.total() == 1 ? "claim" : "claims",
-                                 t.holds == 1 ? "holds" : "hold");
+  std::string text = fmt::format("{} of {} {}", t.holds, counted(t.total(), "claim"), t.holds == 1 ? "holds" : "hold");
   if (t.fails > 0) text += fmt::format(", {} {}", t.fails, t.fails == 1 ? "fails" : "fail");
   if (t.inconclusive > 0)
     text += fmt::format(", {} {} inconclusive", t.inconclusive, t.inconclusive == 1 ? "is" : "are");
@@ -64,23 +75,29 @@ std::string complaints(const std::vector<vnv::Verdict>& verdicts) {
 }
 
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
-  HtmlTable table{
-      "Claims.",
-      "The margin is the unused fraction of the limit, negative where the claim fails. The author of each limit "
-      "is given.",
-      {{"verdict"},
-       {"method"},
-       {"level"},
-       {"spacing [mm]", "number"},
-       {"time [s]", "number"},
-       {"quantity"},
-       {"value", "number"},
-       {"limit", "number"},
-       {"margin"},
-       {"limit set by"}},
-      {}};
+  HtmlTable table{"Claims.", caption, heading()};
   for (const auto& verdict : verdicts) table.rows.push_back(verdict_row(verdict));
   return to_html(table);
+}
+
+std::string verdicts_page(const std::vector<CaseRecords>& cases) {
+  HtmlTable table{"Claims of all cases.", caption, heading()};
+  table.columns.insert(table.columns.begin(), {"case"});
+  for (const auto& records : cases)
+    for (const auto& verdict : verdicts_of(records)) {
+      table.rows.push_back(verdict_row(verdict));
+      table.rows.back().insert(table.rows.back().begin(),
+                               {fmt::format("<a href=\"{0}/index.html\">{0}</a>", records.name)});
+    }
+  const Tally sum = tally(verdicts_of(cases));
+  return html_page_beside_index(
+      "Verdicts", "verdicts", fmt::format("<p class=\"sum {}\">{}</p>\n", word(sum.worst()), sentence(sum)),
+      "<p>Every claim of every method: the value that was computed, the limit that it is held against, and who set that "
+      "limit: theory, literature or the value last accepted (baseline).</p>\n"
+      "<div class=\"wide filtered\">\n" +
+          to_html(table) +
+          "</div>\n"
+          "<p class=\"files\">Table for other programs: <a href=\"verdicts.csv\">verdicts</a></p>\n");
 }
 
 }  // namespace touchstone::reports

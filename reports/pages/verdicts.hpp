@@ -15,13 +15,16 @@ std::string sentence(const Tally& tally);
 /// A cell with the outcome as a word and a colour.
 HtmlCell outcome_cell(vnv::Outcome outcome);
 
-/// "23 %" with a bar of that share of the limit; negative and the other colour if the claim fails.
+/// "23 %" with a bar of that fraction of the limit; negative and the other colour if the claim fails.
 std::string margin_bar(double margin);
 
 /// The sentences of all claims that fail, then of those that are inconclusive. Empty if all hold.
 std::string complaints(const std::vector<vnv::Verdict>& verdicts);
 
-/// Every claim with value, limit, margin and author.
+/// Every claim with value, limit, author and margin; empty without claims.
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts);
+
+/// The page of the claims of all cases. Stands beside the index.
+std::string verdicts_page(const std::vector<CaseRecords>& cases);
 
 }  // namespace touchstone::reports

@@ -1,7 +1,5 @@
 #include "reports/read/cases.hpp"
 
-#include "reports/compare/work.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +25,7 @@ std::vector<fs::path> record_files(const fs::path& folder) {
 
 // Names become names of files and folders, and parts of a shell's command.
 void want_file_name(const std::string& name, const char* what, const fs::path& file) {
-  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (!name.empty() && std::all_of(name.begin(), name.end(), fits)) return;
   throw std::runtime_error(
       fmt::format("{}: {} '{}', expected letters, digits, '_' and '-'", file.string(), what, name));
@@ -41,30 +39,25 @@ vnv::Record read_checked(const fs::path& file) {
   return record;
 }
 
-template <class Marks>
-std::set<std::string> figures_named_by(const Marks& marks) {
-  std::set<std::string> names;
-  for (const auto& mark : marks) names.insert(mark.figure);
-  return names;
-}
-
 // A curve without a figure would vanish in silence, and so would a curve in a figure of clouds.
 void check_figures(const CaseRecords& all) {
-  std::set<std::string> known, of_curves, of_clouds;
+  std::set<std::string> known, of_curves;
   for (const auto& figure : figures_of(all)) known.insert(figure.id);
-  for (const auto& record : all.records) {
-    of_curves.merge(figures_named_by(record.curves));
-    of_clouds.merge(figures_named_by(record.clouds));
-  }
-  for (const auto& id : of_curves)
-    if (of_clouds.contains(id))
+  const auto check = [&](const std::string& id, bool fits) {
+    if (!fits)
       throw std::runtime_error(
           fmt::format("case {}: figure '{}' has curves and clouds, expected one kind", all.name, id));
-  of_curves.merge(of_clouds);
-  for (const auto& id : of_curves)
     if (!known.contains(id))
       throw std::runtime_error(
           fmt::format("case {}: curves or clouds name figure '{}', which no record declares", all.name, id));
+  };
+  for (const auto& record : all.records)
+    for (const auto& curve : record.curves) {
+      check(curve.figure, true);
+      of_curves.insert(curve.figure);
+    }
+  for (const auto& record : all.records)
+    for (const auto& cloud : record.clouds) check(cloud.figure, !of_curves.contains(cloud.figure));
 }
 
 // Rows of all methods are joined under one heading.
@@ -75,11 +68,6 @@ void check_tables(const CaseRecords& all) {
       if (columns.try_emplace(table.id, table.columns).first->second != table.columns)
         throw std::runtime_error(fmt::format(
             "case {}: the columns of table '{}' differ between its records, expected the same", all.name, table.id));
-}
-
-template <class Block>
-bool is_known(const std::vector<Block>& blocks, const std::string& id) {
-  return std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.id == id; });
 }
 
 }  // namespace
@@ -95,7 +83,6 @@ std::vector<CaseRecords> read_cases(const fs::path& folder) {
   std::vector<CaseRecords> cases;
   for (auto& [name, records] : by_name) cases.push_back(std::move(records));
   for (auto& records : cases) {
-    add_work(records);
     check_figures(records);
     check_tables(records);
   }
@@ -111,13 +98,20 @@ bool has_margin(const vnv::Verdict& verdict) {
   return verdict.outcome == vnv::Outcome::fails || (verdict.outcome == vnv::Outcome::holds && verdict.margin != 0);
 }
 
+bool fails_at(const vnv::Record& record, const std::string& level) {
+  return std::ranges::any_of(
+      record.verdicts, [&](const vnv::Verdict& v) { return v.outcome == vnv::Outcome::fails && v.level == level; });
+}
+
+void Tally::add(vnv::Outcome outcome) {
+  ++(outcome == vnv::Outcome::holds ? holds : outcome == vnv::Outcome::fails ? fails : inconclusive);
+}
+
 Tally tally(const std::vector<vnv::Verdict>& verdicts) {
   Tally sum;
   std::vector<double> margins;
   for (const auto& verdict : verdicts) {
-    sum.holds += verdict.outcome == vnv::Outcome::holds;
-    sum.fails += verdict.outcome == vnv::Outcome::fails;
-    sum.inconclusive += verdict.outcome == vnv::Outcome::inconclusive;
+    sum.add(verdict.outcome);
     if (has_margin(verdict)) margins.push_back(verdict.margin);
   }
   const bool known = std::none_of(margins.begin(), margins.end(), [](double m) { return std::isnan(m); });
@@ -131,11 +125,17 @@ std::vector<vnv::Verdict> verdicts_of(const CaseRecords& records) {
   return all;
 }
 
+std::vector<vnv::Verdict> verdicts_of(const std::vector<CaseRecords>& cases) {
+  std::vector<vnv::Verdict> all;
+  for (const auto& records : cases) std::ranges::copy(verdicts_of(records), std::back_inserter(all));
+  return all;
+}
+
 std::vector<vnv::Figure> figures_of(const CaseRecords& records) {
   std::vector<vnv::Figure> figures;
   for (const auto& record : records.records)
     for (const auto& figure : record.figures)
-      if (!is_known(figures, figure.id)) figures.push_back(figure);
+      if (std::ranges::find(figures, figure.id, &vnv::Figure::id) == figures.end()) figures.push_back(figure);
   return figures;
 }
 
@@ -143,7 +143,7 @@ std::vector<vnv::Table> tables_of(const CaseRecords& records) {
   std::vector<vnv::Table> tables;
   for (const auto& record : records.records)
     for (const auto& table : record.tables) {
-      const auto known = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.id == table.id; });
+      const auto known = std::ranges::find(tables, table.id, &vnv::Table::id);
       if (known == tables.end())
         tables.push_back(table);
       else

@@ -1,6 +1,7 @@
 #include "reports/read/fault_trials.hpp"
 
-#include "reports/read/rows.hpp"
+#include "reports/text/notation.hpp"
+#include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -20,60 +21,32 @@ const std::vector<std::string> columns{"fault",   "title",      "files",    "con
 constexpr auto conclusions = std::to_array<std::string_view>(
     {"survived", "does not compile", "false alarm", "noticed at night", "noticed", "stays green"});
 
-Conclusion conclusion_of(const std::string& word, const Line& line) {
-  const auto found = std::ranges::find(conclusions, word);
-  if (found == conclusions.end())
-    line.refuse(fmt::format("conclusion '{}', expected one such as '{}'", word, conclusions.front()));
-  return static_cast<Conclusion>(found - conclusions.begin());
-}
-
-bool yes_or_no(const std::string& word, const Line& line) {
-  if (word != "yes" && word != "no") line.refuse(fmt::format("noticed '{}', expected yes or no", word));
-  return word == "yes";
-}
-
-double margin_of(const std::string& text, const Line& line) {
-  if (text.empty()) return vnv::not_a_number;
-  double value = 0;
+template <class Number>
+bool is_read(const std::string& text, Number& value) {
   const char* last = text.data() + text.size();
-  if (std::from_chars(text.data(), last, value).ptr != last)
-    line.refuse(fmt::format("margin [-] '{}', expected a number or nothing", text));
-  return value;
+  return std::from_chars(text.data(), last, value).ptr == last;
 }
 
-long count_of(const std::string& text, const Line& line) {
-  long value = -1;
-  const char* last = text.data() + text.size();
-  if (std::from_chars(text.data(), last, value).ptr != last || value < 0)
-    line.refuse(fmt::format("untried '{}', expected how many", text));
-  return value;
-}
-
-FaultTrial trial_on(const Row& row) {
-  const auto& f = row.fields;
+FaultTrial trial_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
+  const auto refuse = [&](const std::string& what) { throw vnv::BadData(sheet.file, row.line, what); };
+  const auto& c = row.cells;
   for (const std::size_t i : {0, 1, 5, 9, 10})
-    if (f[i].empty()) row.line.refuse(fmt::format("no {}, expected one", columns[i]));
-  return {.fault = f[0],
-          .title = f[1],
-          .files = f[2],
-          .conclusion = conclusion_of(f[3], row.line),
-          .why = f[4],
-          .revision = f[9],
-          .date_and_time = f[10],
-          .tests = {{f[5], yes_or_no(f[6], row.line), margin_of(f[7], row.line), f[8]}}};
-}
-
-/// A fault has as many lines as tests were run.
-void add(std::vector<FaultTrial>& all, FaultTrial trial, const Line& line) {
-  const auto known = std::ranges::find(all, trial.fault, &FaultTrial::fault);
-  if (known == all.end()) {
-    all.push_back(std::move(trial));
-    return;
-  }
-  const auto told = [](const FaultTrial& t) { return std::tie(t.title, t.files, t.conclusion, t.why, t.revision); };
-  if (told(*known) != told(trial))
-    line.refuse(fmt::format("fault '{}' is told otherwise than above, expected the same of each test", trial.fault));
-  known->tests.push_back(std::move(trial.tests.front()));
+    if (c[i].empty()) refuse(fmt::format("no {}, expected one", columns[i]));
+  const auto conclusion = std::ranges::find(conclusions, c[3]);
+  if (conclusion == conclusions.end())
+    refuse(fmt::format("conclusion '{}', expected one such as '{}'", c[3], conclusions.front()));
+  if (c[6] != "yes" && c[6] != "no") refuse(fmt::format("noticed '{}', expected yes or no", c[6]));
+  double margin = vnv::not_a_number;
+  if (!c[7].empty() && !is_read(c[7], margin))
+    refuse(fmt::format("margin [-] '{}', expected a number or nothing", c[7]));
+  return {.fault = c[0],
+          .title = c[1],
+          .files = c[2],
+          .conclusion = static_cast<Conclusion>(conclusion - conclusions.begin()),
+          .why = c[4],
+          .revision = c[9],
+          .date_and_time = c[10],
+          .tests = {{c[5], c[6] == "yes", margin, c[8]}}};
 }
 
 /// What is open first; of the rest what was hardly noticed.
@@ -111,26 +84,36 @@ std::string FaultTrials::sentence() const {
   const long by_day = count(Conclusion::noticed), in_all = by_day + count(Conclusion::noticed_at_night);
   std::string words;
   if (faults > 0)
-    words =
-        fmt::format("{} of {} seeded {} noticed by day ({}), {} in all ({})", by_day, faults,
-                    faults == 1 ? "fault" : "faults", percent_of(by_day, faults), in_all, percent_of(in_all, faults));
+    words = fmt::format("{} of {} noticed by day ({}), {} in all ({})", by_day, counted(faults, "seeded fault"),
+                        percent_of(by_day, faults), in_all, percent_of(in_all, faults));
   if (harmless > 0)
-    words += fmt::format("{}{} false {} from {} harmless {}", words.empty() ? "" : "; ", alarms,
-                         alarms == 1 ? "alarm" : "alarms", harmless, harmless == 1 ? "change" : "changes");
+    words += fmt::format("{}{} from {}", words.empty() ? "" : "; ", counted(alarms, "false alarm"),
+                         counted(harmless, "harmless change"));
   if (untried > 0) words += fmt::format("; {} not tried yet", untried);
   return words + ".";
 }
 
 FaultTrials read_fault_trials(const std::filesystem::path& file) {
-  const Rows rows = read_rows(file, columns);
-  const auto key = [&](const char* name) {
-    const auto found = rows.keys.find(name);
-    if (found == rows.keys.end()) Line{file, 1}.refuse(fmt::format("no key '{}', expected '# {}: ...'", name, name));
-    return found->second;
-  };
-  FaultTrials all{key("machine"), key("tests"), count_of(key("untried"), {file, 1}), {}};
-  if (rows.rows.empty()) Line{file, 1}.refuse("no trials, expected at least one");
-  for (const Row& row : rows.rows) add(all.trials, trial_on(row), row.line);
+  const vnv::Sheet sheet = vnv::read_sheet(file);
+  vnv::require_headings(sheet, columns);
+  const auto& untried = sheet.key("untried");
+  FaultTrials all{sheet.key("machine").value, sheet.key("tests").value, -1, {}};
+  if (!is_read(untried.value, all.untried) || all.untried < 0)
+    throw vnv::BadData(file, untried.line, fmt::format("untried '{}', expected how many", untried.value));
+  for (const auto& row : sheet.rows) {
+    FaultTrial trial = trial_on(sheet, row);
+    const auto known = std::ranges::find(all.trials, trial.fault, &FaultTrial::fault);
+    if (known == all.trials.end()) {
+      all.trials.push_back(std::move(trial));
+      continue;
+    }
+    const auto said = [](const FaultTrial& t) { return std::tie(t.title, t.files, t.conclusion, t.why, t.revision); };
+    if (said(*known) != said(trial))
+      throw vnv::BadData(
+          file, row.line,
+          fmt::format("fault '{}' is described otherwise than above, expected the same for each test", trial.fault));
+    known->tests.push_back(std::move(trial.tests.front()));
+  }
   sort(all.trials);
   return all;
 }

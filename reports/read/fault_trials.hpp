@@ -14,7 +14,7 @@ struct FaultTest {
   std::string name;  // as ctest has it, "stokes_first.mpm", or "the build"
   bool noticed = false;
   double margin =
-      vnv::not_a_number;   // share of the limit that is left; -inf for a value that was no number; nan: no limit
+      vnv::not_a_number;   // fraction of the limit that is left; -inf for a value that was no number; nan: no limit
   std::string sentence{};  // of the verdict with that margin, or what the test complained of
 };
 
@@ -51,8 +51,8 @@ struct FaultTrials {
   std::string sentence() const;
 };
 
-/// Reads the lines of try.py, one for each fault and test. Throws std::runtime_error naming file and line for other
-/// columns, a key that is missing, a word or number that is none, or a fault that is told in two ways.
+/// Reads the lines of try.py, one for each fault and test. Throws vnv::BadData for other columns, a key that is
+/// missing, a word or number that is none, or a fault that is described in two ways.
 FaultTrials read_fault_trials(const std::filesystem::path& file);
 
 }  // namespace touchstone::reports

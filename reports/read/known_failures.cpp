@@ -1,8 +1,7 @@
 #include "reports/read/known_failures.hpp"
 
-#include "reports/read/rows.hpp"
-#include "reports/text/html.hpp"
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
+#include "vnv/files/tables.hpp"
 #include "vnv/record/former.hpp"
 
 #include <fmt/format.h>
@@ -31,41 +30,23 @@ std::optional<std::chrono::sys_days> day_of(const std::string& date) {
   return whole.ok() ? std::optional(std::chrono::sys_days(whole)) : std::nullopt;
 }
 
-void require_dates(const KnownFailure& known, const Line& line) {
-  const auto since = day_of(known.since), expires = day_of(known.expires);
-  if (!since) line.refuse(fmt::format("since '{}', expected a date such as 2026-11-22", known.since));
-  if (!expires) line.refuse(fmt::format("expires '{}', expected a date such as 2026-11-22", known.expires));
+KnownFailure failure_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
+  const auto refuse = [&](const std::string& what) { throw vnv::BadData(sheet.file, row.line, what); };
+  const auto& c = row.cells;
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (c[i].empty() && columns[i] != "level") refuse(fmt::format("no {}, expected one", columns[i]));
+  const auto since = day_of(c[5]), expires = day_of(c[6]);
+  if (!since) refuse(fmt::format("since '{}', expected a date such as 2026-11-22", c[5]));
+  if (!expires) refuse(fmt::format("expires '{}', expected a date such as 2026-11-22", c[6]));
   const auto days = (*expires - *since).count();
   if (days < 0 || days > longest_known)
-    line.refuse(fmt::format("expires {} days after {}, expected 0 to {}: what is not fixed by then is reviewed", days,
-                            known.since, longest_known));
-}
-
-KnownFailure failure_on(const Row& row) {
-  const auto& [line, fields] = row;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    if (fields[i].find_first_not_of(' ') == std::string::npos && columns[i] != "level")
-      line.refuse(fmt::format("no {}, expected one", columns[i]));
-  KnownFailure known{fields[0], fields[1], fields[2], fields[3], vnv::current_name(fields[4]),
-                     fields[5], fields[6], fields[7]};
-  require_dates(known, line);
-  return known;
+    refuse(fmt::format("expires {} days after {}, expected 0 to {}: what is not mended by then is reviewed", days, c[5],
+                       longest_known));
+  return {c[0], c[1], c[2], c[3], vnv::current_name(c[4]), c[5], c[6], c[7]};
 }
 
 bool name_the_same(const KnownFailure& a, const KnownFailure& b) {
   return a.case_name == b.case_name && a.method == b.method && a.level == b.level && a.quantity == b.quantity;
-}
-
-void add(std::vector<KnownFailure>& all, KnownFailure known, const Line& line) {
-  for (const KnownFailure& other : all) {
-    if (other.id == known.id) line.refuse(fmt::format("id '{}' again, expected it once", known.id));
-    if (name_the_same(other, known)) line.refuse(fmt::format("the same claim as '{}', expected it once", other.id));
-  }
-  all.push_back(std::move(known));
-}
-
-std::string list(const char* kind, const std::string& items) {
-  return items.empty() ? "" : fmt::format("<ul class=\"{}\">\n{}</ul>\n", kind, items);
 }
 
 }  // namespace
@@ -76,15 +57,25 @@ bool KnownFailure::covers(const vnv::Verdict& v) const {
 }
 
 std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file) {
+  const vnv::Sheet sheet = vnv::read_sheet(file, true);
+  vnv::require_headings(sheet, columns);
   std::vector<KnownFailure> all;
-  for (const Row& row : read_rows(file, columns).rows) add(all, failure_on(row), row.line);
+  for (const auto& row : sheet.rows) {
+    KnownFailure known = failure_on(sheet, row);
+    for (const KnownFailure& other : all) {
+      if (other.id == known.id)
+        throw vnv::BadData(file, row.line, fmt::format("id '{}' again, expected it once", known.id));
+      if (name_the_same(other, known))
+        throw vnv::BadData(file, row.line, fmt::format("the same claim as '{}', expected it once", other.id));
+    }
+    all.push_back(std::move(known));
+  }
   return all;
 }
 
 std::string Standing::sentence() const {
-  return fmt::format("{} red: {} unknown or expired {}, {} unexpected {}; {} known", reds(), unknown.size(),
-                     unknown.size() == 1 ? "failure" : "failures", unexpected_passes.size(),
-                     unexpected_passes.size() == 1 ? "pass" : "passes", known.size());
+  return fmt::format("{} red: {}, {}; {} known", reds(), counted(std::ssize(unknown), "unknown or expired failure"),
+                     counted(std::ssize(unexpected_passes), "unexpected pass"), known.size());
 }
 
 Standing standing(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
@@ -109,21 +100,6 @@ Standing standing(const std::vector<CaseRecords>& cases, const std::vector<Known
     if (judged[i] > 0 && failed[i] == 0) result.unexpected_passes.push_back(known[i]);
   }
   return result;
-}
-
-std::string standing_html(const Standing& s) {
-  std::string red, amber;
-  for (const auto& verdict : s.unknown) red += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
-  for (const auto& row : s.unexpected_passes)
-    red += fmt::format("<li>{}.{} {}: {}: unexpected pass of the known failure {}: remove it</li>\n",
-                       escape(row.case_name), escape(row.method), escape(row.level), typeset(row.quantity),
-                       escape(row.id));
-  for (const auto& row : s.expired)
-    red += fmt::format("<li>The known failure {} expired on {}: fix or review it</li>\n", escape(row.id), row.expires);
-  for (std::size_t i = 0; i < s.known.size(); ++i)
-    amber += fmt::format("<li>{} <small>known as {} until {}: {}</small></li>\n", typeset(s.known[i].sentence),
-                         escape(s.of_known[i].id), s.of_known[i].expires, typeset(s.of_known[i].reason));
-  return list("fails", red) + list("known", amber);
 }
 
 }  // namespace touchstone::reports

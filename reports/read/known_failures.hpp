@@ -26,9 +26,9 @@ struct KnownFailure {
 
 inline constexpr int longest_known = 90;  // days from `since` to `expires`
 
-/// Reads data/known_failures.csv: comment lines, a heading, a row per failure. Throws std::runtime_error naming file
-/// and line for other columns, an empty cell but the level, a date that is none, an expiry before `since` or more than
-/// 90 days after it, an id that stands twice, or a claim that two rows name.
+/// Reads data/known_failures.csv: keys, a heading, a row per failure. Throws vnv::BadData for other columns, an empty
+/// cell but the level, a date that is none, an expiry before `since` or more than 90 days after it, an id that stands
+/// twice, or a claim that two rows name.
 std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file);
 
 /// A night's failures beside those that are known. What is red: an unknown failure, one whose row has expired, and a
@@ -48,8 +48,5 @@ struct Standing {
 /// says nothing.
 Standing standing(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
                   const std::string& today);
-
-/// What the index says of it: red and amber, with ids and expiry dates. Empty if nothing fails and nothing is known.
-std::string standing_html(const Standing& standing);
 
 }  // namespace touchstone::reports

@@ -19,7 +19,7 @@ class KnownFailures : public testing::Test {
     return read_known_failures(folder / "known.csv");
   }
   std::string refusal(const std::string& row) const try {
-    read("# comment\n" + columns + row);
+    read("# note: one\n" + columns + row);
     return "read without complaint";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -29,7 +29,7 @@ class KnownFailures : public testing::Test {
 };
 
 TEST_F(KnownFailures, AreRowsBelowCommentsAndMayBeNone) {
-  EXPECT_TRUE(read("# comment\n" + columns).empty());
+  EXPECT_TRUE(read("# note: one\n" + columns).empty());
   const auto rows =
       read(columns + "drift,poiseuille,mpm,M2,\"L2 v_x, mean [%]\",2026-11-01,2026-12-01,\"it \"\"drifts\"\"\"\n");
   ASSERT_EQ(rows.size(), 1u);
@@ -51,7 +51,7 @@ TEST_F(KnownFailures, AreNamedOnceAndWhole) {
   const std::string row = "a,poiseuille,mpm,M2,L2 v_x [%],2026-11-01,2026-12-01,x\n";
   EXPECT_TRUE(contains(refusal(row + row), "known.csv:4: id 'a' again"));
   EXPECT_TRUE(contains(refusal(row + "b" + row.substr(1)), "known.csv:4: the same claim as 'a'"));
-  EXPECT_TRUE(contains(refusal("a,poiseuille\n"), "2 cells, expected 8"));
+  EXPECT_TRUE(contains(refusal("a,poiseuille\n"), "found 2, expected 8 cells"));
   EXPECT_TRUE(contains(refusal("a,\"poiseuille\n"), "a quote that does not close"));
   EXPECT_THROW(read(""), std::runtime_error);
   EXPECT_THROW(read("id,case\n"), std::runtime_error);

@@ -1,6 +1,6 @@
 #include "reports/read/night.hpp"
 
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/former.hpp"
 #include "vnv/record/json.hpp"
@@ -168,6 +168,16 @@ void add(const vnv::Record& record, Night& night) {
   for (const auto& verdict : record.verdicts) night.verdicts.push_back(summary(verdict));
 }
 
+std::vector<fs::path> night_files(const fs::path& folder) {
+  std::error_code cause;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, cause))
+    if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+  if (cause) throw std::runtime_error(fmt::format("{}: cannot be read: {}", folder.string(), cause.message()));
+  std::ranges::sort(files);
+  return files;
+}
+
 }  // namespace
 
 Night night_of(const std::vector<CaseRecords>& cases) {
@@ -228,6 +238,18 @@ Night read_night(const fs::path& file) {
     refuse(misfit.sentence());
   }
   return night;
+}
+
+History read_history(const fs::path& folder, const std::string& suite) {
+  History history;
+  for (const auto& file : night_files(folder)) try {
+      Night night = read_night(file);
+      if (night.suite == suite) history.nights.push_back(std::move(night));
+    } catch (const std::runtime_error& error) {
+      history.refused.emplace_back(error.what());
+    }
+  std::ranges::stable_sort(history.nights, {}, &Night::finished_at);
+  return history;
 }
 
 }  // namespace touchstone::reports

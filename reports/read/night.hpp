@@ -1,6 +1,6 @@
 #pragma once
-/// The summary of one night: every number and every verdict of its records, and nothing that takes room. It is a file
-/// of JSON lines, whose form data/README.md tells.
+/// The summary of one night: every number and every verdict of its records, without figures and tables. It is a
+/// file of JSON lines, whose form data/README.md describes.
 
 #include "reports/read/cases.hpp"
 
@@ -56,7 +56,7 @@ struct NightVerdict {
   std::string author;
   double value = vnv::not_a_number;
   std::optional<double> lower, upper;
-  double margin = vnv::not_a_number;  // share of the limit left
+  double margin = vnv::not_a_number;  // fraction of the limit left
   vnv::Outcome outcome = vnv::Outcome::inconclusive;
 
   bool operator==(const NightVerdict&) const = default;
@@ -85,5 +85,15 @@ void write_night(const Night& night, const std::filesystem::path& folder);
 /// Throws std::runtime_error naming file, line and what is wrong with it: a line that is missing or torn, another
 /// schema.
 Night read_night(const std::filesystem::path& file);
+
+/// Nights of one suite, oldest first. A file that is no whole night is left out and named, in one line each: it must
+/// cost neither tonight's pages nor the other nights, and must not be passed over in silence.
+struct History {
+  std::vector<Night> nights;
+  std::vector<std::string> refused;
+};
+
+/// Reads every *.jsonl of the folder. Throws std::runtime_error if it cannot be listed.
+History read_history(const std::filesystem::path& folder, const std::string& suite);
 
 }  // namespace touchstone::reports

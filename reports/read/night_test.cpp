@@ -1,6 +1,5 @@
 #include "reports/read/night.hpp"
 
-#include "reports/read/history.hpp"
 #include "reports/testing.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,11 @@ vnv::Record nightly_record() {
   record.runs = {sample_run("M2", 3)};
   record.orders = {sample_order()};
   record.values = {{"M2", 1e-4, 1, {"L2 v_x", "%", vnv::Kind::norm}, 1.5},
-                   {"M2", 1e-4, vnv::not_a_number, {"largest stable time step, lower bound", "us", vnv::Kind::stability_limit}, 7.25}};
+                   {"M2",
+                    1e-4,
+                    vnv::not_a_number,
+                    {"largest stable time step, lower bound", "us", vnv::Kind::stability_limit},
+                    7.25}};
   return record;
 }
 Night sample_night() { return night_of({{"poiseuille", {nightly_record()}}}); }

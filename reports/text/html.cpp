@@ -1,30 +1,13 @@
 #include "reports/text/html.hpp"
 
-#include "reports/text/text.hpp"
-
 #include <fmt/format.h>
 
+#include <array>
+#include <regex>
 #include <sstream>
 
 namespace touchstone::reports {
 namespace {
-
-std::string_view spelled(const char& letter) {
-  switch (letter) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return {&letter, 1};
-  }
-}
 
 std::string row(const std::vector<HtmlCell>& cells, std::string_view tag) {
   std::string html;
@@ -35,20 +18,32 @@ std::string row(const std::vector<HtmlCell>& cells, std::string_view tag) {
 
 }  // namespace
 
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string with_symbols(const std::string& text, const std::string& symbol, const std::string& power) {
+  if (text.find_first_of("_^") == std::string::npos) return text;
+  static const std::regex symbols(R"(\b([A-Za-z])\\?_([A-Za-z0-9]+))"),
+      negative_powers(R"(\\?\^-([A-Za-z0-9]+(?:\.[A-Za-z0-9]+)*))"),
+      powers(R"(\\?\^([A-Za-z0-9]+(?:\.[A-Za-z0-9]+)*))");
+  const std::string with_indices = std::regex_replace(text, symbols, symbol);
+  return std::regex_replace(std::regex_replace(with_indices, negative_powers, replaced(power, "$1", "−$1")), powers,
+                            power);
+}
+
 std::string escape(std::string_view text) {
-  std::string html;
-  for (const char& letter : text) html += spelled(letter);
+  std::string html(text);
+  for (const auto& [letter, spelled] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"'", "&#39;"}})
+    html = replaced(html, letter, spelled);
   return html;
 }
 
 std::string typeset(std::string_view text) {
-  std::string html;
-  for (const auto& piece : pieces(text)) {
-    if (piece.kind == Piece::Kind::plain) html += escape(piece.text);
-    if (piece.kind == Piece::Kind::symbol) html += fmt::format("<i>{}</i><sub>{}</sub>", piece.text, piece.index);
-    if (piece.kind == Piece::Kind::power) html += fmt::format("<sup>{}</sup>", replaced(piece.text, "-", "−"));
-  }
-  return html;
+  return with_symbols(escape(text), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
 }
 
 std::string paragraphs(std::string_view text) {
@@ -68,7 +63,12 @@ std::string paragraphs(std::string_view text) {
   return html;
 }
 
+std::string html_list(std::string_view kind, const std::string& items) {
+  return items.empty() ? "" : fmt::format("<ul class=\"{}\">\n{}</ul>\n", kind, items);
+}
+
 std::string to_html(const HtmlTable& table) {
+  if (table.rows.empty()) return "";
   std::string body;
   for (const auto& cells : table.rows) body += row(cells, "td");
   return fmt::format(
@@ -84,6 +84,14 @@ std::string html_page(std::string_view title, std::string_view root, std::string
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{0}</title>\n<link rel=\"stylesheet\" href=\"{1}style.css\">\n<script src=\"{1}site.js\" defer></script>\n</head>\n<body>\n{2}</body>\n</html>\n",
       escape(title), root, body);
+}
+
+std::string html_page_beside_index(std::string_view title, std::string_view path, std::string_view sum,
+                                   std::string_view body, std::string_view main_attributes) {
+  return html_page(title, "",
+                   fmt::format("<main{}>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / {}</p>\n"
+                               "<h1>{}</h1>\n{}</header>\n{}</main>\n",
+                               main_attributes, path, title, sum, body));
 }
 
 }  // namespace touchstone::reports

@@ -12,10 +12,17 @@ TEST(Html, EscapesWhatABrowserWouldTakeForMarkup) {
 TEST(Html, SetsIndexAndPowerButNotTheNameOfAMethod) {
   EXPECT_EQ(typeset("v_x"), "<i>v</i><sub>x</sub>");
   EXPECT_EQ(typeset("10^-3 m^2"), "10<sup>−3</sup> m<sup>2</sup>");
-  EXPECT_EQ(typeset("mpm_reset"), "mpm_reset");
+  EXPECT_EQ(typeset("L2 of v_max^2, m^-1.5."), "L2 of <i>v</i><sub>max</sub><sup>2</sup>, m<sup>−1.5</sup>.");
+  EXPECT_EQ(typeset("ν·∂v_x/∂y"), "ν·∂<i>v</i><sub>x</sub>/∂y");
+}
+
+TEST(Html, LeavesNamesAndLoneSignsAlone) {
+  for (const char* text : {"mpm_reset", "a ^ b", "_x", "v_", "v_ x", "^", "2^-"}) EXPECT_EQ(typeset(text), text);
 }
 
 TEST(Html, EscapesAlsoWhereItTypesets) { EXPECT_EQ(typeset("v_x < 1"), "<i>v</i><sub>x</sub> &lt; 1"); }
+
+TEST(Html, ReplacesEveryOccurrenceOnce) { EXPECT_EQ(replaced("a'b''", "'", "''"), "a''b''''"); }
 
 TEST(Html, BlankLinesPartParagraphs) {
   EXPECT_EQ(paragraphs("one\nline\n\n \nother"), "<p>one\nline</p>\n<p>other</p>\n");
@@ -27,6 +34,8 @@ TEST(Html, ATableKeepsEveryCell) {
   EXPECT_NE(html.find("<th>level</th><th class=\"number\">L2</th>"), std::string::npos) << html;
   EXPECT_NE(html.find("<td>M1</td><td class=\"number\">3.34</td>"), std::string::npos) << html;
 }
+
+TEST(Html, ATableWithoutRowsIsNone) { EXPECT_EQ(to_html({"Norms.", "", {{"level"}}}), ""); }
 
 }  // namespace
 }  // namespace touchstone::reports

@@ -159,7 +159,7 @@ Case vnv::the_case() {
                               {}, particle_number(), {{"", error_of(pressure_roughness, 0.32)}}),
                 error_against_run_time(
                     {.id = "work",
-                     .title = "Work-precision diagram of the front position",
+                     .title = "Work-precision diagram of the front",
                      .caption = "RMS of L over T in [1, 1.5], without time shift, over the CPU seconds from "
                                 "rest to t = 0.5 s. No method models the gate of the experiment: a difference of "
                                 "a few hundredths remains at any resolution.",

@@ -21,7 +21,7 @@ const std::vector<Level> finer_levels = levels_across(
     {{48, end, 0, end}, {72, end, 0, end}, {96, end, 0, end}, {144, end, 0, end}, {192, 0, 0, end}, {384, 0, 0, end}});
 const std::vector<Level> coarse_levels = levels_across(side, {{32, end, 0, end}, {64, end, 0, end}, {128, 0, 0, end}});
 
-Claim of_second_order(const std::string& quantity, const std::string& words) {
+Claim of_second_order(const Quantity& quantity, const std::string& words) {
   return order_at_least(ladder_across, quantity, 1.9, 1.75, theory(words)).at(end).over(5);
 }
 

@@ -81,7 +81,7 @@ Method over_surface(Method method, const std::vector<Point>& all, Level (*level_
   return method;
 }
 
-/// Value over the time step, the rest being equal.
+/// Error over the time step, the rest being equal.
 void over_time_steps(const Results& results, Record& record) {
   record.figures.push_back(
       {"time_step",

@@ -254,9 +254,11 @@ double Sheet::number(const Row& row, std::size_t column, bool may_be_nan) const 
                             cell, may_be_nan ? " or nan" : ""));
 }
 
-Sheet read_sheet(const path& file) { return parse_sheet(file, contents(file)); }
+Sheet read_sheet(const path& file, bool may_have_no_rows) {
+  return parse_sheet(file, contents(file), may_have_no_rows);
+}
 
-Sheet parse_sheet(const path& file, std::string text) {
+Sheet parse_sheet(const path& file, std::string text, bool may_have_no_rows) {
   if (text.empty()) throw BadData(file, 0, "the file is empty; expected '# key: value' lines, headings and rows");
   if (text.find('\0') != text.npos) throw BadData(file, 0, "found a zero byte, expected text in UTF-8");
   const bool ends_with_newline = text.back() == '\n';
@@ -266,7 +268,7 @@ Sheet parse_sheet(const path& file, std::string text) {
   if (sheet.headings.cells.empty())
     throw BadData(file, 0, "no columns; expected a line of headings below the '#' lines");
   require_names(sheet);
-  if (sheet.rows.empty())
+  if (sheet.rows.empty() && !may_have_no_rows)
     throw BadData(file, sheet.headings.line, "no rows; found headings alone, expected rows below");
   require_cells(sheet, ends_with_newline);
   return sheet;

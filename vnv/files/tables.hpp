@@ -32,7 +32,7 @@ struct Sheet {
   std::filesystem::path file;
   std::vector<Key> keys;
   Row headings;
-  std::vector<Row> rows;  // at least one; each as long as the headings
+  std::vector<Row> rows;  // each as long as the headings
 
   /// The first line of a key; throws BadData if there is none.
   const Key& key(std::string_view name) const;
@@ -41,10 +41,11 @@ struct Sheet {
 };
 
 /// Reads a file into its cells, whatever its columns mean. Throws BadData for a file that is missing, a folder, empty,
-/// without headings or rows, with a heading twice, or with a row too short or too long.
-Sheet read_sheet(const std::filesystem::path& file);
+/// without headings, without rows where there may not be none, with a heading twice, or with a row too short or too
+/// long.
+Sheet read_sheet(const std::filesystem::path& file, bool may_have_no_rows = false);
 /// The same for a text at hand; `file` is its name in messages.
-Sheet parse_sheet(const std::filesystem::path& file, std::string text);
+Sheet parse_sheet(const std::filesystem::path& file, std::string text, bool may_have_no_rows = false);
 
 /// Throws BadData unless each expected key stands once and no other key but `note` stands at all.
 void require_keys(const Sheet& sheet, const std::vector<std::string>& expected);

@@ -1,5 +1,5 @@
 #pragma once
-/// Value against run time in the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
+/// Work-precision diagrams of the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
 /// the points of Sun et al. and of other codes.
 
 #include "vnv/flows/channel.hpp"
@@ -31,7 +31,7 @@ std::vector<Level> mpm_run_time_levels(const std::vector<int>& cells, const std:
 std::vector<Level> sph_run_time_levels(const std::vector<int>& particles, double smoothing, StepLimits limits,
                                        Effort effort);
 
-/// Value per particle at 1 s, with the errors whose price is told.
+/// Error per particle at 1 s, with the errors whose price is told.
 WorkDiagram work_diagram();
 
 /// Tables 3 and 4 of Sun et al. as points: T_p times the steps to 1 s.

@@ -14,8 +14,8 @@ inline const Domain domain{.box = box, .periodic_x = true, .periodic_y = true};
 /// Of which every step divides the times at which flows in a square are looked at [s].
 inline constexpr double output_interval = 0.1;
 
-/// Value over spacing and over run time, with lines of first and second order.
-inline std::vector<Plot> figures(double time, const std::string& quantity, double error_of_first_order) {
+/// Error over spacing and over run time, with lines of first and second order.
+inline std::vector<Plot> figures(double time, const Quantity& quantity, double error_of_first_order) {
   const Axis error{.label = "L2 v [%]", .logarithmic = true};
   const auto guide = [&](const std::string& label, double order) {
     const double coarse = side / 24, fine = side / 200;

@@ -71,7 +71,7 @@ vnv::Figure figure_of(const std::string& case_name, const std::string& quantity)
 vnv::Record front_of(const std::vector<Records>& before, const std::vector<Records>& after) {
   Record front;
   front.case_name = "gate";
-  front.title = "Error against run time, before and after";
+  front.title = "Work-precision diagram, before and after";
   front.method = "gate";
   if (!before.empty() && !before.front().empty()) front.suite = before.front().front().suite;
   const auto add = [&](const std::vector<Records>& runs, std::string_view side) {

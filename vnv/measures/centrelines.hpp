@@ -24,8 +24,8 @@ inline double fitted_at(const Samples& samples, const Field& field, const Vec2& 
     const Vec2 way = (samples.x.col(p) - place) / reach;
     const double left = 1 - way.squaredNorm();
     if (left <= 0) continue;
-    const Fit::Sums share = Fit::share(left * left, way.x(), way.y(), {field(samples, p)});
-    for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += share[s];
+    const Fit::Sums terms = Fit::terms(left * left, way.x(), way.y(), {field(samples, p)});
+    for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += terms[s];
   }
   return Fit::of(sums)[0][0];
 }

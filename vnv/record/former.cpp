@@ -14,7 +14,9 @@ struct Renames {
 };
 
 Renames read_renames() {
-  const Sheet sheet = read_sheet(data_folder() / "renames.csv");
+  const std::filesystem::path file = data_folder() / "renames.csv";
+  if (!std::filesystem::exists(file)) return {};  // data of one who has no former records
+  const Sheet sheet = read_sheet(file);
   require_headings(sheet, {"former", "current"});
   Renames renames;
   for (const Sheet::Row& row : sheet.rows)

@@ -6,7 +6,8 @@
 namespace touchstone::vnv {
 
 /// The name of today for a former name of a quantity, with its unit or without, also within "order of NAME over
-/// LADDER"; any other name comes back as it is. Throws BadData if the list of names cannot be read.
+/// LADDER"; any other name comes back as it is. Throws BadData for a list of names
+/// that is none; where there is none at all, names are as they are.
 std::string current_name(const std::string& name);
 
 }  // namespace touchstone::vnv

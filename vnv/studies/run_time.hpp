@@ -1,5 +1,5 @@
 #pragma once
-/// Value against run time: the runs of a method as points, and what an error costs as a value that claims may judge.
+/// Work-precision diagrams: the runs of a method as points, and what an error costs as a value that claims may judge.
 
 #include "vnv/case.hpp"
 

@@ -1,8 +1,9 @@
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace touchstone::reports {
@@ -55,18 +56,22 @@ std::string valued(double value, const std::string& unit) {
   return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
 }
 
-std::string in_percent(double share) {
-  return std::isfinite(share) ? printed(std::round(share * 100)) + "\u202f%" : printed(share);
+std::string in_percent(double fraction) {
+  return std::isfinite(fraction) ? printed(std::round(fraction * 100)) + "\u202f%" : printed(fraction);
 }
 
 HtmlCell number_cell(double value) { return {printed(value), "number"}; }
 HtmlCell number_cell(long count) { return {printed(count), "number"}; }
 
-std::string limit(const vnv::Verdict& verdict) {
-  if (verdict.lower && verdict.upper) return interval(*verdict.lower, *verdict.upper);
-  if (verdict.upper) return "<= " + plain(*verdict.upper);
-  if (verdict.lower) return ">= " + plain(*verdict.lower);
+std::string limit(std::optional<double> lower, std::optional<double> upper) {
+  if (lower && upper) return interval(*lower, *upper);
+  if (upper) return "<= " + plain(*upper);
+  if (lower) return ">= " + plain(*lower);
   return "";
+}
+
+std::string printed_limit(std::optional<double> lower, std::optional<double> upper) {
+  return replaced(replaced(replaced(limit(lower, upper), "<=", "≤"), ">=", "≥"), "-", "−");
 }
 
 std::string with_unit(const std::string& quantity, const std::string& unit) {
@@ -81,16 +86,17 @@ std::string with_interval(double value, double half_width) {
   return std::isfinite(half_width) ? fmt::format("{} ± {:.{}f}", middle, half_width, digits) : middle;
 }
 
-std::string word(vnv::Outcome outcome) {
-  switch (outcome) {
-    case vnv::Outcome::holds:
-      return "holds";
-    case vnv::Outcome::fails:
-      return "fails";
-    case vnv::Outcome::inconclusive:
-      break;
-  }
-  return "inconclusive";
+std::string word(vnv::Outcome outcome) { return std::string(words(outcome)[static_cast<std::size_t>(outcome)]); }
+std::string word(vnv::Trend trend) { return std::string(vnv::name_of(trend)); }
+
+std::string sign_and_word(vnv::Trend trend) {
+  constexpr std::array signs{"↘", "→", "↗", "?"};  // in the order of the enumerators
+  return fmt::format("{}\u00a0{}", signs[static_cast<std::size_t>(trend)], word(trend));
+}
+
+std::string counted(long count, const std::string& noun) {
+  const bool hisses = noun.ends_with('s');
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : hisses ? "es" : "s");
 }
 
 }  // namespace touchstone::reports

@@ -21,7 +21,7 @@ auto pick(const Array& array, std::size_t i) {
   return array[i % array.size()];
 }
 
-struct Look {
+struct LineStyle {
   const char* colour;
   int mark;
   const char* dash;
@@ -29,7 +29,7 @@ struct Look {
 };
 
 /// Methods differ in colour, the curves of one method in mark and dash.
-Look look_of_method(std::size_t method, std::size_t member);
+LineStyle style_of_method(std::size_t method, std::size_t member);
 
 /// A label as the key shows it, cut where it would take more than a line.
 std::string shortened(std::string label);

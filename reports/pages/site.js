@@ -1,11 +1,5 @@
-#pragma once
-/// The one script of all pages. Without it they say the same: it sorts tables and tells the points of a trend.
-
-#include <string_view>
-
-namespace touchstone::reports {
-
-inline constexpr std::string_view script = R"js("use strict";
+// The one script of all pages. Without it they say the same: it sorts and filters tables and shows the points of a trend.
+"use strict";
 
 // "1.2 × 10−7" and "12 345 of 6" as numbers; a date or a name is none.
 function numberOf(text) {
@@ -38,43 +32,52 @@ for (const heading of document.querySelectorAll("table:not(.matrix *) th")) {
   heading.addEventListener("keydown", (event) => { if (event.key === "Enter") sortBy(heading); });
 }
 
+// A field above a long table, which keeps the rows that hold every word typed into it.
+for (const box of document.querySelectorAll(".filtered .scroll")) {
+  const field = document.createElement("input"), rows = [...box.querySelector("tbody").rows];
+  Object.assign(field, {type: "search", placeholder: "filter: poiseuille sph order", ariaLabel: "filter"});
+  const texts = rows.map((row) => row.textContent.toLowerCase());
+  field.addEventListener("input", () => {
+    const words = field.value.toLowerCase().split(/\s+/);
+    rows.forEach((row, i) => { row.hidden = !words.every((word) => texts[i].includes(word)); });
+  });
+  box.before(field);
+}
+
 const nights = (document.querySelector("main")?.dataset.nights ?? "").split(",");
 
 // Shows the night under the pointer in place of the last line of the curve, and a rule at it.
-function tell(trend, night) {
+function show(trend, night) {
   const values = trend.dataset.values.split(","), last = trend.lastElementChild;
-  const told = Math.max(0, Math.min(values.length - 1, night));
-  trend.dataset.told = told;
+  const shown = Math.max(0, Math.min(values.length - 1, night));
+  trend.dataset.shown = shown;
   trend.dataset.words ??= last.innerHTML;
-  last.textContent = `${nights[told]}: ${values[told] || "not run"}`;
-  trend.style.setProperty("--told", values.length < 2 ? 0.5 : 0.03 + 0.94 * told / (values.length - 1));
-  trend.classList.add("told");
+  last.textContent = `${nights[shown]}: ${values[shown] || "not run"}`;
+  trend.style.setProperty("--shown", values.length < 2 ? 0.5 : 0.03 + 0.94 * shown / (values.length - 1));
+  trend.classList.add("shown");
 }
-function untell(trend) {
+function restore(trend) {
   if (trend.dataset.words) trend.lastElementChild.innerHTML = trend.dataset.words;
   delete trend.dataset.words;
-  delete trend.dataset.told;
-  trend.classList.remove("told");
+  delete trend.dataset.shown;
+  trend.classList.remove("shown");
 }
 const trendAt = (event) => event.target.closest?.(".trend");
-function tellUnder(event) {
+function showUnder(event) {
   const trend = trendAt(event);
   if (!trend) return;
   const box = trend.querySelector("svg").getBoundingClientRect();
-  const share = ((event.clientX - box.left) / box.width - 0.03) / 0.94;
-  tell(trend, Math.round(share * (nights.length - 1)));
+  const fraction = ((event.clientX - box.left) / box.width - 0.03) / 0.94;
+  show(trend, Math.round(fraction * (nights.length - 1)));
 }
-document.addEventListener("pointermove", tellUnder);
-document.addEventListener("pointerdown", tellUnder);
+document.addEventListener("pointermove", showUnder);
+document.addEventListener("pointerdown", showUnder);
 document.addEventListener("pointerout", (event) => {
   const trend = trendAt(event);
-  if (trend && !trend.contains(event.relatedTarget)) untell(trend);
+  if (trend && !trend.contains(event.relatedTarget)) restore(trend);
 });
-document.addEventListener("focusout", (event) => { if (trendAt(event)) untell(trendAt(event)); });
+document.addEventListener("focusout", (event) => { if (trendAt(event)) restore(trendAt(event)); });
 document.addEventListener("keydown", (event) => {
   const trend = trendAt(event), way = {ArrowLeft: -1, ArrowRight: 1}[event.key];
-  if (trend && way) tell(trend, Number(trend.dataset.told ?? nights.length) + way);
+  if (trend && way) show(trend, Number(trend.dataset.shown ?? nights.length) + way);
 });
-)js";
-
-}  // namespace touchstone::reports

@@ -1,4 +1,4 @@
-#include "reports/text/csv.hpp"
+#include "reports/read/csv.hpp"
 
 #include "reports/testing.hpp"
 

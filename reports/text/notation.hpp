@@ -1,9 +1,11 @@
 #pragma once
-/// How numbers and limits are written: four significant digits, never a bare "nan" that could be overlooked.
+/// How numbers, limits, outcomes and trends are written: numbers with four significant digits, never a bare "nan" that
+/// could be overlooked.
 
 #include "reports/text/html.hpp"
 #include "vnv/record/record.hpp"
 
+#include <optional>
 #include <string>
 
 namespace touchstone::reports {
@@ -17,8 +19,8 @@ std::string printed(double value);
 /// "1.59 %": as in print, with its unit.
 std::string valued(double value, const std::string& unit);
 
-/// "23 %" of a share of 0.23.
-std::string in_percent(double share);
+/// "23 %" of a fraction of 0.23.
+std::string in_percent(double fraction);
 
 /// With groups of three digits.
 std::string printed(long count);
@@ -28,7 +30,9 @@ HtmlCell number_cell(double value);
 HtmlCell number_cell(long count);
 
 /// A limit as plain text: "<= 0.07", ">= 0.8", "in [1.9, 2.1]"; empty if nothing is claimed.
-std::string limit(const vnv::Verdict& verdict);
+std::string limit(std::optional<double> lower, std::optional<double> upper);
+/// The same with the signs of print.
+std::string printed_limit(std::optional<double> lower, std::optional<double> upper);
 
 /// "L2 v_x [%]"; without brackets if the unit is empty.
 std::string with_unit(const std::string& quantity, const std::string& unit);
@@ -36,7 +40,14 @@ std::string with_unit(const std::string& quantity, const std::string& unit);
 /// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
 std::string with_interval(double value, double half_width);
 
-/// "holds", "fails" or "inconclusive".
+/// "holds", "fails" or "inconclusive"; also the class by which the style sheet knows the colour, as of a trend.
 std::string word(vnv::Outcome outcome);
+std::string word(vnv::Trend trend);
+
+/// "↘ converging": where the errors go as the spacing decreases.
+std::string sign_and_word(vnv::Trend trend);
+
+/// "1 claim", "2 claims".
+std::string counted(long count, const std::string& noun);
 
 }  // namespace touchstone::reports

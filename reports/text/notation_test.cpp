@@ -1,16 +1,9 @@
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
 namespace {
-
-vnv::Verdict between(std::optional<double> lower, std::optional<double> upper) {
-  vnv::Verdict verdict;
-  verdict.lower = lower;
-  verdict.upper = upper;
-  return verdict;
-}
 
 TEST(Numbers, KeepFourSignificantDigits) {
   EXPECT_EQ(printed(0.0159049), "0.0159");
@@ -48,12 +41,20 @@ TEST(Numbers, StandBesideTheirUnit) {
 }
 
 TEST(Limits, AreReadAsTheyWereClaimed) {
-  EXPECT_EQ(limit(between({}, 0.07)), "<= 0.07");
-  EXPECT_EQ(limit(between(0.8, {})), ">= 0.8");
-  EXPECT_EQ(limit(between(1.9, 2.1)), "in [1.9, 2.1]");
-  EXPECT_EQ(limit(between(1.5132, 1.5134)), "in [1.5132, 1.5134]");
-  EXPECT_EQ(limit(between(2, 2)), "in [2, 2]");
-  EXPECT_EQ(limit(between({}, {})), "");
+  EXPECT_EQ(limit({}, 0.07), "<= 0.07");
+  EXPECT_EQ(limit(0.8, {}), ">= 0.8");
+  EXPECT_EQ(limit(1.9, 2.1), "in [1.9, 2.1]");
+  EXPECT_EQ(limit(1.5132, 1.5134), "in [1.5132, 1.5134]");
+  EXPECT_EQ(limit(2, 2), "in [2, 2]");
+  EXPECT_EQ(limit({}, {}), "");
+}
+
+TEST(Limits, ArePrintedWithTheSignsOfPrint) { EXPECT_EQ(printed_limit({}, -0.07), "≤ −0.07"); }
+
+TEST(Counts, HaveTheirNounInThePlural) {
+  EXPECT_EQ(counted(1, "pass"), "1 pass");
+  EXPECT_EQ(counted(2, "pass"), "2 passes");
+  EXPECT_EQ(counted(0, "failure"), "0 failures");
 }
 
 TEST(Limits, StandWithTheUnitOfTheirQuantity) {

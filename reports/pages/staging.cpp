@@ -1,14 +1,11 @@
-#include "reports/text/files.hpp"
+#include "reports/pages/staging.hpp"
 
 #include "vnv/files/whole_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 namespace touchstone::reports {
@@ -38,14 +35,6 @@ fs::path plain_path(const fs::path& site) {
 }
 
 }  // namespace
-
-void save(const fs::path& file, const std::string& text) {
-  errno = 0;
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-}
 
 Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(site_, "part")) {
   const bool is_free = !fs::exists(site_) || (fs::is_directory(site_) && fs::is_empty(site_));

@@ -1,5 +1,5 @@
 #pragma once
-/// Files and folders that are whole or not there.
+/// A site that is whole or not there.
 
 #include "vnv/programs/interruption.hpp"
 
@@ -7,9 +7,6 @@
 #include <string>
 
 namespace touchstone::reports {
-
-/// Throws std::runtime_error naming the file and the cause.
-void save(const std::filesystem::path& file, const std::string& text);
 
 /// A folder beside another, in which that other is made anew; what is not published is removed. What tells this program
 /// to end waits so long, or until it is asked for.

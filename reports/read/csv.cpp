@@ -1,6 +1,6 @@
-#include "reports/text/csv.hpp"
+#include "reports/read/csv.hpp"
 
-#include "reports/text/numbers.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ std::string number_or_empty(double value) { return std::isnan(value) ? "" : numb
 
 std::string verdict_line(const vnv::Verdict& v) {
   return csv_line({v.case_name, v.method, v.level, number_or_empty(v.spacing), number_or_empty(v.time),
-                   with_unit(v.quantity, v.unit), number(v.value), limit(v), v.author, word(v.outcome)});
+                   with_unit(v.quantity, v.unit), number(v.value), limit(v.lower, v.upper), v.author, word(v.outcome)});
 }
 
 std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Which method has the least to pay for an error.
+/// What an error costs in the methods of a case: work-precision diagrams with their tables, and the cheapest method.
 
 #include "reports/compare/orders.hpp"
 #include "vnv/record/work_precision.hpp"
@@ -8,14 +8,23 @@
 
 namespace touchstone::reports {
 
+/// Adds to the records of a case, for each work-precision diagram that they declare, a figure with every method's
+/// front, the runs that no method beats and what was measured elsewhere; a table of the CPU time to given errors; and
+/// one of `cost_ratios`, if that has rows.
+void add_work_precision(CaseRecords& records);
+
+/// CPU time of SPH over that of the cheapest MPM, once at equal particle number, the way of Sun et al., and once at
+/// equal error. Without rows if there is nothing of the one or the other.
+vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const std::vector<vnv::WorkPoint>& points);
+
 /// The CPU time of the two cheapest methods to the same error.
 struct Cheapest {
-  struct Price {
+  struct Cost {
     std::string method;
     vnv::TimeToError time;
   };
   double error;  // the smallest that two methods reach, in the unit of the quantity
-  Price best, next;
+  Cost best, next;
 };
 
 /// By all runs of the case, on ladders or not, each charged for as far as it went when its error was measured. Equal

@@ -1,4 +1,4 @@
-#include "reports/figures/look.hpp"
+#include "reports/figures/style.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 namespace touchstone::reports {
 namespace {
 
-constexpr int key_row = 20, sample_width = 64;  // px
+constexpr int key_row = 20, sample_width = 72;  // px
 constexpr double letter_width = 6.7;            // px
 constexpr double overestimate = 0.1;            // of the width of a letter, by gnuplot
 constexpr std::size_t most_letters = 80;        // letters
@@ -20,7 +20,7 @@ std::size_t letters(const std::string& text) {
 
 }  // namespace
 
-Look look_of_method(std::size_t method, std::size_t member) {
+LineStyle style_of_method(std::size_t method, std::size_t member) {
   const std::size_t turn = member + method / palette.size();  // a second round of colours takes other marks
   const double size =
       std::max(0.5, 0.9 - 0.15 * static_cast<double>(method));  // equal points lie upon each other, seen

@@ -1,0 +1,166 @@
+#include "reports/compare/work_precision.hpp"
+
+#include "reports/testing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace touchstone::reports {
+namespace {
+
+vnv::WorkPoint point(const std::string& series, double cpu, double error, double particles = 800) {
+  return {.diagram = "work",
+          .series = series,
+          .family = series.starts_with("mpm") ? "MPM" : "SPH",
+          .particles = particles,
+          .per_step = cpu / 1000,
+          .error = error,
+          .cpu = cpu,
+          .cpu_lowest = 0.9 * cpu,
+          .cpu_highest = 1.1 * cpu};
+}
+
+vnv::WorkPoint published(const std::string& series, const std::string& family, double cpu, double error) {
+  vnv::WorkPoint p = point(series, cpu, error);
+  p.family = family;
+  p.elsewhere = true;
+  return p;
+}
+
+const vnv::WorkDiagram diagram{"work", "Work-precision diagram", "At 1 s.", {"L2", "%", vnv::Kind::norm}, {1, 0.1}, 1};
+
+/// mpm reaches 1 % in 2 s, sph in 20 s; the paper's pair is there twice, once a record.
+CaseRecords two_methods() {
+  CaseRecords records{"poiseuille", {sample_record("mpm"), sample_record("sph")}};
+  records.records[0].work = {point("mpm", 1, 2), point("mpm", 4, 0.5), point("mpm", 5, 3)};
+  records.records[1].work = {point("sph", 10, 2), point("sph", 40, 0.5)};
+  for (auto& record : records.records) {
+    record.diagrams = {diagram};
+    record.work.push_back(published("paper MPM", "MPM", 100, 2));
+    record.work.push_back(published("paper SPH", "SPH", 1100, 3));
+  }
+  return records;
+}
+
+const vnv::Curve* find_curve(const CaseRecords& records, const std::string& label) {
+  for (const auto& record : records.records)
+    for (const auto& curve : record.curves)
+      if (curve.figure == "work" && curve.label == label) return &curve;
+  return nullptr;
+}
+
+const vnv::Table& find_table(const CaseRecords& records, const std::string& id) {
+  return *std::ranges::find(records.records.front().tables, id, &vnv::Table::id);
+}
+
+TEST(WorkPrecision, DrawsEachMethodsFrontAndWhatNoRunBeats) {
+  CaseRecords records = two_methods();
+  add_work_precision(records);
+  EXPECT_EQ(figures_of(records).back().id, "work");
+  EXPECT_EQ(find_curve(records, "mpm")->x, (std::vector<double>{1, 4}));
+  EXPECT_EQ(find_curve(records, "Pareto front of all methods here")->x, (std::vector<double>{1, 4}));
+  EXPECT_EQ(find_curve(records, "beaten by another run of its method")->x, (std::vector<double>{5}));
+  EXPECT_EQ(find_curve(records, "paper SPH")->role, vnv::Role::published);
+}
+
+TEST(WorkPrecision, RanksMethodsByTheTimeToAnError) {
+  CaseRecords records = two_methods();
+  add_work_precision(records);
+  const vnv::Table& costs = find_table(records, "work_prices");
+  ASSERT_EQ(costs.rows.size(), 4u);
+  EXPECT_EQ(std::get<std::string>(costs.rows[0][1]), "mpm");
+  EXPECT_EQ(std::get<std::string>(costs.rows[0][2]), "2 (0.9 to 4.4)");
+  EXPECT_EQ(std::get<std::string>(costs.rows[0][3]), "not reached");
+  EXPECT_EQ(std::get<std::string>(costs.rows[1][1]), "sph");
+  EXPECT_EQ(std::get<std::string>(costs.rows[2][1]), "paper MPM, measured elsewhere");
+}
+
+TEST(CostRatios, SetEqualParticleNumberBesideEqualError) {
+  const auto records = two_methods();
+  std::vector<vnv::WorkPoint> points = records.records[0].work;
+  points.insert(points.end(), records.records[1].work.begin(), records.records[1].work.end());
+  const vnv::Table table = cost_ratios(diagram, points);
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"at equal", "of", "SPH over MPM, Sun et al.",
+                                                     "SPH over MPM, cheapest SPH here", "SPH over MPM, sph"}));
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][2]), 11);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][3]), 10);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][4]), 10);
+  EXPECT_EQ(std::get<std::string>(table.rows[1][3]), "10");
+  EXPECT_EQ(std::get<std::string>(table.rows[2][2]), "neither reaches it");
+}
+
+TEST(CostRatios, SayWhoDoesNotReachAnError) {
+  const vnv::Table table = cost_ratios(diagram, {point("mpm", 1, 2), point("mpm", 4, 0.05), point("sph", 10, 2)});
+  EXPECT_EQ(std::get<std::string>(table.rows[1][2]), "SPH does not reach it");
+}
+
+TEST(CostRatios, AreNoneWithoutBothFamilies) { EXPECT_TRUE(cost_ratios(diagram, {point("mpm", 1, 2)}).rows.empty()); }
+
+/// mpm falls to 0.1 % in 4 s; sph has 10 times the error and takes half the time; crude stays at 50 %.
+CaseRecords three_methods() {
+  CaseRecords records{"poiseuille", {sample_record("crude"), sample_record("mpm"), sample_record("sph")}};
+  for (auto& record : records.records) {
+    record.values = errors_of(sample_order());
+    const double factor = record.method == "mpm" ? 1 : 0.5;
+    record.runs = {sample_run("M1", factor * 1), sample_run("M2", factor * 2), sample_run("M3", factor * 4)};
+  }
+  for (auto& error : records.records[0].values) error.value = 50;
+  for (auto& error : records.records[2].values) error.value *= 10;
+  return records;
+}
+
+std::optional<Cheapest> found(const CaseRecords& records) { return cheapest(records, {"L2 v_x [%]", 1}); }
+
+TEST(Cheapest, IsAskedForTheSmallestErrorThatTwoMethodsReach) {
+  const auto answer = found(three_methods());
+  ASSERT_TRUE(answer);
+  EXPECT_DOUBLE_EQ(answer->error, 1);
+  EXPECT_EQ(answer->best.method, "mpm");
+  EXPECT_EQ(answer->next.method, "sph");
+  EXPECT_DOUBLE_EQ(answer->next.time.cpu, 2);
+}
+
+TEST(Cheapest, InterpolatesBetweenRuns) {
+  const auto answer = found(three_methods());
+  EXPECT_NEAR(answer->best.time.cpu, 1.265, 1e-3);  // error ~ CPU^-2, and 1.6 % costs 1 s
+}
+
+TEST(Cheapest, OfAnotherQuantityOrTimeIsAnotherQuestion) {
+  CaseRecords records = three_methods();
+  records.records[1].values.push_back({"M1", 4e-3, 1, {"Linf v_x", "%", vnv::Kind::norm}, 1e-9});
+  records.records[1].values.push_back({"M1", 4e-3, 0.1, {"L2 v_x", "%", vnv::Kind::norm}, 1e-9});
+  EXPECT_NEAR(found(records)->best.time.cpu, 1.265, 1e-3);
+  EXPECT_FALSE(cheapest(records, {"Linf v_x [%]", 1}));
+}
+
+TEST(Cheapest, ChargesARunOnlyForAsFarAsItWentWhenItWasMeasured) {
+  CaseRecords records = three_methods();
+  for (auto& run : records.records[2].runs) {
+    run.end_time = 10;
+    run.cost.cpu *= 10;
+  }
+  EXPECT_DOUBLE_EQ(found(records)->next.time.cpu, 2);
+}
+
+TEST(Cheapest, LeavesOutRunsThatDidNotFinish) {
+  CaseRecords records = three_methods();
+  records.records[1].runs[2].finished = false;
+  records.records[1].runs[1].finished = false;
+  EXPECT_DOUBLE_EQ(found(records)->error, 1.6);
+}
+
+TEST(Cheapest, IsNotAskedForAcrossMachinesOrOfOneMethod) {
+  CaseRecords records = three_methods();
+  records.records[2].machine = "another";
+  EXPECT_FALSE(found(records));
+  records = three_methods();
+  records.records.resize(1);
+  EXPECT_FALSE(found(records));
+  records.records.push_back(records.records[0]);
+  EXPECT_FALSE(found(records)) << "two records of one method are one method";
+}
+
+}  // namespace
+}  // namespace touchstone::reports
