@@ -114,6 +114,7 @@ void read_line(const Json& json, Night& night) {
 Json parsed(const std::string& line) {
   Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) throw std::runtime_error("no whole line of JSON");
+  vnv::rename_former_keys(json);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include "vnv/record/quantity.hpp"
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 namespace touchstone::vnv {
 namespace {
@@ -41,6 +42,18 @@ std::string current_name(const std::string& name) {
   const Quantity quantity = with_heading(name);
   const std::string current = renamed(renames, quantity.name);
   return current + name.substr(quantity.name.size());
+}
+
+void rename_former_keys(nlohmann::ordered_json& json) {
+  for (const auto& [former, current] : {std::pair("rung", "level"), std::pair("rungs", "levels")})
+    if (json.is_object() && json.contains(former)) {
+      json[current] = std::move(json[former]);
+      json.erase(former);
+    }
+  if (!json.is_structured()) return;
+  for (auto& item : json)
+    if (item.is_structured() && !(item.is_array() && !item.empty() && item.front().is_number()))
+      rename_former_keys(item);
 }
 
 }  // namespace touchstone::vnv

@@ -27,11 +27,11 @@ TEST(FormerNames, AreFoundWithinOrdersAndAtTheEndsOfNames) {
 constexpr const char* of_schema_3 =
     R"json({"schema":3,"case_name":"critical_step","title":"","description":"","method":"mpm",
 "method_description":"","suite":"acceptance","revision":"","compiler":"","flags":"","machine":"","finished_at":"","runs":[],
-"errors":[{"level":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31) [-]","value":1.11}],
+"errors":[{"rung":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31) [-]","value":1.11}],
 "orders":[{"ladder":"grid","quantity":"L2 p less its mean, per particle [%]","time":1,"order":2,"half_width":0.1,"trend":"converging",
-"asymptotic":true,"floor":"nan","floor_half_width":"nan","order_to_floor":"nan","order_to_floor_half_width":"nan","levels":[],
-"spacings":[],"errors":[],"pairwise":[]}],
-"verdicts":[{"case_name":"critical_step","method":"mpm","level":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31)",
+"asymptotic":true,"floor":"nan","floor_half_width":"nan","order_to_floor":"nan","order_to_floor_half_width":"nan","rungs":["M1"],
+"spacings":[1e-3],"errors":[0.1],"pairwise":[]}],
+"verdicts":[{"case_name":"critical_step","method":"mpm","rung":"M1","spacing":1e-3,"time":"nan","quantity":"critical time step over (31)",
 "unit":"","value":1.11,"lower":1,"upper":null,"author":"theory: x","outcome":"holds","margin":0.11,"sentence":"x"}],
 "figures":[],"curves":[],"clouds":[],"tables":[],
 "diagrams":[{"id":"work","title":"","caption":"","quantity":"L2 v_x [%]","targets":[1],"ranked_by":1}],"work":[]})json";
@@ -44,6 +44,8 @@ TEST(FormerRecords, AreReadAsThoseOfToday) {
   ASSERT_EQ(record.values.size(), 1u);
   EXPECT_EQ(record.values[0].quantity.heading(), "largest stable time step over the Courant limit (31) [-]");
   EXPECT_EQ(record.values[0].value, 1.11);
+  EXPECT_EQ(record.values[0].level, "M1");
+  EXPECT_EQ(record.orders[0].levels, std::vector<std::string>{"M1"});
   EXPECT_EQ(record.orders[0].quantity, "L2 p - mean(p), per particle [%]");
   EXPECT_EQ(record.verdicts[0].quantity, "largest stable time step over the Courant limit (31)");
   EXPECT_EQ(record.verdicts[0].lower, 1);

@@ -53,6 +53,7 @@ void bring_up_from_3(json::Json& json) {
   const auto declared = [](const json::Json& heading) {
     return json::Writer::json(with_heading(current_name(heading.get<std::string>())));
   };
+  rename_former_keys(json);
   json["schema"] = 4;
   json["values"] = std::move(json.at("errors"));
   for (auto& value : json.at("values")) value["quantity"] = declared(value.at("quantity"));
