@@ -30,7 +30,7 @@ def functions_of_solvers(files):
 
 
 def main(build):
-    files = [file for file in objects_below_O3(build) if file.is_file()]
+    files = [file for file in objects_below_O3(build) if file.suffix == ".o" and file.is_file()]  # no precompiled headers
     found = functions_of_solvers(files) if files else {}
     for file, function in found.items():
         name = subprocess.run(["c++filt", "-p", function], capture_output=True, text=True, check=True).stdout.strip()
