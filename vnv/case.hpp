@@ -11,6 +11,8 @@
 
 namespace touchstone::vnv {
 
+struct Record;
+
 enum class Suite { acceptance, report, nightly };
 std::string_view name_of(Suite suite);
 

@@ -6,6 +6,7 @@
 #include "vnv/bench/in_turn.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/flows/channel_run_time.hpp"
+#include "vnv/record/record.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

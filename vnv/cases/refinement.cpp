@@ -2,6 +2,7 @@
 /// of the material point method; kernel, spacing within it and the time step of smoothed particle hydrodynamics.
 
 #include "vnv/flows/manufactured.hpp"
+#include "vnv/record/record.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

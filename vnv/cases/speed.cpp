@@ -16,6 +16,7 @@
 #include "vnv/bench/plain_sph.hpp"
 #include "vnv/bench/race.hpp"
 #include "vnv/flows/channel.hpp"
+#include "vnv/record/record.hpp"
 #include "vnv/run/soundness.hpp"
 
 #include <thread>

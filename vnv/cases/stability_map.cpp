@@ -2,6 +2,7 @@
 /// stiffness and Reynolds number with the step that it chooses.
 
 #include "solvers/stepping/diverged.hpp"
+#include "vnv/record/record.hpp"
 #include "vnv/stability/lattice_noise.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"

@@ -1,5 +1,7 @@
 #include "vnv/flows/channel.hpp"
 
+#include "vnv/record/record.hpp"
+
 namespace touchstone::vnv::channel {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "vnv/flows/channel_run_time.hpp"
 
+#include "vnv/record/record.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,6 +3,7 @@
 /// the points of Sun et al. and of other codes.
 
 #include "vnv/flows/channel.hpp"
+#include "vnv/record/record.hpp"
 #include "vnv/studies/run_time.hpp"
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "vnv/flows/dam_front.hpp"
 
 #include "vnv/files/tables.hpp"
+#include "vnv/record/record.hpp"
 
 namespace touchstone::vnv {
 namespace {

@@ -40,8 +40,8 @@ void require_cover(std::string_view whose, const FrontHistory& front, const Wind
 }
 
 /// The points of a front inside a window that it covers.
-FrontHistory inside(std::string_view whose, const FrontHistory& front, const Window& window, std::size_t at_least,
-                    std::string_view what) {
+FrontHistory points_inside(std::string_view whose, const FrontHistory& front, const Window& window,
+                           std::size_t at_least, std::string_view what) {
   require_cover(whose, front, window, what);
   const auto first = std::ranges::lower_bound(front.T, window.low) - front.T.begin();
   const auto last = std::ranges::upper_bound(front.T, window.high) - front.T.begin();
@@ -112,7 +112,7 @@ double minimum(const Function& function, const Window& range) {
 }  // namespace
 
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window) {
-  const auto points = inside(whose, front, window, 2, "slope");
+  const auto points = points_inside(whose, front, window, 2, "slope");
   double at_zero, slope, c00, c01, c11, residual;
   gsl_fit_linear(points.T.data(), 1, points.L.data(), 1, points.T.size(), &at_zero, &slope, &c00, &c01, &c11,
                  &residual);
@@ -126,7 +126,7 @@ FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& mea
   require_range("rms window", rms_window);
   require_range("slope window", slope_window);
   require_range("shifts", shifts);
-  const auto points = inside("the measured", measured, rms_window, 1, "rms");
+  const auto points = points_inside("the measured", measured, rms_window, 1, "rms");
   const Window used{points.T.front() - std::max(0.0, shifts.high), points.T.back() - std::min(0.0, shifts.low)};
   require_cover("our", ours, used, "rms with all its shifts");
   const auto rms_at = [&](double shift) { return rms(ours, points, shift); };

@@ -2,6 +2,7 @@
 /// Two sets of records, compared thing by thing. Nothing is known of solvers here.
 
 #include "vnv/gate/difference.hpp"
+#include "vnv/record/record.hpp"
 
 #include <vector>
 

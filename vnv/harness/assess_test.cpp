@@ -1,4 +1,5 @@
 #include "vnv/harness/assess.hpp"
+#include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 #pragma once
 /// A claim says what a method achieves, on whose word; a verdict says whether it does.
 
-#include "vnv/record/record.hpp"
+#include "vnv/record/observed_order.hpp"
+#include "vnv/record/verdict.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-#include "vnv/record/record.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// What a ladder of values says of a quantity whose truth is not known. Values in any one unit, coarse to fine.
 
-#include "vnv/record/record.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-#include "vnv/record/record.hpp"
+#include "vnv/record/observed_order.hpp"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 /// finite number, it gives not a number.
 
 #include "solvers/samples.hpp"
-#include "vnv/record/record.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
 

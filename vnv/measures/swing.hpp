@@ -1,7 +1,7 @@
 #pragma once
 /// A swing that dies away: its period and its decay, from what was watched.
 
-#include "vnv/record/record.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <gsl/gsl_multimin.h>
 

@@ -3,6 +3,7 @@
 /// A figure is declared by the record of every method; the report draws it once, with the curves of all.
 
 #include "vnv/case.hpp"
+#include "vnv/record/record.hpp"
 
 #include <cmath>
 #include <optional>

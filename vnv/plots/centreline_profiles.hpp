@@ -1,5 +1,6 @@
 #pragma once
 #include "vnv/measures/centrelines.hpp"
+#include "vnv/record/record.hpp"
 
 namespace touchstone::vnv {
 

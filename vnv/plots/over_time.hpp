@@ -1,5 +1,6 @@
 #pragma once
 #include "vnv/case.hpp"
+#include "vnv/record/record.hpp"
 
 #include <string>
 #include <utility>

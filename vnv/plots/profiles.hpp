@@ -1,5 +1,6 @@
 #pragma once
 #include "vnv/measures/norms_of.hpp"
+#include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
 

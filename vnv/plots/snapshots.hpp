@@ -1,6 +1,7 @@
 #pragma once
 #include "vnv/case.hpp"
 #include "vnv/measures/profile.hpp"
+#include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
 

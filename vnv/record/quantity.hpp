@@ -3,10 +3,13 @@
 /// baselines, pages and the gate ask it and guess nothing from its name.
 
 #include <array>
+#include <limits>
 #include <string>
 #include <string_view>
 
 namespace touchstone::vnv {
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 enum class Kind {
   norm,             // of a discretisation error: orders are observed of it

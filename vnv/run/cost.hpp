@@ -1,5 +1,5 @@
 #pragma once
-#include "vnv/record/record.hpp"
+#include "vnv/record/run_summary.hpp"
 
 #include <chrono>
 #include <vector>

@@ -1,7 +1,9 @@
 #pragma once
 /// The only time loop: step to each asked time, take samples, keep account of what it cost.
 
-#include "vnv/record/record.hpp"
+#include "vnv/record/figure.hpp"
+#include "vnv/record/run_summary.hpp"
+#include "vnv/record/value.hpp"
 #include "vnv/run/cost.hpp"
 #include "vnv/run/pace.hpp"
 #include "vnv/run/simulation.hpp"

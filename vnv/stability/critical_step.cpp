@@ -1,6 +1,7 @@
 #include "vnv/stability/critical_step.hpp"
 
 #include "solvers/stepping/diverged.hpp"
+#include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
 

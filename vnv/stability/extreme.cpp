@@ -1,5 +1,7 @@
 #include "vnv/stability/extreme.hpp"
 
+#include "vnv/record/record.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "vnv/studies/ensemble.hpp"
 
+#include "vnv/record/record.hpp"
+
 #include <cmath>
 
 namespace touchstone::vnv {

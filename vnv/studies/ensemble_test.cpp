@@ -1,4 +1,5 @@
 #include "vnv/studies/ensemble.hpp"
+#include "vnv/record/record.hpp"
 
 #include "vnv/harness/assess.hpp"
 

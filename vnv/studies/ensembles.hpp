@@ -1,4 +1,5 @@
 #pragma once
+#include "vnv/record/record.hpp"
 #include "vnv/studies/ensemble.hpp"
 
 #include <fmt/format.h>

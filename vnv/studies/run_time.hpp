@@ -2,6 +2,7 @@
 /// Work-precision diagrams: the runs of a method as points, and what an error costs as a value that claims may judge.
 
 #include "vnv/case.hpp"
+#include "vnv/record/record.hpp"
 
 #include <string>
 #include <vector>

@@ -111,13 +111,13 @@ class AProgram(InAFolder):
 
 
 class AUnitTest(InAFolder):
-    def test_is_built_with_the_program_of_its_file_and_else_with_its_room(self):
+    def test_is_built_with_the_program_of_its_folder_and_else_with_its_module(self):
         (self.folder / "solvers" / "sph").mkdir(parents=True)
         self.write("solvers/sph/pair_test.cpp", "TEST(Pairs, Meet) {}\nTEST_F(Walls, Hold) {}\n")
         self.write("solvers/fit_test.cpp", "TEST(Fit, IsExact) {}\nTYPED_TEST(FitOf, IsExact) {}\n")
-        for pattern, expected in (("unit.solvers.Pairs.*", {"solvers_sph_pair_test"}),
-                                ("unit.solvers.FitOf.*", {"solvers_fit_test"}),
-                                ("unit.solvers.(Walls|Fit).*", {"solvers_sph_pair_test", "solvers_fit_test"}),
+        for pattern, expected in (("unit.solvers.Pairs.*", {"solvers_sph_test"}),
+                                ("unit.solvers.FitOf.*", {"solvers_test"}),
+                                ("unit.solvers.(Walls|Fit).*", {"solvers_sph_test", "solvers_test"}),
                                 ("unit.solvers.of_a_script", {"solvers_unit"})):
             self.assertEqual(scratch.programs_of_tests(self.folder, pattern), expected)
 

@@ -34,7 +34,7 @@ def digest(*texts):
 def programs_of_tests(source, pattern):
     """The programs of unit tests; all of the folder where no file names them in so many words."""
     files = [file for name, file in seeded.unit_tests(source).items() if re.fullmatch(pattern, name)]
-    programs = {"_".join(file.relative_to(source).with_suffix("").parts) for file in files}
+    programs = {"_".join((*file.relative_to(source).parent.parts, "test")) for file in files}
     return programs or {pattern.split(".")[1] + "_unit"}
 
 

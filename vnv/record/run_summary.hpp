@@ -1,0 +1,46 @@
+#pragma once
+/// What a run cost and how it ended.
+
+#include "vnv/record/quantity.hpp"
+
+#include <string>
+
+namespace touchstone::vnv {
+
+/// What one run cost. Times are medians over the repeats.
+struct Cost {
+  long particles = 0;           // fluid particles
+  long boundary_particles = 0;  // ghosts, repulsive particles; none in a grid method
+  long steps = 0;
+  long repeats = 1;        // how often the run was made
+  double cpu = 0;          // s  user time of the steps and the sampling
+  double cpu_lowest = 0;   // s  of the repeats
+  double cpu_highest = 0;  // s
+  double wall = 0;         // s
+  double stepping = 0;     // s  the part of `wall` that was spent in the solver's steps
+  double harness = 0;      // s  wall time of all else: looking, sampling, measuring, a process of its own
+  double peak_memory = 0;  // bytes  largest resident set of the run's process
+
+  double per_step() const { return cpu / static_cast<double>(steps); }                      // s
+  double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
+  double particle_steps_per_second() const { return 1 / per_particle_step(); }              // 1/s
+  /// Not a number for a run that timed itself.
+  double harness_share() const { return stepping > 0 ? harness / (stepping + harness) : not_a_number; }
+
+  bool operator==(const Cost&) const = default;
+};
+
+/// One run of one method at one resolution.
+struct RunSummary {
+  std::string level{};   // "M2"
+  double spacing = 0;    // m
+  double time_step = 0;  // s
+  double end_time = 0;   // s
+  bool finished = false;
+  std::string outcome{};  // "finished", or the diagnosis of a diverged run
+  Cost cost{};
+
+  bool operator==(const RunSummary&) const = default;
+};
+
+}  // namespace touchstone::vnv
