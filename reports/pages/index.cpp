@@ -45,18 +45,16 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing
   HtmlTable table{"Cases.",
                   "The smallest margin is the fraction of its limit that is left to the claim closest to it; beside "
                   "each method, how many of its claims hold.",
-                  {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
-                  {}};
+                  {"case", "claims", "smallest margin", "methods"}};
   for (const auto& records : cases) {
     const Tally sum = tally(verdicts_of(records));
     std::string methods;
     for (const auto& record : records.records) methods += method_entry(record);
     const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
     table.rows.push_back(
-        {{fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"},
-         counts_cell(sum, records.name, standing),
-         {has_margin ? margin_bar(sum.worst_margin) : ""},
-         {"<div class=\"methods\">" + methods + "</div>", "words"}});
+        {words_cell(fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title()))),
+         counts_cell(sum, records.name, standing), has_margin ? margin_bar(sum.worst_margin) : "",
+         words_cell("<div class=\"methods\">" + methods + "</div>")});
   }
   return to_html(table);
 }
@@ -64,13 +62,13 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing
 // Records made in the same place share a line.
 using Place = std::array<std::string, 4>;
 
-std::vector<HtmlCell> place_row(const Place& place, const std::set<std::string>& times, long records) {
+HtmlRow place_row(const Place& place, const std::set<std::string>& times, long records) {
   const std::string until = times.size() > 1 ? " to " + escape(*times.rbegin()) : "";
-  return {{escape(place[0]), "words"},
-          {escape(place[1]), "words"},
-          {"<code>" + escape(place[2]) + "</code>", "words"},
-          {escape(place[3]), "words"},
-          {escape(*times.begin()) + until, "words"},
+  return {words_cell(escape(place[0])),
+          words_cell(escape(place[1])),
+          words_cell("<code>" + escape(place[2]) + "</code>"),
+          words_cell(escape(place[3])),
+          words_cell(escape(*times.begin()) + until),
           number_cell(records)};
 }
 
@@ -84,8 +82,7 @@ std::string environment(const std::vector<CaseRecords>& cases) {
     }
   HtmlTable table{"Environment.",
                   "Where and from what the records were made.",
-                  {{"revision"}, {"compiler"}, {"flags"}, {"machine"}, {"finished"}, {"records", "number"}},
-                  {}};
+                  {"revision", "compiler", "flags", "machine", "finished", "records"}};
   for (const auto& [place, made] : finished) table.rows.push_back(place_row(place, made.first, made.second));
   return to_html(table);
 }
