@@ -59,7 +59,7 @@ std::vector<HtmlRow> error_rows(const vnv::Record& record, const std::vector<Col
   for (const auto& error : record.values) {
     const auto [found, is_new] = row_of.try_emplace(error.level, rows.size());
     if (is_new) {
-      rows.push_back({escape(record.method), escape(error.level), number_cell(error.spacing * 1e3)});
+      rows.push_back({escape(record.method), level_cell(error.level), number_cell(error.spacing * 1e3)});
       rows.back().resize(3 + columns.size());
     }
     const auto column = std::ranges::find(columns, column_of(error)) - columns.begin();
@@ -112,7 +112,7 @@ std::string cpu_with_span(const vnv::Cost& c) {
 HtmlRow cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
   return {escape(record.method),
-          escape(run.level),
+          level_cell(run.level),
           number_cell(run.spacing * 1e3),
           number_cell(run.time_step * 1e6),
           number_cell(run.end_time),

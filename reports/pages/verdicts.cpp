@@ -14,11 +14,14 @@ namespace {
 const std::vector<std::string> columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
                                        "time [s]", "value",  "limit", "margin",       "limit set by"};
 
+/// May break after an underscore.
+std::string name_html(const std::string& name) { return replaced(escape(name), "_", "_<wbr>"); }
+
 HtmlRow verdict_row(const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
   return {outcome_cell(v.outcome),
-          escape(v.method),
-          escape(v.level),
+          name_html(v.method),
+          level_cell(v.level),
           number_or_blank_cell(v.spacing * 1e3),
           words_cell(typeset(v.quantity)),
           number_or_blank_cell(v.time),
@@ -73,7 +76,8 @@ std::string verdicts_page(const std::vector<CaseRecords>& cases) {
   table.columns.insert(table.columns.begin(), "case");
   for_each(cases, &vnv::Record::verdicts, [&](const vnv::Record& record, const vnv::Verdict& verdict) {
     HtmlRow row = verdict_row(verdict);
-    row.emplace(row.begin(), fmt::format("<a href=\"{0}/index.html\">{0}</a>", record.case_name));
+    row.emplace(row.begin(),
+                fmt::format("<a href=\"{}/index.html\">{}</a>", record.case_name, name_html(record.case_name)));
     table.rows.push_back(std::move(row));
   });
   const Tally sum = tally(verdicts_of(cases));

@@ -66,6 +66,8 @@ std::string in_percent(double fraction) {
 HtmlCell number_cell(double value) { return {printed(value), "number"}; }
 HtmlCell number_or_blank_cell(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
 
+HtmlCell level_cell(const std::string& level) { return {escape(level), level.size() > 16 ? "words" : ""}; }
+
 std::string limit(std::optional<double> lower, std::optional<double> upper) {
   if (lower && upper) return interval(*lower, *upper);
   if (upper) return "<= " + plain(*upper);

@@ -37,6 +37,9 @@ std::string limit(std::optional<double> lower, std::optional<double> upper);
 /// The same with the signs of print.
 std::string printed_limit(std::optional<double> lower, std::optional<double> upper);
 
+/// The name of a level; a long one may take several lines.
+HtmlCell level_cell(const std::string& level);
+
 /// "L2 v_x [%]"; without brackets if the unit is empty.
 std::string with_unit(const std::string& quantity, const std::string& unit);
 
