@@ -35,7 +35,7 @@ std::string head(const CaseRecords& records) {
       "<header>\n<p class=\"path\"><a href=\"../index.html\">Touchstone</a> / {}</p>\n<h1>{}</h1>\n"
       "<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n",
       escape(records.name), escape(records.title()), word(sum.worst()), sentence(sum), why, unfinished_runs(records),
-      complaints(verdicts));
+      list_of(vnv::Outcome::fails, verdicts) + list_of(vnv::Outcome::inconclusive, verdicts));
 }
 
 // Points of runs that diverged as declared are no fault.

@@ -102,7 +102,7 @@ std::string harmless_html(const FaultTrials& all) {
   return to_html(table);
 }
 
-/// The column of a test: its own, but for tests without limits, which share one.
+/// The column of a test: its own, but for tests without limits, which have one together.
 std::string column_of(const FaultTest& test) {
   const std::string module = test.name.substr(0, test.name.find('.', 5));
   if (module.starts_with("unit.")) return module.substr(5) + ", units";

@@ -145,12 +145,7 @@ std::string last_value(const Series& series) {
 
 /// Lowest and highest over the nights, between which the curve is drawn; nothing for one that stays.
 std::string range_words(const Series& series) {
-  double low = INFINITY, high = -INFINITY;
-  for (const auto& point : series.points)
-    if (point.is_there && std::isfinite(point.value)) {
-      low = std::min(low, point.value);
-      high = std::max(high, point.value);
-    }
+  const auto [low, high] = series.range();
   if (!(low < high) || plain(low) == plain(high)) return "";
   return fmt::format("<span>of {} to {}</span>", printed(low), printed(high));
 }

@@ -24,9 +24,8 @@ std::string counts(const Tally& t) {
 // A method of a case and how many of its claims hold, "mpm 34/34".
 std::string method_entry(const vnv::Record& record) {
   const Tally sum = tally(record.verdicts);
-  const std::string kind = sum.total() == 0 ? "inconclusive" : std::string(word(sum.worst()));
-  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), kind, sum.holds,
-                     sum.total());
+  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), word(sum.worst()),
+                     sum.holds, sum.total());
 }
 
 /// Whether all that fails in a case is known to.
@@ -59,7 +58,7 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing
   return to_html(table);
 }
 
-// Records made in the same place share a line.
+// Records made in the same place stand in one line.
 using Place = std::array<std::string, 4>;
 
 HtmlRow place_row(const Place& place, const std::set<std::string>& times, long records) {
@@ -100,11 +99,6 @@ std::string known_words(const Standing& standing) {
   if (!standing.unexpected_passes.empty())
     words += fmt::format(" {} known to fail, but passed.", standing.unexpected_passes.size());
   return words;
-}
-
-std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
-  std::erase_if(verdicts, [](const vnv::Verdict& v) { return v.outcome != vnv::Outcome::inconclusive; });
-  return verdicts;
 }
 
 std::string orders_link(const std::vector<CaseRecords>& cases) {
@@ -156,7 +150,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
-      complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
+      list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, standing),
       verdicts_link + orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
   return html_page("Touchstone", "", body);
 }

@@ -43,7 +43,7 @@ std::string rounded(double value, const std::string& unit) {
   return valued(std::stod(fmt::format("{:.2g}", value)), unit);
 }
 
-/// Why a cell has no order, as the notes below the table tell.
+/// Why a cell has no order, as the notes below the table say.
 struct Reason {
   char letter;
   const char* words;

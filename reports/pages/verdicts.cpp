@@ -35,13 +35,6 @@ constexpr const char* caption =
     "The margin is the fraction of the limit that is left; negative where the claim fails. Who set a limit stands beside "
     "it.";
 
-std::string complaint_list(const std::vector<vnv::Verdict>& verdicts, vnv::Outcome outcome) {
-  std::string items;
-  for (const auto& verdict : verdicts)
-    if (verdict.outcome == outcome) items += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
-  return html_list(word(outcome), items);
-}
-
 }  // namespace
 
 std::string sentence(const Tally& t) {
@@ -61,8 +54,11 @@ std::string margin_bar(double margin) {
                      100 * filled, in_percent(margin));
 }
 
-std::string complaints(const std::vector<vnv::Verdict>& verdicts) {
-  return complaint_list(verdicts, vnv::Outcome::fails) + complaint_list(verdicts, vnv::Outcome::inconclusive);
+std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts) {
+  std::string items;
+  for (const auto& verdict : verdicts)
+    if (verdict.outcome == outcome) items += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
+  return html_list(word(outcome), items);
 }
 
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
