@@ -46,7 +46,7 @@ TEST(Steps, AreNotMadeOfNoiseThatIsKnown) {
   EXPECT_EQ(steps_of({1, 1.007, 0.997, 1.006, 0.999, 1.015, 0.985}), Nights{});
 }
 
-TEST(Steps, AreWhereAValueIsNoNumberAnyMore) {
+TEST(Steps, AreWhereAValueCeasesToBeANumber) {
   EXPECT_EQ(steps_of({1, vnv::not_a_number, vnv::not_a_number, 1}), (Nights{1, 3}));
   EXPECT_EQ(steps_of({INFINITY, INFINITY, 1}), Nights{2});
 }

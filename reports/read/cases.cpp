@@ -24,7 +24,7 @@ std::vector<fs::path> record_files(const fs::path& folder) {
 }
 
 // Names become names of files and folders, and parts of a shell's command.
-void want_file_name(const std::string& name, const char* what, const fs::path& file) {
+void require_file_name(const std::string& name, const char* what, const fs::path& file) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (!name.empty() && std::all_of(name.begin(), name.end(), fits)) return;
   throw std::runtime_error(
@@ -33,9 +33,9 @@ void want_file_name(const std::string& name, const char* what, const fs::path& f
 
 vnv::Record read_checked(const fs::path& file) {
   vnv::Record record = vnv::read_record(file);
-  want_file_name(record.case_name, "case", file);
-  for (const auto& figure : record.figures) want_file_name(figure.id, "figure", file);
-  for (const auto& diagram : record.diagrams) want_file_name(diagram.id, "diagram", file);
+  require_file_name(record.case_name, "case", file);
+  for (const auto& figure : record.figures) require_file_name(figure.id, "figure", file);
+  for (const auto& diagram : record.diagrams) require_file_name(diagram.id, "diagram", file);
   return record;
 }
 
