@@ -1,8 +1,9 @@
 /// made_up_nights RECORDS HISTORY NIGHTS CASES: records of a last night with so many made-up cases, 200 baselines each,
-/// the nights before it, and RECORDS/faults.csv, what tests noticed of a hundred made-up faults; to look at pages, and
+/// the nights before it, and RECORDS/faults.csv, what tests noticed of a hundred made-up faults; to see pages, and
 /// to measure how large they are and how soon they open.
 
 #include "reports/read/night.hpp"
+#include "reports/testing.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ double error_of(long c, long m, long level, std::size_t norm, long nights_left) 
 
 vnv::Verdict verdict(const vnv::Record& record, const vnv::Value& e, double lower, double upper,
                      const std::string& author) {
-  vnv::Verdict v;
+  const bool holds = e.value <= upper;
+  vnv::Verdict v = sample_verdict(holds ? vnv::Outcome::holds : vnv::Outcome::fails, (upper - e.value) / upper);
   v.case_name = record.case_name;
   v.method = record.method;
   v.level = e.level;
@@ -46,10 +48,8 @@ vnv::Verdict verdict(const vnv::Record& record, const vnv::Value& e, double lowe
   v.lower = lower;
   v.upper = upper;
   v.author = author;
-  v.margin = (upper - e.value) / upper;
-  v.outcome = e.value <= upper ? vnv::Outcome::holds : vnv::Outcome::fails;
   v.sentence = fmt::format("{}.{} {}: {} = {:.4g} %, limit {:.4g} %: {}", v.case_name, v.method, v.level, v.quantity,
-                           v.value, upper, v.outcome == vnv::Outcome::holds ? "HOLDS" : "FAILS");
+                           v.value, upper, holds ? "HOLDS" : "FAILS");
   return v;
 }
 
@@ -63,39 +63,22 @@ void add_level(vnv::Record& record, long c, long m, long level, long nights_left
     record.verdicts.push_back(verdict(record, e, 0.97 * usual, 1.03 * usual, "baseline: made up"));
     if (norm == 0) record.verdicts.push_back(verdict(record, e, 0, 1.5 * usual, "literature: made up"));
   }
-  vnv::RunSummary run{
-      .level = name, .spacing = spacing, .time_step = 1e-6, .end_time = 1, .finished = true, .outcome = "finished"};
+  const double cpu = 0.01 * std::pow(4, level) * std::normal_distribution(nights_left < 5 ? 0.8 : 1.0, 0.017)(noise);
+  vnv::RunSummary run = sample_run(name, cpu);
+  run.spacing = spacing;
+  run.time_step = 1e-6;
   run.cost.particles = 100L << (2 * level);
   run.cost.steps = 10000;
-  run.cost.cpu = 0.01 * std::pow(4, level) * std::normal_distribution(nights_left < 5 ? 0.8 : 1.0, 0.017)(noise);
-  run.cost.cpu_lowest = run.cost.cpu_highest = run.cost.wall = run.cost.cpu;
+  run.cost.wall = cpu;
   run.cost.peak_memory = 1e7 * std::pow(2, level);
   record.runs.push_back(run);
 }
 
-vnv::ObservedOrder order(const vnv::Record& record, const vnv::Quantity& quantity) {
-  vnv::ObservedOrder o;
-  o.ladder = "grid";
-  o.quantity = quantity.heading();
-  o.time = 1;
-  o.order = 2;
-  o.half_width = 0.05;
-  o.trend = vnv::Trend::converging;
-  for (const auto& e : record.values)
-    if (e.quantity == quantity) {
-      o.levels.push_back(e.level);
-      o.spacings.push_back(e.spacing);
-      o.errors.push_back(e.value);
-    }
-  return o;
-}
-
 vnv::Record record_of(long c, long m, long nights_left, std::mt19937& noise) {
-  vnv::Record record;
+  vnv::Record record = sample_record(fmt::format("method_{}", m + 1));
   record.case_name = fmt::format("case_{}", c + 1);
   record.title = fmt::format("Made-up flow number {}", c + 1);
   record.description = "A flow that nobody has run.";
-  record.method = fmt::format("method_{}", m + 1);
   record.suite = "nightly";
   record.revision = fmt::format("{:07x}", 0xbbb2d82 - 4099 * nights_left);
   record.compiler = "GNU 12.2";
@@ -103,21 +86,9 @@ vnv::Record record_of(long c, long m, long nights_left, std::mt19937& noise) {
   record.machine = "a machine, 2 processors";
   record.finished_at = fmt::format("2026-{:02}-{:02}T04:00:00Z", nights_left < 22 ? 11 : 10,
                                    nights_left < 22 ? 22 - nights_left : 53 - nights_left);
+  record.verdicts.clear();
   for (long level = 0; level < levels; ++level) add_level(record, c, m, level, nights_left, noise);
-  for (const auto& quantity : {norms[0], norms[1]}) record.orders.push_back(order(record, quantity));
-  vnv::Figure figure;
-  figure.id = "errors";
-  figure.title = "Errors";
-  figure.caption = "Made up.";
-  figure.x = {.label = "spacing [mm]", .scale = 1e3};
-  figure.y.label = "L2 [%]";
-  record.figures = {figure};
-  vnv::Curve curve;
-  curve.figure = figure.id;
-  curve.label = record.method;
-  curve.x = record.orders[0].spacings;
-  curve.y = record.orders[0].errors;
-  record.curves = {curve};
+  for (const auto& norm : {norms[0], norms[1]}) record.orders.push_back(sample_order(norm.heading(), 1, levels));
   return record;
 }
 

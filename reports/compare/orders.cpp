@@ -31,20 +31,19 @@ bool is_claimed(const vnv::Record& record, const vnv::ObservedOrder& order) {
 template <class Chooses>
 std::vector<Subject> subjects(const CaseRecords& records, const Chooses& chooses) {
   std::vector<Subject> found;
-  for (const auto& record : records.records)
-    for (const auto& order : record.orders) {
-      const bool is_known =
-          std::ranges::any_of(found, [&](const Subject& s) { return s.is(order.quantity, order.time); });
-      if (!is_known && has_ladder(order) && chooses(record, order)) found.push_back({order.quantity, order.time});
-    }
+  for_each(records, &vnv::Record::orders, [&](const auto& record, const auto& order) {
+    const bool is_known =
+        std::ranges::any_of(found, [&](const Subject& s) { return s.is(order.quantity, order.time); });
+    if (!is_known && has_ladder(order) && chooses(record, order)) found.push_back({order.quantity, order.time});
+  });
   return found;
 }
 
 std::set<std::string> claimed_ladders(const CaseRecords& records) {
   std::set<std::string> ladders;
-  for (const auto& record : records.records)
-    for (const auto& order : record.orders)
-      if (is_claimed(record, order)) ladders.insert(order.ladder);
+  for_each(records, &vnv::Record::orders, [&](const auto& record, const auto& order) {
+    if (is_claimed(record, order)) ladders.insert(order.ladder);
+  });
   return ladders;
 }
 

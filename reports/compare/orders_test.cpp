@@ -44,7 +44,7 @@ TEST(Orders, WithoutAClaimAreComparedInTheFirstNormWhenMostMethodsHaveThreeSpaci
   EXPECT_EQ(principal->lines.size(), 2);
 }
 
-TEST(Orders, OfVelocityAreToldFromThoseOfPressureAndOfAllElse) {
+TEST(Orders, OfVelocityAreDistinguishedFromThoseOfPressureAndOfAllElse) {
   const CaseRecords records{
       "poiseuille",
       {with_orders("mpm", {sample_order("L2 vorticity [%]"), sample_order("L2 p less its mean [%]"),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 namespace touchstone::reports {
@@ -192,6 +193,16 @@ bool is_more_telling(const Series& a, const Series& b) {
 
 }  // namespace
 
+std::pair<double, double> Series::range() const {
+  double low = INFINITY, high = -INFINITY;
+  for (const auto& point : points)
+    if (point.is_finite()) {
+      low = std::min(low, point.value);
+      high = std::max(high, point.value);
+    }
+  return {low, high};
+}
+
 void mark_steps(Series& series, const std::vector<bool>& starts_anew) {
   Level level(series);
   const auto there = nights_there(series);
@@ -226,25 +237,20 @@ std::vector<Series> series_of(const std::vector<Night>& nights) {
 
 std::vector<const Series*> worth_drawing(const std::vector<Series>& all) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, const Series*> best;
-  const auto kind_of = [](const Series& s) {  // the limits of all lattices and flows are drawn
-    return std::tuple(s.case_name, s.method, s.quantity, s.kind == Kind::limit ? s.level : "");
-  };
   for (const Series& s : all) {
     if (s.kind == Kind::cost || !is_candidate(s)) continue;
-    const Series*& so_far = best[kind_of(s)];
+    // The limits of all lattices and flows are drawn.
+    const Series*& so_far = best[{s.case_name, s.method, s.quantity, s.kind == Kind::limit ? s.level : ""}];
     if (!so_far || is_more_telling(s, *so_far)) so_far = &s;
   }
+  std::set<const Series*> chosen;
+  for (const auto& [subject, series] : best) chosen.insert(series);
   const auto most_expensive = most_expensive_runs(all);
-  std::vector<const Series*> drawn;
-  for (const Series& s : all) {
-    if (s.kind != Kind::cost) {
-      const auto found = best.find(kind_of(s));
-      if (found != best.end() && found->second == &s) drawn.push_back(&s);
-    } else if (const auto found = most_expensive.find({s.case_name, s.method}); found != most_expensive.end()) {
-      if (found->second->level == s.level) drawn.push_back(&s);
-    }
-  }
-  return drawn;
+  for (const Series& s : all)
+    if (const auto run = most_expensive.find({s.case_name, s.method});
+        s.kind == Kind::cost && run != most_expensive.end() && run->second->level == s.level)
+      chosen.insert(&s);
+  return {chosen.begin(), chosen.end()};  // in the order of `all`
 }
 
 }  // namespace touchstone::reports

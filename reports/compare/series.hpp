@@ -3,8 +3,10 @@
 
 #include "reports/read/night.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchstone::reports {
@@ -20,6 +22,8 @@ struct SeriesPoint {
   bool is_there = false;
   double value = vnv::not_a_number;
   bool fails = false;  // a claim on it fails
+
+  bool is_finite() const { return is_there && std::isfinite(value); }
 };
 
 struct Series {
@@ -36,6 +40,9 @@ struct Series {
   long levels = 0;                         // of an order
   std::vector<SeriesPoint> points{};       // one per night
   std::vector<Step> steps{};
+
+  /// Lowest and highest finite value; without one the lowest is above the highest.
+  std::pair<double, double> range() const;
 };
 
 /// Every series of these nights, by case and method. Its steps are marked by one rule:

@@ -27,12 +27,11 @@ bool is_measured_here(const WorkPoint& p) { return !p.elsewhere; }
 /// All points of a diagram; those that several records bring stand once.
 Points points_of(const CaseRecords& records, const WorkDiagram& diagram) {
   Points points;
-  for (const auto& record : records.records)
-    for (const WorkPoint& point : record.work) {
-      const bool is_known = std::ranges::any_of(
-          points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
-      if (point.diagram == diagram.id && !is_known) points.push_back(point);
-    }
+  for_each(records, &vnv::Record::work, [&](const auto&, const WorkPoint& point) {
+    const bool is_known = std::ranges::any_of(
+        points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
+    if (point.diagram == diagram.id && !is_known) points.push_back(point);
+  });
   return points;
 }
 
@@ -116,14 +115,6 @@ vnv::Table costs(const WorkDiagram& diagram, const Points& points) {
   return table;
 }
 
-std::vector<WorkDiagram> diagrams_of(const CaseRecords& records) {
-  std::vector<WorkDiagram> diagrams;
-  for (const auto& record : records.records)
-    for (const auto& diagram : record.diagrams)
-      if (std::ranges::find(diagrams, diagram.id, &WorkDiagram::id) == diagrams.end()) diagrams.push_back(diagram);
-  return diagrams;
-}
-
 /// Runs of SPH and of MPM whose costs are compared, and what their ratio is called.
 struct Comparison {
   std::string name;
@@ -199,7 +190,7 @@ Points points_of(const vnv::Record& record, const Subject& subject) {
 }  // namespace
 
 void add_work_precision(CaseRecords& records) {
-  for (const WorkDiagram& diagram : diagrams_of(records)) {
+  for (const WorkDiagram& diagram : each_once(records, &vnv::Record::diagrams)) {
     const Points points = points_of(records, diagram);
     auto& first = records.records.front();
     first.figures.push_back(figure(diagram));

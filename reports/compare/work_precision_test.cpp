@@ -57,7 +57,7 @@ const vnv::Table& find_table(const CaseRecords& records, const std::string& id) 
 TEST(WorkPrecision, DrawsEachMethodsFrontAndWhatNoRunBeats) {
   CaseRecords records = two_methods();
   add_work_precision(records);
-  EXPECT_EQ(figures_of(records).back().id, "work");
+  EXPECT_EQ(each_once(records, &vnv::Record::figures).back().id, "work");
   EXPECT_EQ(find_curve(records, "mpm")->x, (std::vector<double>{1, 4}));
   EXPECT_EQ(find_curve(records, "Pareto front of all methods here")->x, (std::vector<double>{1, 4}));
   EXPECT_EQ(find_curve(records, "beaten by another run of its method")->x, (std::vector<double>{5}));

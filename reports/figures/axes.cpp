@@ -50,8 +50,8 @@ std::string logarithmic_ticks(double low, double high) {
 }
 
 std::string logarithmic_commands(const char* name, double low, double high) {
-  return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset logscale {0}\nset {0}tics ({3})\n", name, low, high,
-                     logarithmic_ticks(low, high));
+  return range_command(name, low, high) +
+         fmt::format("set logscale {0}\nset {0}tics ({1})\n", name, logarithmic_ticks(low, high));
 }
 
 // Limits from the data move out to the next tick; a hair beyond a tick, such as -1e-19, counts as on it.
@@ -59,7 +59,7 @@ std::string linear_commands(const char* name, const vnv::Axis& axis, double low,
   const double step = tick_step(high - low, most_steps), hair = 1e-6;
   const double from = axis.low ? low : step * std::floor(low / step + hair) + 0.0;
   const double to = axis.high ? high : step * std::ceil(high / step - hair);
-  return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics {3:.9g}\n", name, from, to, step);
+  return range_command(name, from, to) + fmt::format("set {}tics {:.9g}\n", name, step);
 }
 
 }  // namespace
@@ -85,6 +85,10 @@ std::pair<double, double> Extent::range(double air) const {
 }
 
 double tick_step(double span, double most_steps) { return above(span / most_steps); }
+
+std::string range_command(const char* name, double low, double high) {
+  return fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, low, high);
+}
 
 std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent) {
   const auto [low, high] = extent.range();

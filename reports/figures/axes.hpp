@@ -31,6 +31,9 @@ class Extent {
 /// The distance of ticks, 1, 2 or 5 times a power of ten, that makes at most so many steps of a span.
 double tick_step(double span, double most_steps);
 
+/// "set xrange [0:1]" for the axis "x".
+std::string range_command(const char* name, double low, double high);
+
 /// The commands for one axis, named "x" or "y".
 std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent);
 

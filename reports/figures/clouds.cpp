@@ -26,16 +26,9 @@ constexpr auto palette =
 
 struct Panel {
   const vnv::Cloud* cloud;
-  int column = 0, row = 0;
+  std::size_t column = 0, row = 0;
   std::size_t first = 0;  // its first row in the data
 };
-
-int place_of(const std::string& name, std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  const int place = static_cast<int>(found - names.begin());
-  if (found == names.end()) names.push_back(name);
-  return place;
-}
 
 // Panels, their grid, and the axes that all share.
 struct Panels {
@@ -44,16 +37,16 @@ struct Panels {
   Extent x, y, colour;
 
   Panels(const vnv::Figure& figure, const CaseRecords& records) : x(figure.x), y(figure.y), colour(figure.colour) {
-    for (const auto& record : records.records)
-      for (const auto& cloud : record.clouds)
-        if (cloud.figure == figure.id) add(cloud);
+    for_each(records, &vnv::Record::clouds, [&](const auto&, const auto& cloud) {
+      if (cloud.figure == figure.id) add(cloud);
+    });
   }
 
  private:
   void add(const vnv::Cloud& cloud) {
-    const Panel panel{&cloud, place_of(cloud.column, columns), place_of(cloud.row, rows), next_row_};
+    const Panel panel{&cloud, place_in(columns, cloud.column), place_in(rows, cloud.row), next_row_};
     const auto stands_there = [&](const Panel& p) { return p.column == panel.column && p.row == panel.row; };
-    if (std::any_of(all.begin(), all.end(), stands_there)) return;
+    if (std::ranges::any_of(all, stands_there)) return;
     all.push_back(panel);
     next_row_ += cloud.x.size();
     x.add(cloud.x);
@@ -67,6 +60,9 @@ struct Panels {
 std::pair<double, double> aired(const Extent& extent) { return extent.range(0.02); }
 
 double span(const Extent& extent) { return aired(extent).second - aired(extent).first; }
+std::string aired_range(const char* name, const Extent& extent) {
+  return range_command(name, aired(extent).first, aired(extent).second);
+}
 
 // Where everything stands, in pixels from the lower left corner.
 struct Layout {
@@ -81,8 +77,8 @@ struct Layout {
     panel_height = panel_width * ratio;
     height = static_cast<int>(std::ceil(top + rows * panel_height + (rows - 1) * gap_y + axis_band + bar_band));
   }
-  double left_of(const Panel& p) const { return left + p.column * (panel_width + gap_x); }
-  double top_of(const Panel& p) const { return height - top - p.row * (panel_height + gap_y); }
+  double left_of(const Panel& p) const { return left + static_cast<double>(p.column) * (panel_width + gap_x); }
+  double top_of(const Panel& p) const { return height - top - static_cast<double>(p.row) * (panel_height + gap_y); }
 };
 
 // The side [px] of the square that a particle stands for, from the area that the cloud covers.
@@ -106,13 +102,12 @@ std::string title_of(const Panel& panel) {
 }
 
 std::string panel_commands(const Panel& panel, const Panels& panels, const Layout& layout, const vnv::Figure& figure) {
-  const bool is_lowest = panel.row + 1 == static_cast<int>(panels.rows.size());
+  const bool is_lowest = panel.row + 1 == panels.rows.size();
   const double l = layout.left_of(panel), t = layout.top_of(panel);
-  const auto share_x = [](double px) { return px / width; };
-  const auto share_y = [&](double px) { return px / layout.height; };
-  std::string commands =
-      fmt::format("set margins at screen {:.6f}, screen {:.6f}, screen {:.6f}, screen {:.6f}\n", share_x(l),
-                  share_x(l + layout.panel_width), share_y(t - layout.panel_height), share_y(t));
+  const auto across = [](double px) { return px / width; };  // fractions of the figure
+  const auto up = [&](double px) { return px / layout.height; };
+  std::string commands = fmt::format("set margins at screen {:.6f}, screen {:.6f}, screen {:.6f}, screen {:.6f}\n",
+                                     across(l), across(l + layout.panel_width), up(t - layout.panel_height), up(t));
   commands += fmt::format("set title {} noenhanced offset 0,-0.6\n", title_of(panel));
   commands += fmt::format("set xlabel {} offset 0,0.3\nset format x '{}'\n",
                           gnuplot_string(is_lowest ? gnuplot_label(figure.x.label) : ""), is_lowest ? "%g" : "");
@@ -120,15 +115,8 @@ std::string panel_commands(const Panel& panel, const Panels& panels, const Layou
                           gnuplot_string(panel.column == 0 ? gnuplot_label(figure.y.label) : ""),
                           panel.column == 0 ? "%g" : "");
   const double size = std::clamp(particle_size(*panel.cloud, panels, layout, figure) / 5, 0.05, 1.5);
-  return commands + fmt::format(
-                        "plot '{}.csv' skip 1 every ::{}::{} using 2:3:4 with points pointtype 7 pointsize {:.3g} "
-                        "linecolor palette notitle\n",
-                        figure.id, panel.first, panel.first + panel.cloud->x.size() - 1, size);
-}
-
-std::string range_command(const char* name, std::pair<double, double> range) {
-  const auto [low, high] = range;
-  return fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, low, high);
+  return commands + "plot " + data_rows(figure.id, panel.first, panel.cloud->x.size()) +
+         fmt::format("2:3:4 with points pointtype 7 pointsize {:.3g} linecolor palette notitle\n", size);
 }
 
 // One bar under all panels; it is drawn with the first and then switched off.
@@ -150,11 +138,12 @@ set border 15 linecolor rgb '#333333' linewidth 0.8
 set tics out nomirror scale 0.5 textcolor rgb '#111111'
 )",
                                  figure.id, 2 * width, 2 * layout.height);
-  text += palette + range_command("x", aired(panels.x)) + range_command("y", aired(panels.y));
+  text += palette + aired_range("x", panels.x) + aired_range("y", panels.y);
   text += fmt::format("set xtics {:g}\nset ytics {:g}\n",
                       tick_step(span(panels.x), std::min(most_ticks, layout.panel_width / tick_width)),
                       tick_step(span(panels.y), std::min(most_ticks, layout.panel_height / tick_height)));
-  text += axis_commands("cb", figure.colour, panels.colour) + range_command("cb", panels.colour.range());
+  const auto [lowest, highest] = panels.colour.range();
+  text += axis_commands("cb", figure.colour, panels.colour) + range_command("cb", lowest, highest);
   text += "set cblabel offset 0,0.4\nset multiplot\n" + bar_command(layout);
   for (const auto& panel : panels.all) {
     text += panel_commands(panel, panels, layout, figure);

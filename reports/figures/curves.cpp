@@ -2,6 +2,7 @@
 #include "reports/figures/plot.hpp"
 #include "reports/figures/style.hpp"
 #include "reports/read/csv.hpp"
+#include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
 
@@ -48,10 +49,10 @@ LineStyle style_of(const Series& s) {
 std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& records) {
   std::vector<Series> all;
   std::set<std::string> labels;
-  for (const auto& record : records.records)
-    for (const auto& curve : record.curves)
-      if (curve.figure == figure.id && labels.insert(curve.label).second)
-        all.push_back({&curve, curve.role == Role::ours ? record.method : ""});
+  for_each(records, &vnv::Record::curves, [&](const auto& record, const auto& curve) {
+    if (curve.figure == figure.id && labels.insert(curve.label).second)
+      all.push_back({&curve, curve.role == Role::ours ? record.method : ""});
+  });
   return all;
 }
 
@@ -61,11 +62,8 @@ void number_series(std::vector<Series>& all, Role role) {
   std::vector<std::size_t> members;
   for (auto& series : all) {
     if (series.curve->role != role) continue;
-    series.colour = std::find(families.begin(), families.end(), series.family) - families.begin();
-    if (series.colour == families.size()) {
-      families.push_back(series.family);
-      members.push_back(0);
-    }
+    series.colour = place_in(families, series.family);
+    members.resize(families.size());
     series.member = members[series.colour]++;
   }
   if (families.size() > 1) return;
@@ -79,10 +77,7 @@ constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Rol
 std::vector<Series> series_of(const vnv::Figure& figure, const CaseRecords& records) {
   std::vector<Series> all = find_series(figure, records);
   for (const Role role : back_to_front) number_series(all, role);
-  const auto depth = [](const Series& s) {
-    return std::find(back_to_front.begin(), back_to_front.end(), s.curve->role);
-  };
-  std::stable_sort(all.begin(), all.end(), [&](const Series& a, const Series& b) { return depth(a) < depth(b); });
+  std::ranges::stable_sort(all, {}, [](const Series& s) { return std::ranges::find(back_to_front, s.curve->role); });
   return all;
 }
 
@@ -108,8 +103,8 @@ std::string element(const Series& series, const vnv::Figure& figure, std::size_t
   const std::string with = with_clause(curve, style_of(series)), label = shortened(curve.label);
   if (drawable_points(curve, figure) == 0)
     return fmt::format("NaN with {} title {}", with, gnuplot_string(label + " (no finite value)"));
-  return fmt::format("'{}.csv' skip 1 every ::{}::{} using 2:3 with {} title {}", figure.id, first,
-                     first + curve.x.size() - 1, with, gnuplot_string(label));
+  return fmt::format("{}2:3 with {} title {}", data_rows(figure.id, first, curve.x.size()), with,
+                     gnuplot_string(label));
 }
 
 std::vector<std::string> labels_of(const std::vector<Series>& all) {
@@ -143,8 +138,8 @@ std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
   std::string csv = csv_line({"curve", figure.x.label, figure.y.label});
   for (const auto& series : all)
     for (std::size_t i = 0; i < series.curve->x.size(); ++i)
-      csv += csv_line({series.curve->label, gnuplot_number(series.curve->x[i] * figure.x.scale),
-                       gnuplot_number(series.curve->y[i] * figure.y.scale)});
+      csv += csv_line({series.curve->label, plain(series.curve->x[i] * figure.x.scale, data_digits),
+                       plain(series.curve->y[i] * figure.y.scale, data_digits)});
   return csv;
 }
 

@@ -32,7 +32,7 @@ DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesys
 
 std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder) {
   std::vector<DrawnFigure> drawn;
-  for (const auto& figure : figures_of(records))
+  for (const auto& figure : each_once(records, &vnv::Record::figures))
     if (has(records, &vnv::Record::curves, figure.id) || has(records, &vnv::Record::clouds, figure.id))
       drawn.push_back(draw(figure, records, folder));
   return drawn;

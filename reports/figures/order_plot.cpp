@@ -26,7 +26,7 @@ struct Series {
   std::size_t first;
   const vnv::ObservedOrder* order;
 
-  std::size_t last() const { return first + order->spacings.size() - 1; }
+  std::string data_in(const std::string& figure) const { return data_rows(figure, first, order->spacings.size()); }
   bool has_band() const { return order->half_width <= widest_band; }
   bool has_floor() const { return !std::isnan(order->floor); }
 };
@@ -76,9 +76,11 @@ std::string rows(const Series& series, const vnv::Figure& figure) {
   std::string csv;
   for (std::size_t i = 0; i < o.spacings.size(); ++i) {
     const double h = o.spacings[i];
-    csv += csv_line({series.label, gnuplot_number(h * figure.x.scale), gnuplot_number(o.errors[i]),
-                     gnuplot_number(on_line(o, o.order, h)), gnuplot_number(on_line(o, o.order - o.half_width, h)),
-                     gnuplot_number(on_line(o, o.order + o.half_width, h)), gnuplot_number(o.floor)});
+    std::vector<std::string> fields{series.label};
+    for (const double value : {h * figure.x.scale, o.errors[i], on_line(o, o.order, h),
+                               on_line(o, o.order - o.half_width, h), on_line(o, o.order + o.half_width, h), o.floor})
+      fields.push_back(plain(value, data_digits));
+    csv += csv_line(fields);
   }
   return csv;
 }
@@ -88,10 +90,6 @@ std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
                               "line of the lowest order", "line of the highest order", "floor"});
   for (const auto& series : all) csv += rows(series, figure);
   return csv;
-}
-
-std::string source(const Series& series, const std::string& id) {
-  return fmt::format("'{}.csv' skip 1 every ::{}::{} using ", id, series.first, series.last());
 }
 
 long drawable_points(const Series& series, const vnv::Figure& figure) {
@@ -105,7 +103,7 @@ std::string line_element(const Series& series, const vnv::Figure& figure) {
                   l.width, l.colour, l.mark, l.size);
   const std::string label = gnuplot_string(shortened(series.label));
   if (drawable_points(series, figure) == 0) return fmt::format("NaN with {} title {}", with, label);
-  return fmt::format("{}2:3 with {} title {}", source(series, figure.id), with, label);
+  return fmt::format("{}2:3 with {} title {}", series.data_in(figure.id), with, label);
 }
 
 // Bands lie below all lines, so that none hides a point.
@@ -114,18 +112,18 @@ std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figu
   const auto add = [&](const std::string& element) { elements += (elements.empty() ? "" : ", \\\n     ") + element; };
   for (const auto& s : all)
     if (s.has_band())
-      add(source(s, figure.id) +
+      add(s.data_in(figure.id) +
           fmt::format("2:5:6 with filledcurves fillstyle transparent solid 0.18 noborder linecolor rgb '{}' notitle",
                       s.style.colour));
   for (const auto& s : all)
     if (s.has_floor())
-      add(source(s, figure.id) +
+      add(s.data_in(figure.id) +
           fmt::format("2:7 with lines dashtype (8,5) linewidth 1.1 linecolor rgb '{}' notitle", s.style.colour));
   for (const auto& s : all) add(line_element(s, figure));
   return "plot " + elements + "\n";
 }
 
-/// The guides start below the smallest error at the finest spacing, where errors that decrease leave room.
+/// The guides start below the smallest error at the finest spacing, where errors that decrease leave space.
 struct Guides {
   double x = INFINITY, y = INFINITY, end = 0;  // where they start, and where the data end; as the axes show it
 
@@ -171,15 +169,11 @@ std::string script(const std::vector<Series>& all, const vnv::Figure& figure, co
 
 /// "mpm along grid; sph along spacing", where not all have the same ladder.
 std::string ladders(const OrderComparison& comparison) {
-  std::vector<std::string> names;
-  std::vector<std::string> methods;  // of each
+  std::vector<std::string> names, methods;  // of each ladder
   for (const auto& line : comparison.lines) {
-    const auto found = std::ranges::find(names, line.order.ladder) - names.begin();
-    if (found == std::ssize(names)) {
-      names.push_back(line.order.ladder);
-      methods.emplace_back();
-    }
-    methods[found] += (methods[found].empty() ? "" : ", ") + line.method;
+    const std::size_t place = place_in(names, line.order.ladder);
+    methods.resize(names.size());
+    methods[place] += (methods[place].empty() ? "" : ", ") + line.method;
   }
   if (names.size() == 1) return fmt::format("Along the ladder “{}”.", names.front());
   std::string words;
@@ -194,11 +188,12 @@ vnv::Figure order_figure(const OrderComparison& comparison) {
   const std::vector<Series> all = series_of(comparison);
   std::string caption = fmt::format("{} over the spacing of the particles. {} ",
                                     vnv::with_heading(comparison.subject.quantity).name, ladders(comparison));
-  if (std::ranges::any_of(all, &Series::has_band))
+  if (std::ranges::any_of(all, &Series::has_band)) {
     caption += "Bands: the least-squares lines of all orders within the 95 % interval";
-  if (std::ranges::any_of(all, &Series::has_band) && !std::ranges::all_of(all, &Series::has_band))
-    caption += fmt::format(", where that is no wider than ± {:g}", widest_band);
-  if (std::ranges::any_of(all, &Series::has_band)) caption += ". ";
+    if (!std::ranges::all_of(all, &Series::has_band))
+      caption += fmt::format(", where that is no wider than ± {:g}", widest_band);
+    caption += ". ";
+  }
   if (std::ranges::any_of(all, &Series::has_floor))
     caption += "Dashed: the floor that the errors of a method fall to. ";
   return {.id = comparison.id(),

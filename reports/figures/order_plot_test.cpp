@@ -70,7 +70,7 @@ TEST(OrderPlot, DrawsNoBandWhereTheOrderIsNotKnown) {
   EXPECT_FALSE(contains(unsure.script, "filledcurves"));
   EXPECT_FALSE(contains(order_figure(comparison_of({vague})).caption, "Bands"));
   EXPECT_TRUE(contains(order_figure(comparison_of({sample_order(), vague})).caption, "no wider than ± 1"));
-  EXPECT_TRUE(contains(unsure.script, "order 2.00 ± 1.50")) << "it is told all the same";
+  EXPECT_TRUE(contains(unsure.script, "order 2.00 ± 1.50")) << "it is reported all the same";
   vague.half_width = infinite;
   EXPECT_TRUE(std::isnan(rows_of(plot_orders(comparison_of({vague})))[0][3]));
 }

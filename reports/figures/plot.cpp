@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <regex>
 
 namespace touchstone::reports {
@@ -24,6 +24,14 @@ std::string gnuplot_label(std::string_view text) {
   return replaced(with_symbols(escaped, "{/:Italic $1}_{$2}", "^{$1}"), " {/:", "\u00a0{/:");
 }
 
-std::string gnuplot_number(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.9g}", value); }
+std::string data_rows(const std::string& figure, std::size_t first, std::size_t count) {
+  return fmt::format("'{}.csv' skip 1 every ::{}::{} using ", figure, first, first + count - 1);
+}
+
+std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
+  const auto place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  if (place == names.size()) names.push_back(name);
+  return place;
+}
 
 }  // namespace touchstone::reports

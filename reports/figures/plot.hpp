@@ -27,7 +27,12 @@ std::string gnuplot_string(std::string_view text);
 /// An axis label in gnuplot's enhanced text: v_x and 10^-3 get their index and power, mpm_reset stays as it is.
 std::string gnuplot_label(std::string_view text);
 
-/// A number as data: nine digits, "nan" if it is none.
-std::string gnuplot_number(double value);
+/// So many rows of the data of a figure from row `first` on, before what gnuplot makes of their columns.
+std::string data_rows(const std::string& figure, std::size_t first, std::size_t count);
+
+inline constexpr int data_digits = 9;
+
+/// Where a name stands among those that were met, which it joins if it is new.
+std::size_t place_in(std::vector<std::string>& names, const std::string& name);
 
 }  // namespace touchstone::reports

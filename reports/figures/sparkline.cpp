@@ -7,24 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchstone::reports {
 namespace {
 
 constexpr double width = 100, height = 30, margin = 3;
 
-bool is_drawn(const SeriesPoint& point) { return point.is_there && std::isfinite(point.value); }
-
 /// From night and value to a place in the picture.
 class Scale {
  public:
   explicit Scale(const Series& series) : nights_(series.points.size()) {
-    double low = INFINITY, high = -INFINITY;
-    for (const auto& point : series.points)
-      if (is_drawn(point)) {
-        low = std::min(low, point.value);
-        high = std::max(high, point.value);
-      }
+    const auto [low, high] = series.range();
     logarithmic_ = low > 0 && high > 10 * low;
     low_ = along(low);
     high_ = along(high);
@@ -48,47 +42,49 @@ class Scale {
   double low_, high_;
 };
 
+/// A path of what `marks` says of each night; nothing if it says nothing.
+std::string path(const char* kind, const Series& series, const auto& marks) {
+  std::string drawn;
+  for (std::size_t n = 0; n < series.points.size(); ++n) drawn += marks(n, series.points[n]);
+  return drawn.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", kind, drawn);
+}
+
 /// The line breaks where a night has no number.
 std::string line(const Series& series, const Scale& scale) {
-  std::string path;
   bool goes_on = false;
-  for (std::size_t n = 0; n < series.points.size(); ++n) {
-    const SeriesPoint& point = series.points[n];
-    if (is_drawn(point)) path += fmt::format("{}{:.4g} {:.3g}", goes_on ? 'L' : 'M', scale.x(n), scale.y(point.value));
-    goes_on = is_drawn(point);
-  }
-  return fmt::format("<path class=\"line\" d=\"{}\"/>", path);
+  return path("line", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
+    const bool continues = std::exchange(goes_on, point.is_finite());
+    return goes_on ? fmt::format("{}{:.4g} {:.3g}", continues ? 'L' : 'M', scale.x(n), scale.y(point.value)) : "";
+  });
 }
 
 /// Marks of no length, which round caps make dots.
 std::string dots(const Series& series, const Scale& scale, bool failing) {
-  std::string path;
-  for (std::size_t n = 0; n < series.points.size(); ++n)
-    if (const SeriesPoint& point = series.points[n]; is_drawn(point) && point.fails == failing)
-      path += fmt::format("M{:.4g} {:.3g}h0", scale.x(n), scale.y(point.value));
-  return path.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", failing ? "dots fails" : "dots", path);
+  return path(failing ? "dots fails" : "dots", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
+    if (!point.is_finite() || point.fails != failing) return "";
+    return fmt::format("M{:.4g} {:.3g}h0", scale.x(n), scale.y(point.value));
+  });
 }
 
 /// Crosses at the foot, for what is no number.
 std::string crosses(const Series& series, const Scale& scale) {
-  std::string path;
-  for (std::size_t n = 0; n < series.points.size(); ++n)
-    if (series.points[n].is_there && !is_drawn(series.points[n]))
-      path += fmt::format("M{:.4g} 25l3 3m0-3l-3 3", scale.x(n) - 1.5);
-  return path.empty() ? "" : fmt::format("<path class=\"nan\" d=\"{}\"/>", path);
+  return path("nan", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
+    return point.is_there && !point.is_finite() ? fmt::format("M{:.4g} 25l3 3m0-3l-3 3", scale.x(n) - 1.5) : "";
+  });
 }
 
 std::string limits(const Series& series, const Scale& scale) {
-  std::string path;
+  std::string drawn;
   for (const auto& limit : {series.lower, series.upper})
-    if (limit && scale.shows(*limit)) path += fmt::format("M0 {:.3g}H{}", scale.y(*limit), width);
-  return path.empty() ? "" : fmt::format("<path class=\"limit\" d=\"{}\"/>", path);
+    if (limit && scale.shows(*limit)) drawn += fmt::format("M0 {:.3g}H{}", scale.y(*limit), width);
+  return drawn.empty() ? "" : fmt::format("<path class=\"limit\" d=\"{}\"/>", drawn);
 }
 
 std::string steps(const Series& series, const Scale& scale) {
-  std::string path;
-  for (const Step& step : series.steps) path += fmt::format("M{:.4g} 0V{}", scale.x(step.night), height);
-  return path.empty() ? "" : fmt::format("<path class=\"step\" d=\"{}\"/>", path);
+  return path("step", series, [&](std::size_t n, const SeriesPoint&) -> std::string {
+    const bool is_step = std::ranges::find(series.steps, n, &Step::night) != series.steps.end();
+    return is_step ? fmt::format("M{:.4g} 0V{}", scale.x(n), height) : "";
+  });
 }
 
 }  // namespace

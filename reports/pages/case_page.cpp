@@ -19,11 +19,11 @@ std::string section(const std::string& title, const std::string& body) {
 // In the colour of a failure only where a claim on that run fails: others were made to see whether they diverge.
 std::string unfinished_runs(const CaseRecords& records) {
   std::string failed, declared;
-  for (const auto& record : records.records)
-    for (const auto& run : record.runs)
-      if (!run.finished)
-        (fails_at(record, run.level) ? failed : declared) += fmt::format(
-            "<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level), escape(run.outcome));
+  for_each(records, &vnv::Record::runs, [&](const auto& record, const auto& run) {
+    if (!run.finished)
+      (fails_at(record, run.level) ? failed : declared) += fmt::format(
+          "<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level), escape(run.outcome));
+  });
   return html_list("fails", failed) + html_list("declared", declared);
 }
 
@@ -35,7 +35,7 @@ std::string head(const CaseRecords& records) {
       "<header>\n<p class=\"path\"><a href=\"../index.html\">Touchstone</a> / {}</p>\n<h1>{}</h1>\n"
       "<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n",
       escape(records.name), escape(records.title()), word(sum.worst()), sentence(sum), why, unfinished_runs(records),
-      complaints(verdicts));
+      list_of(vnv::Outcome::fails, verdicts) + list_of(vnv::Outcome::inconclusive, verdicts));
 }
 
 // Points of runs that diverged as declared are no fault.
@@ -62,7 +62,7 @@ std::string figure_html(const DrawnFigure& drawn, const CaseRecords& records) {
 std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
   std::string html;
   for (const auto& drawn : figures) html += figure_html(drawn, records);
-  for (const auto& declared : figures_of(records)) {
+  for (const auto& declared : each_once(records, &vnv::Record::figures)) {
     if (std::ranges::none_of(figures, [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; }))
       html += fmt::format("<p class=\"nan\">No record brings data for the figure “{}”.</p>\n", escape(declared.title));
   }

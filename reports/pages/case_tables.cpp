@@ -12,30 +12,23 @@
 namespace touchstone::reports {
 namespace {
 
-using Row = std::vector<HtmlCell>;
-
-HtmlCell cell_html(const vnv::Cell& cell, const std::string& kind) {
-  if (const double* value = std::get_if<double>(&cell)) return number_cell(*value);
-  return {typeset(std::get<std::string>(cell)), kind};
-}
-
 bool is_number(const vnv::Cell& cell) { return std::holds_alternative<double>(cell); }
 
-Row table_head(const vnv::Table& table) {
-  Row columns;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool numbers =
-        std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
-    columns.push_back({typeset(table.columns[i]), numbers ? "number" : ""});
-  }
-  return columns;
+/// Words among numbers are aligned as these.
+HtmlCell cell_html(const vnv::Table& table, std::size_t row, std::size_t column) {
+  const vnv::Cell& cell = table.rows[row][column];
+  if (is_number(cell)) return number_cell(std::get<double>(cell));
+  const bool among_numbers =
+      std::ranges::any_of(table.rows, [&](const auto& cells) { return is_number(cells[column]); });
+  return {typeset(std::get<std::string>(cell)), among_numbers ? "number" : ""};
 }
 
 std::string table_html(const vnv::Table& table) {
-  HtmlTable html{escape(table.title) + ".", typeset(table.caption), table_head(table)};
-  for (const auto& cells : table.rows) {
-    Row row;
-    for (std::size_t i = 0; i < cells.size(); ++i) row.push_back(cell_html(cells[i], html.columns[i].kind));
+  HtmlTable html{escape(table.title) + ".", typeset(table.caption), {}};
+  for (const auto& column : table.columns) html.columns.push_back(typeset(column));
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    HtmlRow row;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) row.push_back(cell_html(table, r, c));
     const bool is_known = std::ranges::find(html.rows, row) != html.rows.end();
     if (!is_known) html.rows.push_back(std::move(row));  // methods of a case may each bring the same reference values
   }
@@ -52,31 +45,24 @@ Column column_of(const vnv::Value& error) {
 
 std::vector<Column> error_columns(const CaseRecords& records) {
   std::vector<Column> columns;
-  for (const auto& record : records.records)
-    for (const auto& error : record.values)
-      if (const Column column = column_of(error); std::find(columns.begin(), columns.end(), column) == columns.end())
-        columns.push_back(column);
-  std::stable_sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return a.first < b.first; });
+  for_each(records, &vnv::Record::values, [&](const auto&, const auto& error) {
+    if (const Column column = column_of(error); std::ranges::find(columns, column) == columns.end())
+      columns.push_back(column);
+  });
+  std::ranges::stable_sort(columns, {}, &Column::first);
   return columns;
 }
 
-Row error_head(const std::vector<Column>& columns) {
-  Row head{{"method"}, {"level"}, {"spacing [mm]", "number"}};
-  for (const auto& [quantity, time] : columns)
-    head.push_back({fmt::format("{}<br><small>{}</small>", typeset(quantity), time), "number"});
-  return head;
-}
-
-std::vector<Row> error_rows(const vnv::Record& record, const std::vector<Column>& columns) {
-  std::vector<Row> rows;
+std::vector<HtmlRow> error_rows(const vnv::Record& record, const std::vector<Column>& columns) {
+  std::vector<HtmlRow> rows;
   std::map<std::string, std::size_t> row_of;
   for (const auto& error : record.values) {
     const auto [found, is_new] = row_of.try_emplace(error.level, rows.size());
     if (is_new) {
-      rows.push_back({{escape(record.method)}, {escape(error.level)}, number_cell(error.spacing * 1e3)});
+      rows.push_back({escape(record.method), level_cell(error.level), number_cell(error.spacing * 1e3)});
       rows.back().resize(3 + columns.size());
     }
-    const auto column = std::find(columns.begin(), columns.end(), column_of(error)) - columns.begin();
+    const auto column = std::ranges::find(columns, column_of(error)) - columns.begin();
     rows[found->second][3 + column] = number_cell(error.value);
   }
   return rows;
@@ -105,21 +91,16 @@ std::string floor_words(const vnv::ObservedOrder& order) {
                      printed(order.order_to_floor_half_width));
 }
 
-Row order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
-  return {{escape(record.method)},
-          {escape(order.ladder), "words"},
-          {typeset(order.quantity)},
+HtmlRow order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
+  const std::string fitted = fmt::format("{} ± {}", printed(order.order), printed(order.half_width));
+  return {escape(record.method),
+          words_cell(escape(order.ladder)),
+          typeset(order.quantity),
           number_cell(order.time),
-          {fmt::format("{} ± {}", printed(order.order), printed(order.half_width)),
-           order.order < 0 ? "number fails" : "number"},
+          HtmlCell(fitted, order.order < 0 ? "number fails" : "number"),
           trend_cell(order),
-          {floor_words(order), "words"},
-          {pairwise(order), "words"}};
-}
-
-/// In per cent; blank for a run that timed itself.
-HtmlCell percent_cell(double fraction) {
-  return std::isnan(fraction) ? HtmlCell{"", "number"} : number_cell(100 * fraction);
+          words_cell(floor_words(order)),
+          words_cell(pairwise(order))};
 }
 
 /// The median, and the lowest and highest where there were several.
@@ -128,24 +109,30 @@ std::string cpu_with_span(const vnv::Cost& c) {
   return fmt::format("{} <small>{}–{}</small>", printed(c.cpu), printed(c.cpu_lowest), printed(c.cpu_highest));
 }
 
-Row cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
+HtmlRow cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
-  return {{escape(record.method)},
-          {escape(run.level)},
+  return {escape(record.method),
+          level_cell(run.level),
           number_cell(run.spacing * 1e3),
           number_cell(run.time_step * 1e6),
           number_cell(run.end_time),
           number_cell(c.particles),
           number_cell(c.boundary_particles),
           number_cell(c.steps),
-          {cpu_with_span(c), "number"},
+          HtmlCell(cpu_with_span(c), "number"),
           number_cell(c.repeats),
           number_cell(c.wall),
-          percent_cell(c.harness_share()),
+          number_or_blank_cell(100 * c.harness_share()),
           number_cell(c.peak_memory / 1e6),
           number_cell(c.per_particle_step() * 1e9),
           number_cell(c.particle_steps_per_second() / 1e6),
-          {escape(run.outcome), fails_at(record, run.level) && !run.finished ? "words fails" : "words"}};
+          HtmlCell(escape(run.outcome), fails_at(record, run.level) && !run.finished ? "words fails" : "words")};
+}
+
+/// A row of each item of all records.
+std::string table_of(HtmlTable table, const CaseRecords& records, auto items, const auto& row) {
+  for_each(records, items, [&](const auto& record, const auto& item) { table.rows.push_back(row(record, item)); });
+  return to_html(table);
 }
 
 }  // namespace
@@ -158,52 +145,35 @@ std::string tables_html(const CaseRecords& records) {
 
 std::string errors_html(const CaseRecords& records) {
   const auto columns = error_columns(records);
-  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", error_head(columns)};
-  for (const auto& record : records.records) {
-    auto rows = error_rows(record, columns);
-    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
-  }
+  HtmlTable table{"Error norms.", "Each in the unit that its name ends with.", {"method", "level", "spacing [mm]"}};
+  for (const auto& [quantity, time] : columns)
+    table.columns.push_back(fmt::format("{}<br><small>{}</small>", typeset(quantity), time));
+  for (const auto& record : records.records)
+    std::ranges::move(error_rows(record, columns), std::back_inserter(table.rows));
   return to_html(table);
 }
 
 std::string orders_html(const CaseRecords& records) {
-  HtmlTable table{
-      "Observed orders.",
-      "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
-      "is that between two neighbouring levels. A floor is reported where errors that fall to it scatter significantly less than those of a "
-      "power law; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
-      "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
-      {{"method"},
-       {"ladder"},
-       {"quantity"},
-       {"time [s]", "number"},
-       {"order", "number"},
-       {"trend"},
-       {"floor"},
-       {"pairwise"}},
-      {}};
-  for (const auto& record : records.records)
-    for (const auto& order : record.orders) table.rows.push_back(order_row(record, order));
-  return to_html(table);
+  return table_of(
+      {"Observed orders.",
+       "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
+       "is that between two neighbouring levels. A floor is reported where errors that fall to it scatter significantly less than those of a "
+       "power law; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
+       "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
+       {"method", "ladder", "quantity", "time [s]", "order", "trend", "floor", "pairwise"}},
+      records, &vnv::Record::orders, order_row);
 }
 
 std::string cost_html(const CaseRecords& records) {
-  HtmlTable table{
-      "Cost.",
-      "User time of the steps, the median where a run was made several times, with the lowest and highest. "
-      "Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
-      "fraction of the wall time.",
-      {},
-      {}};
-  table.columns = {{"method"}, {"level"}};
-  for (const char* heading :
-       {"spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps completed", "CPU [s]", "runs",
-        "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s"})
-    table.columns.push_back({heading, "number"});
-  table.columns.push_back({"outcome"});
-  for (const auto& record : records.records)
-    for (const auto& run : record.runs) table.rows.push_back(cost_row(record, run));
-  return to_html(table);
+  return table_of(
+      {"Cost.",
+       "User time of the steps, the median where a run was made several times, with the lowest and highest. "
+       "Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
+       "fraction of the wall time.",
+       {"method", "level", "spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps completed",
+        "CPU [s]", "runs", "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s",
+        "outcome"}},
+      records, &vnv::Record::runs, cost_row);
 }
 
 }  // namespace touchstone::reports

@@ -37,11 +37,11 @@ HtmlCell tests_cell(const FaultTrial& trial, bool noticed) {
   for (const FaultTest& test : tests | std::views::take(most_tests_listed)) html += test_html(test);
   if (tests.size() > most_tests_listed)
     html += fmt::format("<small>and {} more</small>", tests.size() - most_tests_listed);
-  return {"<div class=\"tests\">" + html + "</div>", "words"};
+  return words_cell("<div class=\"tests\">" + html + "</div>");
 }
 
 HtmlCell title_cell(const FaultTrial& trial) {
-  return {fmt::format("{}<br><small>{}</small>", typeset(trial.title), escape(trial.files)), "words"};
+  return words_cell(fmt::format("{}<br><small>{}</small>", typeset(trial.title), escape(trial.files)));
 }
 
 HtmlCell conclusion_cell(const FaultTrial& trial) {
@@ -58,13 +58,11 @@ std::string open_html(const FaultTrials& all) {
       "Open.",
       "Faults that no test noticed or that do not compile, and harmless changes that some test noticed. The "
       "margin is the fraction of a limit that is left.",
-      {{"fault"}, {"conclusion"}, {"what is known of why"}, {"tests"}},
-      {}};
+      {"fault", "conclusion", "what is known of why", "tests"}};
   for (const FaultTrial& trial : all.trials)
     if (trial.is_open())
-      table.rows.push_back({title_cell(trial),
-                            conclusion_cell(trial),
-                            {trial.why.empty() ? "nothing yet" : typeset(trial.why), "words"},
+      table.rows.push_back({title_cell(trial), conclusion_cell(trial),
+                            words_cell(trial.why.empty() ? "nothing yet" : typeset(trial.why)),
                             tests_cell(trial, trial.conclusion != Conclusion::survived)});
   return to_html(table);
 }
@@ -76,13 +74,10 @@ HtmlCell margin_cell(const FaultTrial& trial) {
   return {has_margin ? in_percent(clearest->margin) : "–", "number"};
 }
 
-std::vector<HtmlCell> fault_row(const FaultTrial& trial) {
+HtmlRow fault_row(const FaultTrial& trial) {
   const auto noticed = std::ranges::count_if(trial.tests, &FaultTest::noticed);
-  return {title_cell(trial),
-          conclusion_cell(trial),
-          margin_cell(trial),
-          {fmt::format("{} of {}", noticed, trial.tests.size()), "number"},
-          tests_cell(trial, true)};
+  return {title_cell(trial), conclusion_cell(trial), margin_cell(trial),
+          HtmlCell(fmt::format("{} of {}", noticed, trial.tests.size()), "number"), tests_cell(trial, true)};
 }
 
 std::string faults_html(const FaultTrials& all) {
@@ -91,8 +86,7 @@ std::string faults_html(const FaultTrials& all) {
       "Survivors first, then what was hardly noticed. The margin is that of the test that noticed by most: "
       "the fraction of its limit that is left, negative beyond it, −inf for a value that is no number; unit "
       "tests have none. Tests: how many of those that were run noticed.",
-      {{"fault"}, {"conclusion"}, {"margin", "number"}, {"tests", "number"}, {"noticed by"}},
-      {}};
+      {"fault", "conclusion", "margin", "tests", "noticed by"}};
   for (const FaultTrial& trial : all.trials)
     if (!trial.is_harmless()) table.rows.push_back(fault_row(trial));
   return to_html(table);
@@ -101,16 +95,14 @@ std::string faults_html(const FaultTrials& all) {
 std::string harmless_html(const FaultTrials& all) {
   HtmlTable table{"Harmless changes.",
                   "The order of sums, names, compiler, threads and optimisation: no test may notice them.",
-                  {{"change"}, {"conclusion"}, {"tests run", "number"}},
-                  {}};
+                  {"change", "conclusion", "tests run"}};
   for (const FaultTrial& trial : all.trials)
     if (trial.is_harmless())
-      table.rows.push_back(
-          {title_cell(trial), conclusion_cell(trial), number_cell(static_cast<long>(trial.tests.size()))});
+      table.rows.push_back({title_cell(trial), conclusion_cell(trial), number_cell(trial.tests.size())});
   return to_html(table);
 }
 
-/// The column of a test: its own, but for tests without limits, which share one.
+/// The column of a test: its own, but for tests without limits, which have one together.
 std::string column_of(const FaultTest& test) {
   const std::string module = test.name.substr(0, test.name.find('.', 5));
   if (module.starts_with("unit.")) return module.substr(5) + ", units";
@@ -145,7 +137,7 @@ void add(Detection& found, const FaultTest& test) {
 }
 
 HtmlCell detection_cell(const Detection& found) {
-  if (found.run == 0) return {""};
+  if (found.run == 0) return {};
   if (found.noticed == 0) return {"–", "none"};
   const bool has_margin = !std::isnan(found.margin);
   const std::string words = !has_margin                ? printed(found.noticed)
@@ -163,14 +155,13 @@ std::string matrix_html(const FaultTrials& all) {
       "it did by less than a tenth of its limit; – where it was run and did not; blank where it was not run. "
       "Unit tests of a module share a column, as tests of the tests do: how many of them noticed. Tests that "
       "noticed nothing are left out.",
-      {{"fault"}},
-      {}};
-  for (const auto& column : columns) table.columns.push_back({"<span>" + escape(column) + "</span>"});
+      {"fault"}};
+  for (const auto& column : columns) table.columns.push_back("<span>" + escape(column) + "</span>");
   for (const FaultTrial& trial : all.trials) {
     if (trial.is_harmless()) continue;
     std::map<std::string, Detection> detections;
     for (const FaultTest& test : trial.tests) add(detections[column_of(test)], test);
-    std::vector<HtmlCell> row{{typeset(trial.title)}};
+    HtmlRow row{typeset(trial.title)};
     for (const auto& column : columns) row.push_back(detection_cell(detections[column]));
     table.rows.push_back(std::move(row));
   }

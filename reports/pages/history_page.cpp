@@ -56,6 +56,7 @@ std::vector<Change> changes_of(const std::vector<Series>& all) {
 }
 
 std::string date(const Night& night) { return night.finished_at.substr(0, 10); }
+std::string revision(const Night& night) { return "<code>" + escape(night.revision) + "</code>"; }
 
 /// "L2 v_x [%]" -> "L2 v_x, M2, 1 s".
 std::string subject(const Series& s) {
@@ -71,20 +72,20 @@ std::string case_link(const std::string& name, const std::vector<CaseRecords>& t
   return fmt::format("<a href=\"{}/index.html\">{}</a>", name, escape(found->title()));
 }
 
-std::vector<HtmlCell> change_row(const Group& group, const History& history) {
+HtmlRow change_row(const Group& group, const History& history) {
   const auto& [series, step] = group.front();
   const std::string more = group.size() == 1 ? "" : fmt::format(" <small>and {} more</small>", group.size() - 1);
   const Night& night = history.nights[step.night];
   const double ratio = step.after / step.before;
   const bool fails = std::ranges::any_of(group, [](const Change& c) { return c.series->points[c.step.night].fails; });
-  return {{date(night)},
-          {"<code>" + escape(night.revision) + "</code>"},
-          {escape(series->case_name)},
-          {escape(series->method)},
-          {subject(*series) + more, "words"},
+  return {date(night),
+          revision(night),
+          escape(series->case_name),
+          escape(series->method),
+          words_cell(subject(*series) + more),
           number_cell(step.before),
-          {printed(step.after), fails ? "number fails" : "number"},
-          std::isfinite(ratio) ? number_cell(ratio) : HtmlCell{"–", "number"}};
+          HtmlCell(printed(step.after), fails ? "number fails" : "number"),
+          HtmlCell(std::isfinite(ratio) ? printed(ratio) : "–", "number")};
 }
 
 std::string changes_html(const std::vector<Change>& changes, const History& history) {
@@ -92,15 +93,7 @@ std::string changes_html(const std::vector<Change>& changes, const History& hist
   HtmlTable table{"What changed.",
                   "Newest first, a line per method and night: the value that went furthest, its level before, its "
                   "first value after it, and their ratio; in red where a claim fails.",
-                  {{"night"},
-                   {"revision"},
-                   {"case"},
-                   {"method"},
-                   {"quantity"},
-                   {"before", "number"},
-                   {"after", "number"},
-                   {"ratio", "number"}},
-                  {}};
+                  {"night", "revision", "case", "method", "quantity", "before", "after", "ratio"}};
   const auto groups = grouped(changes);
   for (const Group& group : groups | std::views::take(most_changes_listed))
     table.rows.push_back(change_row(group, history));
@@ -152,12 +145,7 @@ std::string last_value(const Series& series) {
 
 /// Lowest and highest over the nights, between which the curve is drawn; nothing for one that stays.
 std::string range_words(const Series& series) {
-  double low = INFINITY, high = -INFINITY;
-  for (const auto& point : series.points)
-    if (point.is_there && std::isfinite(point.value)) {
-      low = std::min(low, point.value);
-      high = std::max(high, point.value);
-    }
+  const auto [low, high] = series.range();
   if (!(low < high) || plain(low) == plain(high)) return "";
   return fmt::format("<span>of {} to {}</span>", printed(low), printed(high));
 }
@@ -173,7 +161,7 @@ std::string last_step(const Series& series, const History& history) {
   if (series.steps.empty()) return "";
   const Step& step = series.steps.back();
   const Night& night = history.nights[step.night];
-  return fmt::format("<span class=\"step\">step {}, <code>{}</code></span>", date(night), escape(night.revision));
+  return fmt::format("<span class=\"step\">step {}, {}</span>", date(night), revision(night));
 }
 
 std::string multiple(const Series& series, const History& history) {
@@ -200,35 +188,26 @@ std::string multiples(const std::vector<const Series*>& drawn, const History& hi
   return drawn.empty() ? "" : html + "</div>\n</section>\n";
 }
 
-std::vector<HtmlCell> night_row(std::size_t number, const Night& night) {
+HtmlRow night_row(std::size_t number, const Night& night) {
   Tally sum;
   for (const auto& verdict : night.verdicts) sum.add(verdict.outcome);
   double cpu = 0;  // s
   for (const auto& run : night.runs) cpu += run.cpu;
-  return {number_cell(static_cast<long>(number + 1)),
-          {escape(night.finished_at)},
-          {"<code>" + escape(night.revision) + "</code>"},
-          number_cell(static_cast<long>(sum.holds)),
-          {printed(static_cast<long>(sum.fails)), sum.fails > 0 ? "number fails" : "number"},
-          number_cell(static_cast<long>(sum.inconclusive)),
+  return {number_cell(number + 1),
+          escape(night.finished_at),
+          revision(night),
+          number_cell(sum.holds),
+          HtmlCell(printed(long{sum.fails}), sum.fails > 0 ? "number fails" : "number"),
+          number_cell(sum.inconclusive),
           number_cell(cpu),
-          {escape(night.compiler), "words"},
-          {escape(night.machine), "words"}};
+          words_cell(escape(night.compiler)),
+          words_cell(escape(night.machine))};
 }
 
 std::string nights_html(const History& history) {
   HtmlTable table{"Nights.",
                   "All that are kept, the newest first; CPU is the user time of all runs.",
-                  {{"no.", "number"},
-                   {"finished"},
-                   {"revision"},
-                   {"hold", "number"},
-                   {"fail", "number"},
-                   {"inconclusive", "number"},
-                   {"CPU [s]", "number"},
-                   {"compiler"},
-                   {"machine"}},
-                  {}};
+                  {"no.", "finished", "revision", "hold", "fail", "inconclusive", "CPU [s]", "compiler", "machine"}};
   for (std::size_t n = history.nights.size(); n-- > 0;) table.rows.push_back(night_row(n, history.nights[n]));
   return to_html(table);
 }
@@ -240,8 +219,6 @@ std::string names_of_nights(const History& history) {
     names += fmt::format("{}{} {}", names.empty() ? "" : ",", date(night), escape(night.revision));
   return names;
 }
-
-std::string plain_or_empty(double value) { return std::isnan(value) ? "" : plain(value); }
 
 const std::string how_to_read =
     "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and value. An orange "

@@ -24,9 +24,8 @@ std::string counts(const Tally& t) {
 // A method of a case and how many of its claims hold, "mpm 34/34".
 std::string method_entry(const vnv::Record& record) {
   const Tally sum = tally(record.verdicts);
-  const std::string kind = sum.total() == 0 ? "inconclusive" : std::string(word(sum.worst()));
-  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), kind, sum.holds,
-                     sum.total());
+  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), word(sum.worst()),
+                     sum.holds, sum.total());
 }
 
 /// Whether all that fails in a case is known to.
@@ -45,32 +44,30 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing
   HtmlTable table{"Cases.",
                   "The smallest margin is the fraction of its limit that is left to the claim closest to it; beside "
                   "each method, how many of its claims hold.",
-                  {{"case"}, {"claims"}, {"smallest margin"}, {"methods"}},
-                  {}};
+                  {"case", "claims", "smallest margin", "methods"}};
   for (const auto& records : cases) {
     const Tally sum = tally(verdicts_of(records));
     std::string methods;
     for (const auto& record : records.records) methods += method_entry(record);
     const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
     table.rows.push_back(
-        {{fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title())), "words"},
-         counts_cell(sum, records.name, standing),
-         {has_margin ? margin_bar(sum.worst_margin) : ""},
-         {"<div class=\"methods\">" + methods + "</div>", "words"}});
+        {words_cell(fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title()))),
+         counts_cell(sum, records.name, standing), has_margin ? margin_bar(sum.worst_margin) : "",
+         words_cell("<div class=\"methods\">" + methods + "</div>")});
   }
   return to_html(table);
 }
 
-// Records made in the same place share a line.
+// Records made in the same place stand in one line.
 using Place = std::array<std::string, 4>;
 
-std::vector<HtmlCell> place_row(const Place& place, const std::set<std::string>& times, long records) {
+HtmlRow place_row(const Place& place, const std::set<std::string>& times, long records) {
   const std::string until = times.size() > 1 ? " to " + escape(*times.rbegin()) : "";
-  return {{escape(place[0]), "words"},
-          {escape(place[1]), "words"},
-          {"<code>" + escape(place[2]) + "</code>", "words"},
-          {escape(place[3]), "words"},
-          {escape(*times.begin()) + until, "words"},
+  return {words_cell(escape(place[0])),
+          words_cell(escape(place[1])),
+          words_cell("<code>" + escape(place[2]) + "</code>"),
+          words_cell(escape(place[3])),
+          words_cell(escape(*times.begin()) + until),
           number_cell(records)};
 }
 
@@ -84,8 +81,7 @@ std::string environment(const std::vector<CaseRecords>& cases) {
     }
   HtmlTable table{"Environment.",
                   "Where and from what the records were made.",
-                  {{"revision"}, {"compiler"}, {"flags"}, {"machine"}, {"finished"}, {"records", "number"}},
-                  {}};
+                  {"revision", "compiler", "flags", "machine", "finished", "records"}};
   for (const auto& [place, made] : finished) table.rows.push_back(place_row(place, made.first, made.second));
   return to_html(table);
 }
@@ -103,11 +99,6 @@ std::string known_words(const Standing& standing) {
   if (!standing.unexpected_passes.empty())
     words += fmt::format(" {} known to fail, but passed.", standing.unexpected_passes.size());
   return words;
-}
-
-std::vector<vnv::Verdict> inconclusive(std::vector<vnv::Verdict> verdicts) {
-  std::erase_if(verdicts, [](const vnv::Verdict& v) { return v.outcome != vnv::Outcome::inconclusive; });
-  return verdicts;
 }
 
 std::string orders_link(const std::vector<CaseRecords>& cases) {
@@ -159,7 +150,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
-      complaints(inconclusive(verdicts)), table_of_cases(cases, standing),
+      list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, standing),
       verdicts_link + orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
   return html_page("Touchstone", "", body);
 }

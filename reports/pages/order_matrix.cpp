@@ -43,7 +43,7 @@ std::string rounded(double value, const std::string& unit) {
   return valued(std::stod(fmt::format("{:.2g}", value)), unit);
 }
 
-/// Why a cell has no order, as the notes below the table tell.
+/// Why a cell has no order, as the notes below the table say.
 struct Reason {
   char letter;
   const char* words;
@@ -102,10 +102,10 @@ HtmlCell cheapest_cell(const Flow& flow) {
           "best"};
 }
 
-HtmlCell heading(const Flow& flow) {
-  return {fmt::format("<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(),
-                      escape(flow.records->title()), typeset(vnv::with_heading(flow.comparison.subject.quantity).name),
-                      printed(flow.comparison.subject.time))};
+std::string heading(const Flow& flow) {
+  return fmt::format("<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(),
+                     escape(flow.records->title()), typeset(vnv::with_heading(flow.comparison.subject.quantity).name),
+                     printed(flow.comparison.subject.time));
 }
 
 std::string notes_html(const std::set<char>& used) {
@@ -122,16 +122,15 @@ std::string matrix(const std::string& title, Field field, const std::vector<Case
                   "Observed order with its 95\u202f% interval, linked to its figure, and the floor of the errors where "
                   "one was found. Last row: the fewest CPU seconds to an error, the smallest that two methods reach, "
                   "and what the next method takes; ≤ if its cheapest run is better already.",
-                  {{"method"}},
-                  {}};
+                  {"method"}};
   for (const auto& flow : flows) table.columns.push_back(heading(flow));
   std::set<char> notes;
   for (const auto& method : methods_in(flows)) {
-    std::vector<HtmlCell> row{{escape(method)}};
+    HtmlRow row{escape(method)};
     for (const auto& flow : flows) row.push_back(cell(flow, method, notes));
     table.rows.push_back(std::move(row));
   }
-  std::vector<HtmlCell> last{{"cheapest", "best"}};
+  HtmlRow last{HtmlCell("cheapest", "best")};
   for (const auto& flow : flows) last.push_back(cheapest_cell(flow));
   table.rows.push_back(std::move(last));
   return fmt::format("<div class=\"wide matrix\">\n{}{}</div>\n", to_html(table), notes_html(notes));

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using files::write_whole;
 
 // Publishing removes the former site, and what is kept inside would go with it.
-void want_apart(const fs::path& kept, const char* what, const fs::path& site) {
+void require_apart(const fs::path& kept, const char* what, const fs::path& site) {
   const fs::path inner = fs::weakly_canonical(kept), outer = fs::weakly_canonical(site);
   const auto [end_of_outer, _] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
   if (end_of_outer == outer.end())
@@ -73,7 +73,7 @@ void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::p
 
 Standing make_site(const fs::path& records, const fs::path& site, const Memory& memory) {
   auto cases = read_cases(records);
-  want_apart(records, "records", site);
+  require_apart(records, "records", site);
   const auto known =
       memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
   const Standing tonight = standing(cases, known, date_of(cases));
@@ -81,7 +81,7 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
   if (!memory.faults.empty()) faults = read_fault_trials(memory.faults);
   std::optional<History> history;
   if (!memory.history.empty()) {
-    want_apart(memory.history, "nights", site);
+    require_apart(memory.history, "nights", site);
     const Night night = night_of(cases);
     write_night(night, memory.history);
     history = read_history(memory.history, night.suite);

@@ -18,7 +18,7 @@ struct Memory {
 /// The night joins its history before any page is drawn. Says how its failures stand beside the known ones.
 /// Without gnuplot the tables are still written, and GnuplotMissing is thrown.
 /// Throws std::runtime_error if records, known failures or faults cannot be read, figures cannot be drawn or the site
-/// cannot be written, and programs::Interrupted if this program is told to end.
+/// cannot be written, and programs::Interrupted if this program is asked to end.
 Standing make_site(const std::filesystem::path& records, const std::filesystem::path& site, const Memory& memory = {});
 
 }  // namespace touchstone::reports

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using files::neighbour;
 using files::remove_what_the_killed_left;
 
-void want(const std::error_code& cause, const fs::path& place) {
+void require_written(const std::error_code& cause, const fs::path& place) {
   if (cause) throw std::runtime_error(fmt::format("{}: cannot be written: {}", place.string(), cause.message()));
 }
 
@@ -43,7 +43,7 @@ Staging::Staging(fs::path site) : site_(plain_path(site)), folder_(neighbour(sit
         fmt::format("{}: is there and is no site, expected a new, an empty or a former one", site.string()));
   std::error_code cause;
   fs::create_directories(folder_, cause);
-  want(cause, site);
+  require_written(cause, site);
 }
 
 Staging::~Staging() {
@@ -58,7 +58,7 @@ void Staging::publish() {
     fs::rename(site_, former, ignored);
     fs::rename(folder_, site_, cause);
     if (cause) fs::rename(former, site_, ignored);
-    want(cause, site_);
+    require_written(cause, site_);
     fs::remove_all(former, ignored);
   }
   remove_what_the_killed_left(site_);
@@ -67,9 +67,9 @@ void Staging::publish() {
 void Staging::publish_file(const std::string& name) {
   std::error_code cause;
   fs::create_directories(site_, cause);
-  want(cause, site_);
+  require_written(cause, site_);
   fs::rename(folder_ / name, site_ / name, cause);
-  want(cause, site_ / name);
+  require_written(cause, site_ / name);
 }
 
 }  // namespace touchstone::reports

@@ -8,7 +8,7 @@
 
 namespace touchstone::reports {
 
-/// A folder beside another, in which that other is made anew; what is not published is removed. What tells this program
+/// A folder beside another, in which that other is made anew; what is not published is removed. What asks this program
 /// to end waits so long, or until it is asked for.
 class Staging {
  public:
@@ -20,7 +20,7 @@ class Staging {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Throws programs::Interrupted if this program was told to end.
+  /// Throws programs::Interrupted if this program was asked to end.
   void stop_if_told() const { held_.stop_if_told(site_.string()); }
   /// The staged folder takes the place of the site, which is removed; where the system can, in one step, so that there
   /// is a whole site whenever this is killed.

@@ -10,46 +10,30 @@
 namespace touchstone::reports {
 namespace {
 
-HtmlCell optional_number(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
-
 // The case stands first on the page of all of them.
-std::vector<HtmlCell> heading() {
-  return {{"outcome"},
-          {"method"},
-          {"level"},
-          {"spacing [mm]", "number"},
-          {"quantity"},
-          {"time [s]", "number"},
-          {"value", "number"},
-          {"limit", "number"},
-          {"margin", "number"},
-          {"limit set by"}};
-}
+const std::vector<std::string> columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
+                                       "time [s]", "value",  "limit", "margin",       "limit set by"};
 
-std::vector<HtmlCell> verdict_row(const vnv::Verdict& v) {
+/// May break after an underscore.
+std::string name_html(const std::string& name) { return replaced(escape(name), "_", "_<wbr>"); }
+
+HtmlRow verdict_row(const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
   return {outcome_cell(v.outcome),
-          {escape(v.method)},
-          {escape(v.level)},
-          optional_number(v.spacing * 1e3),
-          {typeset(v.quantity), "words"},
-          optional_number(v.time),
-          {valued(v.value, v.unit), "number"},
-          {printed_limit(v.lower, v.upper) + unit, "number limit"},
-          {has_margin(v) ? margin_bar(v.margin) : "", "number"},
-          {escape(v.author), "words"}};
+          name_html(v.method),
+          level_cell(v.level),
+          number_or_blank_cell(v.spacing * 1e3),
+          words_cell(typeset(v.quantity)),
+          number_or_blank_cell(v.time),
+          HtmlCell(valued(v.value, v.unit), "number"),
+          HtmlCell(printed_limit(v.lower, v.upper) + unit, "number limit"),
+          HtmlCell(has_margin(v) ? margin_bar(v.margin) : "", "number"),
+          words_cell(escape(v.author))};
 }
 
 constexpr const char* caption =
     "The margin is the fraction of the limit that is left; negative where the claim fails. Who set a limit stands beside "
     "it.";
-
-std::string complaint_list(const std::vector<vnv::Verdict>& verdicts, vnv::Outcome outcome) {
-  std::string items;
-  for (const auto& verdict : verdicts)
-    if (verdict.outcome == outcome) items += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
-  return html_list(word(outcome), items);
-}
 
 }  // namespace
 
@@ -70,25 +54,28 @@ std::string margin_bar(double margin) {
                      100 * filled, in_percent(margin));
 }
 
-std::string complaints(const std::vector<vnv::Verdict>& verdicts) {
-  return complaint_list(verdicts, vnv::Outcome::fails) + complaint_list(verdicts, vnv::Outcome::inconclusive);
+std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts) {
+  std::string items;
+  for (const auto& verdict : verdicts)
+    if (verdict.outcome == outcome) items += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
+  return html_list(word(outcome), items);
 }
 
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
-  HtmlTable table{"Claims.", caption, heading()};
+  HtmlTable table{"Claims.", caption, columns};
   for (const auto& verdict : verdicts) table.rows.push_back(verdict_row(verdict));
   return to_html(table);
 }
 
 std::string verdicts_page(const std::vector<CaseRecords>& cases) {
-  HtmlTable table{"Claims of all cases.", caption, heading()};
-  table.columns.insert(table.columns.begin(), {"case"});
-  for (const auto& records : cases)
-    for (const auto& verdict : verdicts_of(records)) {
-      table.rows.push_back(verdict_row(verdict));
-      table.rows.back().insert(table.rows.back().begin(),
-                               {fmt::format("<a href=\"{0}/index.html\">{0}</a>", records.name)});
-    }
+  HtmlTable table{"Claims of all cases.", caption, columns};
+  table.columns.insert(table.columns.begin(), "case");
+  for_each(cases, &vnv::Record::verdicts, [&](const vnv::Record& record, const vnv::Verdict& verdict) {
+    HtmlRow row = verdict_row(verdict);
+    row.emplace(row.begin(),
+                fmt::format("<a href=\"{}/index.html\">{}</a>", record.case_name, name_html(record.case_name)));
+    table.rows.push_back(std::move(row));
+  });
   const Tally sum = tally(verdicts_of(cases));
   return html_page_beside_index(
       "Verdicts", "verdicts", fmt::format("<p class=\"sum {}\">{}</p>\n", word(sum.worst()), sentence(sum)),

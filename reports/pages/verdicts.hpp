@@ -18,8 +18,8 @@ HtmlCell outcome_cell(vnv::Outcome outcome);
 /// "23 %" with a bar of that fraction of the limit; negative and the other colour if the claim fails.
 std::string margin_bar(double margin);
 
-/// The sentences of all claims that fail, then of those that are inconclusive. Empty if all hold.
-std::string complaints(const std::vector<vnv::Verdict>& verdicts);
+/// The sentences of all claims of this outcome; empty without any.
+std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts);
 
 /// Every claim with value, limit, author and margin; empty without claims.
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts);

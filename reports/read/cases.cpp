@@ -24,7 +24,7 @@ std::vector<fs::path> record_files(const fs::path& folder) {
 }
 
 // Names become names of files and folders, and parts of a shell's command.
-void want_file_name(const std::string& name, const char* what, const fs::path& file) {
+void require_file_name(const std::string& name, const char* what, const fs::path& file) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (!name.empty() && std::all_of(name.begin(), name.end(), fits)) return;
   throw std::runtime_error(
@@ -33,41 +33,39 @@ void want_file_name(const std::string& name, const char* what, const fs::path& f
 
 vnv::Record read_checked(const fs::path& file) {
   vnv::Record record = vnv::read_record(file);
-  want_file_name(record.case_name, "case", file);
-  for (const auto& figure : record.figures) want_file_name(figure.id, "figure", file);
-  for (const auto& diagram : record.diagrams) want_file_name(diagram.id, "diagram", file);
+  require_file_name(record.case_name, "case", file);
+  for (const auto& figure : record.figures) require_file_name(figure.id, "figure", file);
+  for (const auto& diagram : record.diagrams) require_file_name(diagram.id, "diagram", file);
   return record;
 }
 
 // A curve without a figure would vanish in silence, and so would a curve in a figure of clouds.
 void check_figures(const CaseRecords& all) {
-  std::set<std::string> known, of_curves;
-  for (const auto& figure : figures_of(all)) known.insert(figure.id);
-  const auto check = [&](const std::string& id, bool fits) {
-    if (!fits)
+  std::set<std::string> declared, of_curves;
+  for_each(all, &vnv::Record::figures, [&](const auto&, const auto& figure) { declared.insert(figure.id); });
+  for_each(all, &vnv::Record::curves, [&](const auto&, const auto& curve) { of_curves.insert(curve.figure); });
+  const auto check_declared = [&](const auto&, const auto& mark) {
+    if (!declared.contains(mark.figure))
       throw std::runtime_error(
-          fmt::format("case {}: figure '{}' has curves and clouds, expected one kind", all.name, id));
-    if (!known.contains(id))
-      throw std::runtime_error(
-          fmt::format("case {}: curves or clouds name figure '{}', which no record declares", all.name, id));
+          fmt::format("case {}: curves or clouds name figure '{}', which no record declares", all.name, mark.figure));
   };
-  for (const auto& record : all.records)
-    for (const auto& curve : record.curves) {
-      check(curve.figure, true);
-      of_curves.insert(curve.figure);
-    }
-  for (const auto& record : all.records)
-    for (const auto& cloud : record.clouds) check(cloud.figure, !of_curves.contains(cloud.figure));
+  for_each(all, &vnv::Record::curves, check_declared);
+  for_each(all, &vnv::Record::clouds, check_declared);
+  for_each(all, &vnv::Record::clouds, [&](const auto&, const auto& cloud) {
+    if (of_curves.contains(cloud.figure))
+      throw std::runtime_error(
+          fmt::format("case {}: figure '{}' has curves and clouds, expected one kind", all.name, cloud.figure));
+  });
 }
 
 // Rows of all methods are joined under one heading.
 void check_tables(const CaseRecords& all) {
   std::map<std::string, std::vector<std::string>> columns;
-  for (const auto& record : all.records)
-    for (const auto& table : record.tables)
-      if (columns.try_emplace(table.id, table.columns).first->second != table.columns)
-        throw std::runtime_error(fmt::format(
-            "case {}: the columns of table '{}' differ between its records, expected the same", all.name, table.id));
+  for_each(all, &vnv::Record::tables, [&](const auto&, const auto& table) {
+    if (columns.try_emplace(table.id, table.columns).first->second != table.columns)
+      throw std::runtime_error(fmt::format(
+          "case {}: the columns of table '{}' differ between its records, expected the same", all.name, table.id));
+  });
 }
 
 }  // namespace
@@ -119,36 +117,14 @@ Tally tally(const std::vector<vnv::Verdict>& verdicts) {
   return sum;
 }
 
-std::vector<vnv::Verdict> verdicts_of(const CaseRecords& records) {
-  std::vector<vnv::Verdict> all;
-  for (const auto& record : records.records) all.insert(all.end(), record.verdicts.begin(), record.verdicts.end());
-  return all;
-}
-
-std::vector<vnv::Verdict> verdicts_of(const std::vector<CaseRecords>& cases) {
-  std::vector<vnv::Verdict> all;
-  for (const auto& records : cases) std::ranges::copy(verdicts_of(records), std::back_inserter(all));
-  return all;
-}
-
-std::vector<vnv::Figure> figures_of(const CaseRecords& records) {
-  std::vector<vnv::Figure> figures;
-  for (const auto& record : records.records)
-    for (const auto& figure : record.figures)
-      if (std::ranges::find(figures, figure.id, &vnv::Figure::id) == figures.end()) figures.push_back(figure);
-  return figures;
-}
-
 std::vector<vnv::Table> tables_of(const CaseRecords& records) {
-  std::vector<vnv::Table> tables;
-  for (const auto& record : records.records)
-    for (const auto& table : record.tables) {
-      const auto known = std::ranges::find(tables, table.id, &vnv::Table::id);
-      if (known == tables.end())
-        tables.push_back(table);
-      else
-        known->rows.insert(known->rows.end(), table.rows.begin(), table.rows.end());
-    }
+  std::vector<vnv::Table> tables = each_once(records, &vnv::Record::tables);
+  for (vnv::Table& table : tables) {
+    table.rows.clear();
+    for_each(records, &vnv::Record::tables, [&](const auto&, const vnv::Table& part) {
+      if (part.id == table.id) std::ranges::copy(part.rows, std::back_inserter(table.rows));
+    });
+  }
   return tables;
 }
 

@@ -3,6 +3,7 @@
 
 #include "vnv/record/record.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,25 @@ struct CaseRecords {
 
   const std::string& title() const { return records.front().title; }
 };
+
+/// Calls `visit(record, item)` for each of these items, `&vnv::Record::runs`, of all records, in their order.
+void for_each(const CaseRecords& records, auto items, const auto& visit) {
+  for (const vnv::Record& record : records.records)
+    for (const auto& item : record.*items) visit(record, item);
+}
+void for_each(const std::vector<CaseRecords>& cases, auto items, const auto& visit) {
+  for (const CaseRecords& records : cases) for_each(records, items, visit);
+}
+
+/// The items of all records that have an id, `&vnv::Record::figures`, each id once.
+template <class Item>
+std::vector<Item> each_once(const CaseRecords& records, std::vector<Item> vnv::Record::*items) {
+  std::vector<Item> found;
+  for_each(records, items, [&](const auto&, const Item& item) {
+    if (std::ranges::find(found, item.id, &Item::id) == found.end()) found.push_back(item);
+  });
+  return found;
+}
 
 /// Every *.json of a folder, by case and then by file name.
 /// Throws std::runtime_error, naming the file, if the folder is not there or empty of records, if one cannot be read,
@@ -42,13 +62,14 @@ struct Tally {
 };
 Tally tally(const std::vector<vnv::Verdict>& verdicts);
 
-/// All verdicts of a case, in the order of its records.
-std::vector<vnv::Verdict> verdicts_of(const CaseRecords& records);
-/// The same of all cases.
-std::vector<vnv::Verdict> verdicts_of(const std::vector<CaseRecords>& cases);
+/// All verdicts of a case, or of all cases, in the order of the records.
+std::vector<vnv::Verdict> verdicts_of(const auto& cases) {
+  std::vector<vnv::Verdict> all;
+  for_each(cases, &vnv::Record::verdicts, [&](const auto&, const vnv::Verdict& verdict) { all.push_back(verdict); });
+  return all;
+}
 
-/// Figures and tables of a case, each id once, in order of appearance.
-std::vector<vnv::Figure> figures_of(const CaseRecords& records);
+/// Tables of a case, each id once with the rows of all its records.
 std::vector<vnv::Table> tables_of(const CaseRecords& records);
 
 }  // namespace touchstone::reports

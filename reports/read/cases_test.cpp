@@ -41,7 +41,8 @@ TEST_F(Cases, JoinTheMethodsOfACase) {
 }
 
 TEST_F(Cases, DeclareAFigureOnce) {
-  EXPECT_EQ(figures_of({"poiseuille", {sample_record("mpm"), sample_record("sph")}}).size(), 1u);
+  const CaseRecords records{"poiseuille", {sample_record("mpm"), sample_record("sph")}};
+  EXPECT_EQ(each_once(records, &vnv::Record::figures).size(), 1u);
 }
 
 TEST_F(Cases, JoinTheRowsOfATable) {

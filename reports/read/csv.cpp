@@ -4,15 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace touchstone::reports {
 namespace {
 
-std::string number(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.6g}", value); }
-std::string number_or_empty(double value) { return std::isnan(value) ? "" : number(value); }
+std::string number(double value) { return plain(value, 6); }
+std::string number_or_empty(double value) { return plain_or_empty(value, 6); }
 
-std::string verdict_line(const vnv::Verdict& v) {
+std::string verdict_line(const vnv::Record&, const vnv::Verdict& v) {
   return csv_line({v.case_name, v.method, v.level, number_or_empty(v.spacing), number_or_empty(v.time),
                    with_unit(v.quantity, v.unit), number(v.value), limit(v.lower, v.upper), v.author, word(v.outcome)});
 }
@@ -35,45 +33,41 @@ std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
                    number(c.per_particle_step() * 1e9)});
 }
 
+/// A heading, and a line of each item of all records.
+std::string table(const std::vector<CaseRecords>& cases, auto items, const auto& line, std::string heading) {
+  for_each(cases, items, [&](const auto& record, const auto& item) { heading += line(record, item); });
+  return heading;
+}
+
 }  // namespace
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted;
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return fmt::format("\"{}\"", quoted);
+  return fmt::format("\"{}\"", replaced(text, "\"", "\"\""));
 }
 
 std::string csv_line(const std::vector<std::string>& fields) {
   std::string line;
   for (const auto& field : fields) line += csv_field(field) + ',';
-  if (!line.empty()) line.pop_back();
-  return line + '\n';
+  line.back() = '\n';
+  return line;
 }
 
 std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
-  std::string csv = "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n";
-  for (const auto& records : cases)
-    for (const auto& verdict : verdicts_of(records)) csv += verdict_line(verdict);
-  return csv;
+  return table(cases, &vnv::Record::verdicts, verdict_line,
+               "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n");
 }
 
 std::string orders_csv(const std::vector<CaseRecords>& cases) {
-  std::string csv =
-      "case,method,ladder,quantity,time [s],spacings,finest spacing [m],finest error,order,half-width,trend,asymptotic,floor,half-width of floor,order to floor,half-width of order to floor\n";
-  for (const auto& records : cases)
-    for (const auto& record : records.records)
-      for (const auto& order : record.orders) csv += order_line(record, order);
-  return csv;
+  return table(
+      cases, &vnv::Record::orders, order_line,
+      "case,method,ladder,quantity,time [s],spacings,finest spacing [m],finest error,order,half-width,trend,asymptotic,floor,half-width of floor,order to floor,half-width of order to floor\n");
 }
 
 std::string cost_csv(const std::vector<CaseRecords>& cases) {
-  std::string csv =
-      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step\n";
-  for (const auto& records : cases)
-    for (const auto& record : records.records)
-      for (const auto& run : record.runs) csv += cost_line(record, run);
-  return csv;
+  return table(
+      cases, &vnv::Record::runs, cost_line,
+      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step\n");
 }
 
 }  // namespace touchstone::reports

@@ -63,7 +63,7 @@ TEST_F(SeededFaults, AreNoticedByTheTestWithTheLargestMarginIfAnyHasOne) {
   EXPECT_EQ(clearest("a,A,f,survived,,t.mpm,no,0.1,\n"), "none");
 }
 
-TEST_F(SeededFaults, ThatAreToldBadlyAreRefusedByTheirLine) {
+TEST_F(SeededFaults, ThatAreDescribedBadlyAreRefusedByTheirLine) {
   EXPECT_TRUE(contains(refusal("a,A,f,seen,,t,yes,,\n"), "trials.csv:5: conclusion 'seen', expected one such as"));
   EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,1,,\n"), "noticed '1', expected yes or no"));
   EXPECT_TRUE(contains(refusal("a,A,f,noticed,,t,yes,lots,\n"), "margin [-] 'lots', expected a number or nothing"));
@@ -116,7 +116,7 @@ TEST_F(SeededFaults, OfAPageAreListedWithTheTestsThatNoticed) {
   EXPECT_TRUE(contains(page(rows), "t.m3 <small class=\"fails\">−400\u202f%</small></span> <small>and 3 more</small>"));
 }
 
-TEST_F(SeededFaults, AreAMatrixOfMarginsInWhichUnitTestsOfARoomShareAColumn) {
+TEST_F(SeededFaults, AreAMatrixOfMarginsInWhichUnitTestsOfAModuleHaveOneColumn) {
   const std::string html = page(sample_fault_rows());
   EXPECT_TRUE(contains(html, "<th><span>flow.mpm</span></th>"));
   EXPECT_TRUE(contains(html, "<th><span>solvers, units</span></th>"));

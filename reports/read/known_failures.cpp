@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 
 namespace touchstone::reports {
 namespace {
@@ -18,16 +21,13 @@ const std::vector<std::string> columns{"id", "case", "method", "level", "quantit
 
 /// "2026-11-22"; nothing for a day that no calendar has.
 std::optional<std::chrono::sys_days> day_of(const std::string& date) {
-  int year = 0;
-  unsigned month = 0, day = 0;
-  const auto number = [&](std::size_t from, std::size_t length, auto& value) {
-    const char *first = date.data() + from, *last = first + length;
-    return std::from_chars(first, last, value).ptr == last;
-  };
-  if (date.size() != 10 || date[4] != '-' || date[7] != '-') return std::nullopt;
-  if (!number(0, 4, year) || !number(5, 2, month) || !number(8, 2, day)) return std::nullopt;
-  const std::chrono::year_month_day whole{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-  return whole.ok() ? std::optional(std::chrono::sys_days(whole)) : std::nullopt;
+  std::tm read{};
+  std::istringstream text(date);
+  text >> std::get_time(&read, "%Y-%m-%d");
+  const std::chrono::year_month_day day{std::chrono::year(read.tm_year + 1900), std::chrono::month(read.tm_mon + 1),
+                                        std::chrono::day(read.tm_mday)};
+  const bool is_whole = date.size() == 10 && text.peek() == EOF;
+  return day.ok() && is_whole ? std::optional(std::chrono::sys_days(day)) : std::nullopt;
 }
 
 KnownFailure failure_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
@@ -45,15 +45,12 @@ KnownFailure failure_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
   return {c[0], c[1], c[2], c[3], vnv::current_name(c[4]), c[5], c[6], c[7]};
 }
 
-bool name_the_same(const KnownFailure& a, const KnownFailure& b) {
-  return a.case_name == b.case_name && a.method == b.method && a.level == b.level && a.quantity == b.quantity;
-}
+auto claim(const KnownFailure& k) { return std::tie(k.case_name, k.method, k.level, k.quantity); }
 
 }  // namespace
 
 bool KnownFailure::covers(const vnv::Verdict& v) const {
-  return case_name == v.case_name && method == v.method && level == v.level &&
-         quantity == with_unit(v.quantity, v.unit);
+  return claim(*this) == std::tuple(v.case_name, v.method, v.level, with_unit(v.quantity, v.unit));
 }
 
 std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file) {
@@ -65,7 +62,7 @@ std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file)
     for (const KnownFailure& other : all) {
       if (other.id == known.id)
         throw vnv::BadData(file, row.line, fmt::format("id '{}' again, expected it once", known.id));
-      if (name_the_same(other, known))
+      if (claim(other) == claim(known))
         throw vnv::BadData(file, row.line, fmt::format("the same claim as '{}', expected it once", other.id));
     }
     all.push_back(std::move(known));
@@ -82,19 +79,18 @@ Standing standing(const std::vector<CaseRecords>& cases, const std::vector<Known
                   const std::string& today) {
   Standing result;
   std::vector<long> judged(known.size()), failed(known.size());
-  for (const auto& records : cases)
-    for (const auto& verdict : verdicts_of(records)) {
-      const auto row = std::ranges::find_if(known, [&](const KnownFailure& k) { return k.covers(verdict); });
-      const bool fails = verdict.outcome == vnv::Outcome::fails;
-      const bool excused = row != known.end() && !row->is_expired(today);
-      if (row != known.end()) {
-        ++judged[row - known.begin()];
-        failed[row - known.begin()] += fails;
-      }
-      if (!fails) continue;
-      (excused ? result.known : result.unknown).push_back(verdict);
-      if (excused) result.of_known.push_back(*row);
+  for (const auto& verdict : verdicts_of(cases)) {
+    const auto row = std::ranges::find_if(known, [&](const KnownFailure& k) { return k.covers(verdict); });
+    const bool fails = verdict.outcome == vnv::Outcome::fails;
+    const bool excused = row != known.end() && !row->is_expired(today);
+    if (row != known.end()) {
+      ++judged[row - known.begin()];
+      failed[row - known.begin()] += fails;
     }
+    if (!fails) continue;
+    (excused ? result.known : result.unknown).push_back(verdict);
+    if (excused) result.of_known.push_back(*row);
+  }
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (known[i].is_expired(today) && failed[i] > 0) result.expired.push_back(known[i]);
     if (judged[i] > 0 && failed[i] == 0) result.unexpected_passes.push_back(known[i]);

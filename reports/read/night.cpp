@@ -15,6 +15,7 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <tuple>
 
 namespace touchstone::reports {
 
@@ -182,17 +183,14 @@ std::vector<fs::path> night_files(const fs::path& folder) {
 }  // namespace
 
 Night night_of(const std::vector<CaseRecords>& cases) {
+  const auto circumstances = [](auto& of) {
+    return std::tie(of.suite, of.revision, of.compiler, of.flags, of.machine, of.finished_at);
+  };
   Night night;
   for (const auto& records : cases)
-    for (const auto& r : records.records) {
-      add(r, night);
-      if (r.finished_at <= night.finished_at) continue;
-      night.suite = r.suite;
-      night.revision = r.revision;
-      night.compiler = r.compiler;
-      night.flags = r.flags;
-      night.machine = r.machine;
-      night.finished_at = r.finished_at;
+    for (const auto& record : records.records) {
+      add(record, night);
+      if (record.finished_at > night.finished_at) circumstances(night) = circumstances(record);
     }
   if (night.finished_at.empty())
     throw std::runtime_error("no record says when it finished, expected the date of a night");

@@ -2,18 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <regex>
-#include <sstream>
 
 namespace touchstone::reports {
 namespace {
 
-std::string row(const std::vector<HtmlCell>& cells, std::string_view tag) {
+std::string row_html(const HtmlRow& cells, std::string_view tag) {
   std::string html;
   for (const auto& cell : cells)
     html += fmt::format("<{0}{1}>{2}</{0}>", tag, cell.kind.empty() ? "" : " class=\"" + cell.kind + "\"", cell.html);
   return fmt::format("<tr>{}</tr>\n", html);
+}
+
+HtmlRow head(const HtmlTable& table) {
+  HtmlRow cells;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool is_of_numbers = std::ranges::any_of(table.rows, [&](const HtmlRow& row) { return row[i].is_number(); });
+    cells.emplace_back(table.columns[i], is_of_numbers ? "number" : "");
+  }
+  return cells;
 }
 
 }  // namespace
@@ -47,20 +56,9 @@ std::string typeset(std::string_view text) {
 }
 
 std::string paragraphs(std::string_view text) {
-  std::istringstream lines{std::string(text)};
-  std::string html, paragraph;
-  const auto close = [&] {
-    if (!paragraph.empty()) html += fmt::format("<p>{}</p>\n", typeset(paragraph));
-    paragraph.clear();
-  };
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos)
-      close();
-    else
-      paragraph += (paragraph.empty() ? "" : "\n") + line;
-  }
-  close();
-  return html;
+  static const std::regex blank_lines(R"(\n([ \t\r]*\n)+)");
+  const std::string whole = boost::algorithm::trim_copy(std::string(text));
+  return whole.empty() ? "" : fmt::format("<p>{}</p>\n", std::regex_replace(typeset(whole), blank_lines, "</p>\n<p>"));
 }
 
 std::string html_list(std::string_view kind, const std::string& items) {
@@ -70,12 +68,12 @@ std::string html_list(std::string_view kind, const std::string& items) {
 std::string to_html(const HtmlTable& table) {
   if (table.rows.empty()) return "";
   std::string body;
-  for (const auto& cells : table.rows) body += row(cells, "td");
+  for (const auto& cells : table.rows) body += row_html(cells, "td");
   return fmt::format(
       "<div class=\"table\">\n<p class=\"caption\"><b>{}</b> {}</p>\n"
       "<div class=\"scroll\" "
       "tabindex=\"0\">\n<table>\n<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n</div>\n",
-      table.title, table.caption, row(table.columns, "th"), body);
+      table.title, table.caption, row_html(head(table), "th"), body);
 }
 
 std::string html_page(std::string_view title, std::string_view root, std::string_view body) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace touchstone::reports {
@@ -30,17 +31,23 @@ std::string html_list(std::string_view kind, const std::string& items);
 /// A cell of a table: finished HTML and the class by which the style sheet knows it.
 struct HtmlCell {
   std::string html;
-  std::string kind{};  // "number", "holds", ...; empty for words
+  std::string kind;  // "number", "holds", ...; empty for text on one line
 
+  HtmlCell(std::string its_html = "", std::string its_kind = "")
+      : html(std::move(its_html)), kind(std::move(its_kind)) {}
+  bool is_number() const { return kind.starts_with("number"); }
   bool operator==(const HtmlCell&) const = default;
 };
+using HtmlRow = std::vector<HtmlCell>;
+
+/// A cell of words, which may take several lines.
+inline HtmlCell words_cell(std::string html) { return {std::move(html), "words"}; }
 
 /// A table with rules above and below, in a box of its own that scrolls where the page is narrower.
 struct HtmlTable {
-  std::string title;    // finished HTML
-  std::string caption;  // finished HTML
-  std::vector<HtmlCell> columns;
-  std::vector<std::vector<HtmlCell>> rows{};
+  std::string title, caption;        // finished HTML
+  std::vector<std::string> columns;  // finished HTML; a heading is aligned as the numbers below it
+  std::vector<HtmlRow> rows{};
 };
 /// Empty for a table without rows.
 std::string to_html(const HtmlTable& table);

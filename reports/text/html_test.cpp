@@ -29,13 +29,13 @@ TEST(Html, BlankLinesPartParagraphs) {
   EXPECT_EQ(paragraphs("\n"), "");
 }
 
-TEST(Html, ATableKeepsEveryCell) {
-  const std::string html = to_html({"Norms.", "", {{"level"}, {"L2", "number"}}, {{{"M1"}, {"3.34", "number"}}}});
+TEST(Html, ATableKeepsEveryCellAndAlignsAHeadingAsItsNumbers) {
+  const std::string html = to_html({"Norms.", "", {"level", "L2"}, {{HtmlCell("M1"), HtmlCell("3.34", "number")}}});
   EXPECT_NE(html.find("<th>level</th><th class=\"number\">L2</th>"), std::string::npos) << html;
   EXPECT_NE(html.find("<td>M1</td><td class=\"number\">3.34</td>"), std::string::npos) << html;
 }
 
-TEST(Html, ATableWithoutRowsIsNone) { EXPECT_EQ(to_html({"Norms.", "", {{"level"}}}), ""); }
+TEST(Html, ATableWithoutRowsIsNone) { EXPECT_EQ(to_html({"Norms.", "", {"level"}}), ""); }
 
 }  // namespace
 }  // namespace touchstone::reports

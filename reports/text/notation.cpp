@@ -31,15 +31,18 @@ std::string with_power(const std::string& number) {
 std::string interval(double lower, double upper) {
   std::string from = plain(lower), to = plain(upper);
   for (int digits = 5; from == to && lower < upper && digits <= 17; ++digits) {
-    from = fmt::format("{:.{}g}", lower, digits);
-    to = fmt::format("{:.{}g}", upper, digits);
+    from = plain(lower, digits);
+    to = plain(upper, digits);
   }
   return fmt::format("in [{}, {}]", from, to);
 }
 
 }  // namespace
 
-std::string plain(double value) { return std::isnan(value) ? "nan" : fmt::format("{:.4g}", value); }
+std::string plain(double value, int digits) {
+  return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, digits);
+}
+std::string plain_or_empty(double value, int digits) { return std::isnan(value) ? "" : plain(value, digits); }
 
 std::string printed(double value) {
   if (!std::isfinite(value)) return fmt::format("<span class=\"nan\">{}</span>", with_minus(plain(value)));
@@ -61,7 +64,9 @@ std::string in_percent(double fraction) {
 }
 
 HtmlCell number_cell(double value) { return {printed(value), "number"}; }
-HtmlCell number_cell(long count) { return {printed(count), "number"}; }
+HtmlCell number_or_blank_cell(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
+
+HtmlCell level_cell(const std::string& level) { return {escape(level), level.size() > 16 ? "words" : ""}; }
 
 std::string limit(std::optional<double> lower, std::optional<double> upper) {
   if (lower && upper) return interval(*lower, *upper);
