@@ -37,20 +37,6 @@ std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted;
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return fmt::format("\"{}\"", quoted);
-}
-
-std::string csv_line(const std::vector<std::string>& fields) {
-  std::string line;
-  for (const auto& field : fields) line += csv_field(field) + ',';
-  if (!line.empty()) line.pop_back();
-  return line + '\n';
-}
-
 std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
   std::string csv = "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n";
   for (const auto& records : cases)
