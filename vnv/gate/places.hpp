@@ -11,11 +11,11 @@ namespace touchstone::gate {
 /// Times agree to nine digits, since a run may reach 0.1 s in many steps; two that are not numbers agree.
 bool same_time(double a, double b);
 
-/// The error at the place of another, or null.
-const vnv::Value* find_value(const vnv::Record& record, const vnv::Value& other);
+/// Whether two values are of one quantity, level and time.
+bool is_same_value(const vnv::Value& a, const vnv::Value& b);
 
 /// How far an error may move [its own unit]: half the width between the limits of its baseline, the narrowest of them;
 /// nothing where it has none.
-std::optional<double> room_of(const vnv::Value& error, const vnv::Record& record);
+std::optional<double> tolerance_of(const vnv::Value& error, const vnv::Record& record);
 
 }  // namespace touchstone::gate
