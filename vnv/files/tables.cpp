@@ -1,6 +1,7 @@
 #include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
+#define CSV_IO_NO_THREAD  // tables are small
 #include <libfccp/csv.h>
 
 #include <algorithm>

@@ -104,7 +104,7 @@ double explained_by_tolerance(const ObservedOrder& order, const Record& record) 
 
 void compare_orders_of(const Record& before, const Record& after, std::vector<Difference>& found) {
   const auto is_same = [](const ObservedOrder& a, const ObservedOrder& b) {
-    return a.ladder == b.ladder && a.quantity == b.quantity && same_time(a.time, b.time);
+    return a.ladder == b.ladder && a.quantity == b.quantity && vnv::same_time(a.time, b.time);
   };
   const auto place = [&](const ObservedOrder& order, const ObservedOrder*) {
     Difference d = of_method(before, Kind::order, fmt::format("order of {} over {}", order.quantity, order.ladder));
@@ -127,7 +127,7 @@ struct Claimed {
 
   bool is_same(const Claimed& other) const {
     return author == other.author && verdict->quantity == other.verdict->quantity &&
-           verdict->level == other.verdict->level && same_time(verdict->time, other.verdict->time);
+           verdict->level == other.verdict->level && vnv::same_time(verdict->time, other.verdict->time);
   }
 };
 
@@ -167,7 +167,7 @@ void require_one_of_each(const Records& records) {
 
 bool are_at_one_place(const Difference& a, const Difference& b) {
   return a.case_name == b.case_name && a.method == b.method && a.kind == b.kind && a.level == b.level &&
-         a.quantity == b.quantity && same_time(a.time, b.time);
+         a.quantity == b.quantity && vnv::same_time(a.time, b.time);
 }
 
 /// What is not the same in all runs of one program.

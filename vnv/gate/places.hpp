@@ -2,14 +2,12 @@
 /// Where in a record a value stands, and how far it may move there.
 
 #include "vnv/record/record.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <optional>
 #include <string>
 
 namespace touchstone::gate {
-
-/// Times agree to nine digits, since a run may reach 0.1 s in many steps; two that are not numbers agree.
-bool same_time(double a, double b);
 
 /// Whether two values are of one quantity, level and time.
 bool is_same_value(const vnv::Value& a, const vnv::Value& b);

@@ -104,4 +104,12 @@ std::vector<Run> run_levels(const std::string& case_name, const Case& declared, 
   return runs;
 }
 
+Level level_at(const Method& method, double spacing) {
+  Level level{.name = "custom", .spacing = spacing};
+  const auto nearest = std::ranges::min_element(
+      method.levels, {}, [&](const Level& known) { return std::abs(std::log(known.spacing / spacing)); });
+  if (nearest != method.levels.end()) level.cell = spacing * (nearest->cell / nearest->spacing);
+  return level;
+}
+
 }  // namespace touchstone::vnv

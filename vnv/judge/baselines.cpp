@@ -3,6 +3,7 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/former.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,6 @@ namespace {
 using std::filesystem::path;
 
 const std::vector<std::string> columns{"method", "level", "time [s]", "quantity", "value", "lower", "upper", "basis"};
-
-bool same_time(double a, double b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
-}
 
 bool stands_before(const Baseline& a, const Baseline& b) {
   const auto place = [](const Baseline& row) {

@@ -185,7 +185,7 @@ TEST(Baselines, MustSayWhoAcceptedThemAndWhy) {
 
 TEST(Baselines, MustKeepToOneLineEach) {
   EXPECT_EQ(refusal({changed([](Baseline& row) { row.basis = "two\nlines"; })}),
-            "6: a quote that does not close; found 'lines', expected a second '\"'");
+            "6: a quote that does not close; found '\"two', expected a second '\"'");
 }
 
 TEST(Baselines, RefuseAFileOfOtherColumns) {

@@ -29,7 +29,7 @@ struct Cost {
   double cpu_highest = 0;  // s
   double wall = 0;         // s
   double stepping = 0;     // s  the part of `wall` that was spent in the solver's steps
-  double harness = 0;      // s  wall time of all else: looking, sampling, measuring, a process of its own
+  double harness = 0;      // s  wall time of all else: checks, sampling, measuring, a process of its own
   double peak_memory = 0;  // bytes  largest resident set of the run's process
 
   double per_step() const { return cpu / static_cast<double>(steps); }                      // s
@@ -107,7 +107,7 @@ struct Verdict {
   std::optional<double> lower, upper;  // in `unit`; the limits that are claimed
   std::string author;                  // "theory: ...", "literature: ...", "baseline: ..."
   Outcome outcome = Outcome::inconclusive;
-  double margin = not_a_number;  // share of the limit left, negative if it fails
+  double margin = not_a_number;  // fraction of the limit left, negative if it fails
   std::string sentence;          // all of it, for a person
 
   bool operator==(const Verdict&) const = default;
@@ -170,7 +170,16 @@ struct Table {
   bool operator==(const Table&) const = default;
 };
 
-/// A diagram of error over CPU time, with the errors whose price is told.
+/// What a run monitored over time, as a CSV file beside the record: time and each quantity by its heading.
+struct HistoryFile {
+  std::string level;
+  std::string file;    // "histories/dam_break.mpm.M2.csv", within the folder of the record
+  std::string text{};  // of the file, to be written with the record; empty in a record that was read
+
+  bool operator==(const HistoryFile&) const = default;
+};
+
+/// A diagram of error over CPU time, with the errors whose cost is reported.
 struct WorkDiagram {
   std::string id;                   // "work"; also the stem of its files
   std::string title;                // "Error against run time"
@@ -220,11 +229,12 @@ struct Record {
   std::vector<Table> tables;
   std::vector<WorkDiagram> diagrams;
   std::vector<WorkPoint> work;
+  std::vector<HistoryFile> histories;
 
   bool operator==(const Record&) const = default;
 };
 
-/// Writes the record whole or not at all: to a neighbouring temporary name, then renamed.
+/// Writes the record whole or not at all, after the histories that it lists.
 /// Throws std::runtime_error naming the file and the cause.
 void write(const Record& record, const std::filesystem::path& file);
 

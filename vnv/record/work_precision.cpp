@@ -19,8 +19,8 @@ double best_error(const std::vector<WorkPoint>& points) {
 
 /// The time on the straight line between two points of logarithmic axes.
 double between(const WorkPoint& coarse, const WorkPoint& fine, double target) {
-  const double share = std::log(coarse.error / target) / std::log(coarse.error / fine.error);
-  return coarse.cpu * std::pow(fine.cpu / coarse.cpu, share);
+  const double fraction = std::log(coarse.error / target) / std::log(coarse.error / fine.error);
+  return coarse.cpu * std::pow(fine.cpu / coarse.cpu, fraction);
 }
 
 }  // namespace

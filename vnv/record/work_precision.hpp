@@ -10,9 +10,9 @@
 namespace touchstone::vnv {
 
 /// The points that none beats in both error and time, cheapest first; their errors fall. A point counts as better than
-/// a cheaper one if its error is smaller by more than `gain`, a share of it: without a gain a run of half the step and
-/// the same error but for the fifth digit would stand on every front. A point whose error or time is not positive and
-/// finite is left out.
+/// a cheaper one if its error is smaller by more than `gain`, a fraction of it: without a gain a run of half the step
+/// and the same error but for the fifth digit would stand on every front. A point whose error or time is not positive
+/// and finite is left out.
 std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points, double gain = 0);
 
 /// What a dearer run must gain to be worth making.
