@@ -3,7 +3,7 @@
 #include "vnv/gate/compare_orders.hpp"
 #include "vnv/gate/compare_values.hpp"
 #include "vnv/gate/compare_verdicts.hpp"
-#include "vnv/gate/places.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 
@@ -53,6 +53,25 @@ void compare_lists(const std::vector<Item>& before, const std::vector<Item>& aft
     found.push_back(concluded(place(is, nullptr), {Change::unjudged, added}));
     found.back().after = value(is);
   }
+}
+
+/// Whether two values are of one quantity, level and time.
+bool is_same_value(const Value& a, const Value& b) {
+  return a.level == b.level && a.quantity.name == b.quantity.name && a.quantity.unit == b.quantity.unit &&
+         vnv::same_time(a.time, b.time);
+}
+
+/// How far a value may move [its own unit]: half the width between the limits of its baseline, the narrowest of them;
+/// nothing where it has none.
+std::optional<double> tolerance_of(const Value& error, const Record& record) {
+  std::optional<double> tolerance;
+  for (const Verdict& v : record.verdicts) {
+    if (!v.author.starts_with("baseline") || !v.lower || !v.upper || !std::isfinite(*v.upper - *v.lower)) continue;
+    if (v.level != error.level || v.quantity != error.quantity.name || !vnv::same_time(v.time, error.time)) continue;
+    const double half = (*v.upper - *v.lower) / 2;
+    if (!tolerance || half < *tolerance) tolerance = half;
+  }
+  return tolerance;
 }
 
 Reason compare_ends(const RunSummary& before, const RunSummary& after) {
@@ -134,6 +153,7 @@ struct Claimed {
 std::vector<Claimed> claims_of(const Record& record) {
   std::vector<Claimed> claims;
   for (const Verdict& verdict : record.verdicts) {
+    if (verdict.quantity == vnv::never_accepted) continue;  // gone once they are accepted, which is no loss
     Claimed claim{&verdict, verdict.author.substr(0, verdict.author.find(':'))};
     claim.ordinal = std::ranges::count_if(claims, [&](const Claimed& other) { return claim.is_same(other); });
     claims.push_back(std::move(claim));

@@ -147,7 +147,7 @@ std::vector<Value> all_values(const Case& declared, const Results& results, cons
 /// One verdict on all values of a method that were never accepted, which says how they would be.
 void ask_for_acceptance(long count, Suite suite, Record& record) {
   if (count == 0 || suite != Suite::acceptance) return;
-  const Claim accepted = at_most({"values without an accepted baseline", "", Kind::count}, 0, baseline("none yet"));
+  const Claim accepted = at_most({std::string(never_accepted), "", Kind::count}, 0, baseline("none yet"));
   Verdict v = judge(accepted, {record.case_name, record.method, ""}, static_cast<double>(count));
   v.outcome = Outcome::inconclusive;
   v.margin = not_a_number;

@@ -209,6 +209,8 @@ struct WorkPoint {
 
 /// The quantity of the one verdict on a method that could not be assessed: 0 instead of 1.
 inline constexpr std::string_view could_be_assessed = "assessed";
+/// The quantity of the one verdict on the values of a method that were never accepted: how many.
+inline constexpr std::string_view never_accepted = "values without an accepted baseline";
 
 struct Record {
   int schema = 4;
