@@ -41,18 +41,6 @@ std::string table(const std::vector<CaseRecords>& cases, auto items, const auto&
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  return fmt::format("\"{}\"", replaced(text, "\"", "\"\""));
-}
-
-std::string csv_line(const std::vector<std::string>& fields) {
-  std::string line;
-  for (const auto& field : fields) line += csv_field(field) + ',';
-  line.back() = '\n';
-  return line;
-}
-
 std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
   return table(cases, &vnv::Record::verdicts, verdict_line,
                "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n");

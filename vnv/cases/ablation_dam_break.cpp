@@ -99,7 +99,9 @@ Case vnv::the_case() {
           "removed or added. The error is the RMS distance of the front from that of Lobovský et al. (2014); the "
           "largest stable step is found by bisection over the first 1000 steps.",
       .times = {0.5},
-      .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
+      .watch = {.every = 0.01,
+                .see = [](const Samples& s) { return front.look(s); },
+                .quantities = DamFront::monitored},
       .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); }},
       .methods =
           {ablation(

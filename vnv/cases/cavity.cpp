@@ -137,7 +137,9 @@ Case vnv::the_case() {
            "by local fits of second degree; norms are relative to the lid's speed.\n\nMPM as printed and transport-velocity SPH "
            "are left out: within 0.4 s the lid drives one of their particles through the downstream wall.",
        .times = {flows.front().end},
-       .watch = {.every = output_interval, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
+       .watch = {.every = output_interval,
+                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
+                 .quantities = {{"kinetic energy", "J/m"}}},
        .measurements = {against_ghia},
        .findings = {unsteadiness(0, 3)},
        .methods = {in_cavity(affine, coarse_levels(), within(6, flows[0].at(24), first_measured)),

@@ -48,7 +48,9 @@ Case vnv::the_case() {
           "Water at rest between two plates 1 mm apart, the upper of which slides at 0.1 mm/s from t = 0. The "
           "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.",
       .times = {0.05, 0.1, 0.2, 1, 10},
-      .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{middle_velocity(s)}; }},
+      .watch = {.every = 0.02,
+                .see = [](const Samples& s) { return std::vector{middle_velocity(s)}; },
+                .quantities = {{"velocity in the middle", "m/s"}}},
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
                        [](const Level& level, const Run& run) { return growth_of(level, run, exact); }},
       .claims = {},

@@ -84,7 +84,9 @@ Case vnv::the_case() {
           "0.02 m wide that is half full.\n\nThe cells divide the tank evenly: 81 of 0.0199 m along its length, where the paper gives "
           "0.02 m.",
       .times = {0.32, 0.41, 0.46, 0.5},
-      .watch = {.every = 0.01, .see = [](const Samples& s) { return front.look(s); }},
+      .watch = {.every = 0.01,
+                .see = [](const Samples& s) { return front.look(s); },
+                .quantities = DamFront::monitored},
       .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); },
                        roughness_of("pressure", pressure, "rho g h0", scene.fluid.density * g * h0, {0.32})},
       .claims = {between(front.mass_change, -1e-12, 1e-12, theory("particle masses are constant; rounding of the sum")),

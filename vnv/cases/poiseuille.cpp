@@ -35,7 +35,9 @@ Case vnv::the_case() {
           "Water at rest between two plates 1 mm apart is driven by a body force of 8 mm/s² along them from t = 0. The "
           "oracle is the exact series of Morris, Fox & Zhu (1997), as a Fourier series at late and by images at early times.",
       .times = {0.05, 0.1, 0.2, 1, 10},
-      .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{largest_velocity(s)}; }},
+      .watch = {.every = 0.02,
+                .see = [](const Samples& s) { return std::vector{largest_velocity(s)}; },
+                .quantities = {{"largest velocity", "m/s"}}},
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
                        [](const Level& level, const Run& run) { return growth_of(level, run, exact); }},
       .claims = {},

@@ -42,7 +42,9 @@ Case vnv::the_case() {
            "number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: pressure and density stay uniform, "
            "and the wave decays by viscosity alone.",
        .times = {early, end},
-       .watch = {.every = 0.02, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
+       .watch = {.every = 0.02,
+                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
+                 .quantities = {{"kinetic energy", "J/m"}}},
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
                    with_ladder(levels, mpm_affine(scene, output_interval)),

@@ -6,7 +6,6 @@
 
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -52,10 +51,7 @@ std::string hash_of_inputs(const fs::path& program, const Description& described
 fs::path record_file(const fs::path& records, const std::string& name) { return records / (name + ".json"); }
 
 bool is_done(const fs::path& records, const std::string& name, const Inputs& inputs) {
-  std::ifstream in(inputs_file(records, name));
-  std::ostringstream found;
-  found << in.rdbuf();
-  return fs::exists(record_file(records, name)) && found.str() == text_of(inputs);
+  return fs::exists(record_file(records, name)) && files::read_whole(inputs_file(records, name)) == text_of(inputs);
 }
 
 void set_done(const fs::path& records, const std::string& name, const Inputs& inputs) {

@@ -9,7 +9,7 @@
 
 namespace touchstone::vnv::command {
 
-/// A hash of bytes (FNV-1a, 64 bits), as hexadecimal digits: it tells files apart, not forgeries.
+/// A hash of bytes (FNV-1a, 64 bits), as hexadecimal digits: it distinguishes files, not forgeries.
 class Hash {
  public:
   void add(std::string_view bytes);

@@ -25,11 +25,11 @@ std::string complaint_in(const std::filesystem::path& log, const std::string& na
   return complaint;
 }
 
-/// Where it said more, unless there was no room to.
+/// Where it said more, unless the disk was full.
 std::string where(const std::filesystem::path& log) {
   std::error_code ignored;
-  const bool has_room = std::filesystem::space(log, ignored).available > 0 || ignored;
-  return log.string() + (has_room ? "" : ", on a disk that is full");
+  const bool has_space = std::filesystem::space(log, ignored).available > 0 || ignored;
+  return log.string() + (has_space ? "" : ", on a disk that is full");
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 /// vnv report: records to pages.
 
 #include "vnv/command/commands.hpp"
+#include "vnv/gate/source.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 namespace touchstone::vnv::command {
@@ -12,18 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a build folder was configured with; empty if it does not say.
-std::string configured(const Build& build, const std::string& name) {
-  std::ifstream cache(build.folder / "CMakeCache.txt");
-  for (std::string line; std::getline(cache, line);)
-    if (line.starts_with(name + ":")) return line.substr(line.find('=') + 1);
-  return "";
-}
-
 /// Only a build's own nights are added to its history by default.
 std::string history_of(const Build& build, const ReportOptions& options) {
   const bool is_own_night = options.records.empty() && options.suite == "nightly";
-  return options.history.empty() && is_own_night ? configured(build, "TOUCHSTONE_HISTORY") : options.history;
+  return options.history.empty() && is_own_night ? gate::configured(build.folder, "TOUCHSTONE_HISTORY")
+                                                 : options.history;
 }
 
 /// The file that was named, else the usual one if it is there, else none.
@@ -49,7 +42,7 @@ int report(const Build& build, const ReportOptions& options) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});
   };
   pass_on("--history", history_of(build, options));
-  const fs::path sources = configured(build, "CMAKE_HOME_DIRECTORY");
+  const fs::path sources = gate::configured(build.folder, "CMAKE_HOME_DIRECTORY");
   const fs::path data = build.data.empty() ? sources / "data" : build.data;
   pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
   pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));

@@ -64,8 +64,8 @@ ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0 && !is_du
 
 void ProgressLine::show(const std::string& text) {
   if (!on_terminal_) return;
-  const auto room = static_cast<std::size_t>(columns_of(STDERR_FILENO) - 1);
-  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, room));
+  const auto columns = static_cast<std::size_t>(columns_of(STDERR_FILENO) - 1);
+  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, columns));
   std::fflush(stderr);
 }
 

@@ -1,6 +1,7 @@
 #include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
+#define CSV_IO_NO_THREAD  // tables are small
 #include <libfccp/csv.h>
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace touchstone::vnv {
 namespace {
 
 using std::filesystem::path;
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool contains(const std::vector<std::string>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -122,18 +121,6 @@ void add_line(Sheet& sheet, int number, char* line) {
     sheet.headings = std::move(row);
   else
     sheet.rows.push_back(std::move(row));
-}
-
-/// Takes a text, which ends with a newline, to pieces.
-void add_lines(Sheet& sheet, std::string& text) {
-  std::size_t begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
-  for (int number = 1; begin < text.size(); ++number) {
-    const auto end = text.find('\n', begin);
-    text[end] = '\0';  // the tokens of libfccp end so
-    if (end > begin && text[end - 1] == '\r') text[end - 1] = '\0';
-    add_line(sheet, number, &text[begin]);
-    begin = end + 1;
-  }
 }
 
 /// The headings with the same name and another unit, if any; else all of them.
@@ -258,20 +245,34 @@ Sheet read_sheet(const path& file, bool may_have_no_rows) {
   return parse_sheet(file, contents(file), may_have_no_rows);
 }
 
-Sheet parse_sheet(const path& file, std::string text, bool may_have_no_rows) {
+Sheet parse_sheet(const path& file, std::string_view text, bool may_have_no_rows) {
   if (text.empty()) throw BadData(file, 0, "the file is empty; expected '# key: value' lines, headings and rows");
   if (text.find('\0') != text.npos) throw BadData(file, 0, "found a zero byte, expected text in UTF-8");
-  const bool ends_with_newline = text.back() == '\n';
-  if (!ends_with_newline) text += '\n';
   Sheet sheet{.file = file, .keys = {}, .headings = {}, .rows = {}};
-  add_lines(sheet, text);
+  io::LineReader lines(file.string(), text.data(), text.data() + text.size());
+  while (char* line = lines.next_line()) add_line(sheet, static_cast<int>(lines.get_file_line()), line);
   if (sheet.headings.cells.empty())
     throw BadData(file, 0, "no columns; expected a line of headings below the '#' lines");
   require_names(sheet);
   if (sheet.rows.empty() && !may_have_no_rows)
     throw BadData(file, sheet.headings.line, "no rows; found headings alone, expected rows below");
-  require_cells(sheet, ends_with_newline);
+  require_cells(sheet, text.ends_with('\n'));
   return sheet;
+}
+
+std::string csv_field(const std::string& text) {
+  const bool is_padded = text.starts_with(' ') || text.ends_with(' ');
+  if (!is_padded && text.find_first_of(",\"\t\r\n") == text.npos) return text;
+  std::string quoted;
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return fmt::format("\"{}\"", quoted);
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const auto& field : fields) line += csv_field(field) + ',';
+  if (!line.empty()) line.pop_back();
+  return line + '\n';
 }
 
 void require_keys(const Sheet& sheet, const std::vector<std::string>& expected) {

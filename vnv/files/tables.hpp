@@ -45,7 +45,12 @@ struct Sheet {
 /// long.
 Sheet read_sheet(const std::filesystem::path& file, bool may_have_no_rows = false);
 /// The same for a text at hand; `file` is its name in messages.
-Sheet parse_sheet(const std::filesystem::path& file, std::string text, bool may_have_no_rows = false);
+Sheet parse_sheet(const std::filesystem::path& file, std::string_view text, bool may_have_no_rows = false);
+
+/// A field of a line to be written, in quotes where it needs them (RFC 4180).
+std::string csv_field(const std::string& text);
+/// A line of fields, with its end.
+std::string csv_line(const std::vector<std::string>& fields);
 
 /// Throws BadData unless each expected key stands once and no other key but `note` stands at all.
 void require_keys(const Sheet& sheet, const std::vector<std::string>& expected);

@@ -8,6 +8,8 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -42,6 +44,11 @@ bool write_and_rename(const fs::path& part, const fs::path& file, std::string_vi
 }
 
 }  // namespace
+
+std::string read_whole(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 fs::path neighbour(const fs::path& place, std::string_view kind) {
   return place.parent_path() / fmt::format(".{}.{}.{}", place.filename().string(), getpid(), kind);

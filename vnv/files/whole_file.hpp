@@ -12,6 +12,9 @@ namespace touchstone::files {
 /// removed. Throws std::runtime_error naming the file and the cause.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
+/// All bytes of a file; none where it cannot be read.
+std::string read_whole(const std::filesystem::path& file);
+
 /// Where this process makes what will take a place: ".site.123.part", of kind "part".
 std::filesystem::path neighbour(const std::filesystem::path& place, std::string_view kind);
 

@@ -29,6 +29,11 @@ struct DamFront {
   /// The three fronts as L (38), half-full slab first, then 99.5th percentile, then farthest particle; then the mass
   /// [kg/m] and the number of particles in the tank.
   std::vector<double> look(const Samples& samples) const;
+  inline static const std::vector<Quantity> monitored{{"front L, half-full slab"},
+                                                      {"front L, 99.5th percentile"},
+                                                      {"front L, farthest particle"},
+                                                      {"mass", "kg/m"},
+                                                      {"particles in the tank"}};
 
   /// Fronts against the measured one, mass and number of particles, of a run that was watched by `look`.
   std::vector<Value> compare(const Level& level, const Run& run) const;

@@ -42,7 +42,9 @@ inline Case declared(const Flow& flow, double early, double end, double error_of
   const reference::TaylorGreen exact = flow.exact();
   return with_plots(
       {.times = {early, end},
-       .watch = {.every = 0.01, .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; }},
+       .watch = {.every = 0.01,
+                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
+                 .quantities = {{"kinetic energy", "J/m"}}},
        .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure()),
                         decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {},

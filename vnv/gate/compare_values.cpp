@@ -34,11 +34,11 @@ Reason compare_with_none(double before, double after) {
 
 }  // namespace
 
-Reason compare_values(double before, double after, Better better, std::optional<double> room) {
+Reason compare_values(double before, double after, Better better, std::optional<double> tolerance) {
   if (!std::isfinite(before) || !std::isfinite(after)) return compare_with_none(before, after);
   if (before == after) return {Change::same, "equal"};
   const double moved = std::abs(after - before), scale = std::abs(before);
-  const double allowed = room.value_or(allowed_by_default * scale);
+  const double allowed = tolerance.value_or(allowed_by_default * scale);
   const std::string change = by_how_much(before, after);
   const double believed = std::max(std::min(allowed, noticed * scale * (1 - 1e-6)), rounding_of_zero);
   if (moved <= believed) return {Change::same, change + ", which is allowed"};

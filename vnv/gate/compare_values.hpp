@@ -20,12 +20,12 @@ inline constexpr double rounding_of_zero = 1e-12;
 /// A change, with its reason.
 using Reason = std::pair<Change, std::string>;
 
-/// Judges a value by how far it may move, `room` [its own unit], half the width between the limits of its baseline.
-/// Within the room, or within rounding of zero, it is the same, and beyond it better or worse by its declared
-/// direction, or inconclusive if none is declared. A room wider than what must be noticed is not believed: a change for
-/// the worse inside it but beyond `noticed` is inconclusive. A room of half the value and more says that the value is
-/// not one to be compared (the error of a run that need not be right): inside it nothing is judged. What is no finite
-/// number is worse after one that is.
-Reason compare_values(double before, double after, vnv::Better better, std::optional<double> room);
+/// Judges a value by how far it may move, `tolerance` [its own unit], half the width between the limits of its
+/// baseline. Within it, or within rounding of zero, it is the same, and beyond it better or worse by its declared
+/// direction, or inconclusive if none is declared. A tolerance wider than what must be noticed is not believed: a
+/// change for the worse inside it but beyond `noticed` is inconclusive. One of half the value and more says that the
+/// value is not one to be compared (the error of a run that need not be right): inside it nothing is judged. What is no
+/// finite number is worse after one that is.
+Reason compare_values(double before, double after, vnv::Better better, std::optional<double> tolerance);
 
 }  // namespace touchstone::gate

@@ -7,8 +7,8 @@
 namespace touchstone::gate {
 namespace {
 
-Change smaller(double before, double after, std::optional<double> room = std::nullopt) {
-  return compare_values(before, after, vnv::Better::smaller, room).first;
+Change smaller(double before, double after, std::optional<double> tolerance = std::nullopt) {
+  return compare_values(before, after, vnv::Better::smaller, tolerance).first;
 }
 
 TEST(CompareValues, WithoutABaselineAllowsTwoPerCent) {
@@ -24,9 +24,10 @@ TEST(CompareValues, TakesRoundingOfZeroForNoChange) {
 }
 
 TEST(CompareValues, NeverPassesATenthWhateverABaselineAllows) {
-  for (const double room : {0.0, 0.02, 0.05, 0.1, 0.2, 0.49}) EXPECT_GE(smaller(1, 1.1, room), Change::inconclusive);
-  for (const double room : {0.0, 0.03, 0.05, 0.1})
-    EXPECT_GE(compare_values(1, 0.95, vnv::Better::larger, room).first, Change::inconclusive) << room;
+  for (const double tolerance : {0.0, 0.02, 0.05, 0.1, 0.2, 0.49})
+    EXPECT_GE(smaller(1, 1.1, tolerance), Change::inconclusive);
+  for (const double tolerance : {0.0, 0.03, 0.05, 0.1})
+    EXPECT_GE(compare_values(1, 0.95, vnv::Better::larger, tolerance).first, Change::inconclusive) << tolerance;
 }
 
 TEST(CompareValues, JudgesNothingInsideARoomAsWideAsTheValue) {

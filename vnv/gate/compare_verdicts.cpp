@@ -25,18 +25,18 @@ bool is_left_for_the_better(const Verdict& before, const Verdict& after) {
 }
 
 /// Whether a baseline, which follows its value to either side, has got wider than the value has got larger.
-bool has_more_room(const Verdict& before, const Verdict& after) {
+bool allows_more(const Verdict& before, const Verdict& after) {
   const double width = *before.upper - *before.lower, centre = (*before.upper + *before.lower) / 2;
   const double new_width = *after.upper - *after.lower, new_centre = (*after.upper + *after.lower) / 2;
-  const bool is_share = std::abs(centre) > width / 2;  // else it has room around zero, which grows with no value
-  const double grown = is_share ? std::max(1.0, std::abs(new_centre / centre)) : 1.0;
+  const bool is_relative = std::abs(centre) > width / 2;  // else it allows for rounding of zero, which does not grow
+  const double grown = is_relative ? std::max(1.0, std::abs(new_centre / centre)) : 1.0;
   return new_width > width * grown * (1 + 1e-6);  // rounding of the limits
 }
 
 /// Whether limits allow more than they did.
 bool is_loosened(const Verdict& before, const Verdict& after) {
   const bool is_baseline = before.author.starts_with("baseline");
-  if (is_baseline && before.lower && before.upper && after.lower && after.upper) return has_more_room(before, after);
+  if (is_baseline && before.lower && before.upper && after.lower && after.upper) return allows_more(before, after);
   const bool upper = before.upper && (!after.upper || *after.upper > *before.upper);
   const bool lower = before.lower && (!after.lower || *after.lower < *before.lower);
   return upper || lower;

@@ -3,7 +3,7 @@
 #include "vnv/gate/compare_orders.hpp"
 #include "vnv/gate/compare_values.hpp"
 #include "vnv/gate/compare_verdicts.hpp"
-#include "vnv/gate/places.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 
@@ -35,165 +35,145 @@ Difference concluded(Difference d, Reason reason) {
   return d;
 }
 
-/// Goes through what two lists hold: `judge(item of before, that of after or null)` and `tell(item that is new)`.
+/// What two lists hold, item by item of before, then what is new. `is_same` pairs them; `place(item, its partner or
+/// null)` says where a thing stands, `value(item)` its number, `judge(before, after)` which way it went.
 template <class Item>
-void match(const std::vector<Item>& before, const std::vector<Item>& after, const auto& is_same, const auto& judge,
-           const auto& tell) {
-  for (const Item& item : before) {
-    const auto found = std::ranges::find_if(after, [&](const Item& other) { return is_same(item, other); });
-    judge(item, found == after.end() ? nullptr : &*found);
+void compare_lists(const std::vector<Item>& before, const std::vector<Item>& after, const auto& is_same,
+                   const auto& place, const auto& value, const auto& judge, std::vector<Difference>& found) {
+  for (const Item& was : before) {
+    const auto at = std::ranges::find_if(after, [&](const Item& other) { return is_same(was, other); });
+    const Item* is = at == after.end() ? nullptr : &*at;
+    Difference d = concluded(place(was, is), is ? judge(was, *is) : Reason{Change::worse, gone});
+    d.before = value(was);
+    if (is) d.after = value(*is);
+    found.push_back(std::move(d));
   }
-  for (const Item& item : after)
-    if (std::ranges::none_of(before, [&](const Item& other) { return is_same(other, item); })) tell(item);
+  for (const Item& is : after) {
+    if (std::ranges::any_of(before, [&](const Item& other) { return is_same(other, is); })) continue;
+    found.push_back(concluded(place(is, nullptr), {Change::unjudged, added}));
+    found.back().after = value(is);
+  }
 }
 
-class Comparison {
- public:
-  void compare_methods(const Record& before, const Record& after) {
-    compare_runs(before, after);
-    compare_claims(before, after);
-    compare_errors(before, after);
-    compare_orders_of(before, after);
+/// Whether two values are of one quantity, level and time.
+bool is_same_value(const Value& a, const Value& b) {
+  return a.level == b.level && a.quantity.name == b.quantity.name && a.quantity.unit == b.quantity.unit &&
+         vnv::same_time(a.time, b.time);
+}
+
+/// How far a value may move [its own unit]: half the width between the limits of its baseline, the narrowest of them;
+/// nothing where it has none.
+std::optional<double> tolerance_of(const Value& error, const Record& record) {
+  std::optional<double> tolerance;
+  for (const Verdict& v : record.verdicts) {
+    if (!v.author.starts_with("baseline") || !v.lower || !v.upper || !std::isfinite(*v.upper - *v.lower)) continue;
+    if (v.level != error.level || v.quantity != error.quantity.name || !vnv::same_time(v.time, error.time)) continue;
+    const double half = (*v.upper - *v.lower) / 2;
+    if (!tolerance || half < *tolerance) tolerance = half;
   }
+  return tolerance;
+}
 
-  void tell(Difference d, Reason reason) { found_.push_back(concluded(std::move(d), std::move(reason))); }
+Reason compare_ends(const RunSummary& before, const RunSummary& after) {
+  if (before.finished && !after.finished) return {Change::worse, after.outcome};
+  if (!before.finished && after.finished) return {Change::better, "ends now; before: " + before.outcome};
+  if (before.finished && after.end_time < before.end_time * (1 - 1e-9))
+    return {Change::worse, fmt::format("ends at {:.6g} s now", after.end_time)};
+  return {Change::same, after.finished ? "ends" : after.outcome};
+}
 
-  std::vector<Difference> take() { return std::move(found_); }
-
- private:
-  void compare_runs(const Record& before, const Record& after) {
-    const auto place = [&](const RunSummary& run) {
-      Difference d = of_method(before, Kind::run, "run");
-      d.level = run.level;
-      d.time = run.end_time;
-      return d;
-    };
-    match(
-        before.runs, after.runs, [](const RunSummary& a, const RunSummary& b) { return a.level == b.level; },
-        [&](const RunSummary& was, const RunSummary* is) {
-          tell(place(was), is ? compare_ends(was, *is) : Reason{Change::worse, gone});
-        },
-        [&](const RunSummary& is) {
-          tell(place(is), {Change::unjudged, added});
-        });
-  }
-
-  static Reason compare_ends(const RunSummary& before, const RunSummary& after) {
-    if (before.finished && !after.finished) return {Change::worse, after.outcome};
-    if (!before.finished && after.finished) return {Change::better, "ends now; before: " + before.outcome};
-    if (before.finished && after.end_time < before.end_time * (1 - 1e-9))
-      return {Change::worse, fmt::format("ends at {:.6g} s now", after.end_time)};
-    return {Change::same, after.finished ? "ends" : after.outcome};
-  }
-
-  void compare_errors(const Record& before, const Record& after) {
-    const auto place = [&](const Value& error) {
-      Difference d = of_method(before, kind_of(error.quantity.kind), error.quantity.heading());
-      d.level = error.level;
-      d.time = error.time;
-      return d;
-    };
-    for (const Value& was : before.values) {
-      const Value* is = find_value(after, was);
-      Difference d = place(is ? *is : was);  // records of a former schema declare no kind
-      d.before = was.value;
-      if (is) d.after = is->value;
-      tell(std::move(d), is ? compare_error(was, *is, before) : Reason{Change::worse, gone});
-    }
-    for (const Value& is : after.values)
-      if (!find_value(before, is)) {
-        Difference d = place(is);
-        d.after = is.value;
-        tell(std::move(d), {Change::unjudged, added});
-      }
-  }
-
-  static Reason compare_error(const Value& was, const Value& is, const Record& before) {
-    if (is.quantity.kind == vnv::Kind::cost) return {Change::unjudged, "of the machine"};
-    return compare_values(was.value, is.value, is.quantity.better, room_of(was, before));
-  }
-
-  void compare_orders_of(const Record& before, const Record& after) {
-    const auto place = [&](const ObservedOrder& order) {
-      Difference d = of_method(before, Kind::order, fmt::format("order of {} over {}", order.quantity, order.ladder));
-      d.time = order.time;
-      return d;
-    };
-    const auto is_same = [](const ObservedOrder& a, const ObservedOrder& b) {
-      return a.ladder == b.ladder && a.quantity == b.quantity && same_time(a.time, b.time);
-    };
-    match(
-        before.orders, after.orders, is_same,
-        [&](const ObservedOrder& was, const ObservedOrder* is) {
-          Difference d = place(was);
-          d.before = was.order;
-          if (is) d.after = is->order;
-          tell(std::move(d),
-               is ? compare_orders(was, *is, explained_by_tolerance(was, before)) : Reason{Change::worse, gone});
-        },
-        [&](const ObservedOrder& is) {
-          tell(place(is), {Change::unjudged, added});
-        });
-  }
-
-  /// By how much an order moves while all its errors keep within what they may move by and nobody has to notice.
-  static double explained_by_tolerance(const ObservedOrder& order, const Record& record) {
-    double share = 0;
-    for (std::size_t k = 0; k < order.errors.size(); ++k) {
-      const Value place{order.levels.at(k), order.spacings.at(k), order.time, vnv::with_heading(order.quantity)};
-      const double scale = std::abs(order.errors[k]);
-      const double room = room_of(place, record).value_or(allowed_by_default * scale);
-      share = std::max(share, std::min(room / scale, noticed));
-    }
-    return tilt_by(share, order.spacings);
-  }
-
-  /// Claims of one quantity, place and kind of author are told apart by how many came before.
-  struct Claimed {
-    const Verdict* verdict;
-    std::string author;  // "theory", "literature" or "baseline"
-    long ordinal = 0;
-
-    bool is_same(const Claimed& other) const {
-      return author == other.author && verdict->quantity == other.verdict->quantity &&
-             verdict->level == other.verdict->level && same_time(verdict->time, other.verdict->time);
-    }
+void compare_runs(const Record& before, const Record& after, std::vector<Difference>& found) {
+  const auto place = [&](const RunSummary& run, const RunSummary*) {
+    Difference d = of_method(before, Kind::run, "run");
+    d.level = run.level;
+    d.time = run.end_time;
+    return d;
   };
+  compare_lists(
+      before.runs, after.runs, [](const RunSummary& a, const RunSummary& b) { return a.level == b.level; }, place,
+      [](const RunSummary&) { return vnv::not_a_number; }, compare_ends, found);
+}
 
-  static std::vector<Claimed> claims_of(const Record& record) {
-    std::vector<Claimed> claims;
-    for (const Verdict& verdict : record.verdicts) {
-      Claimed claim{&verdict, verdict.author.substr(0, verdict.author.find(':'))};
-      claim.ordinal = std::ranges::count_if(claims, [&](const Claimed& other) { return claim.is_same(other); });
-      claims.push_back(std::move(claim));
-    }
-    return claims;
+void compare_errors(const Record& before, const Record& after, std::vector<Difference>& found) {
+  const auto place = [&](const Value& error, const Value* now) {  // records of a former schema declare no kind
+    Difference d = of_method(before, kind_of((now ? now : &error)->quantity.kind), error.quantity.heading());
+    d.level = error.level;
+    d.time = error.time;
+    return d;
+  };
+  const auto judge = [&](const Value& was, const Value& is) {
+    if (is.quantity.kind == vnv::Kind::cost) return Reason{Change::unjudged, "of the machine"};
+    return compare_values(was.value, is.value, is.quantity.better, tolerance_of(was, before));
+  };
+  compare_lists(
+      before.values, after.values, is_same_value, place, [](const Value& error) { return error.value; }, judge, found);
+}
+
+/// By how much an order moves while all its errors keep within what they may move by and nobody has to notice.
+double explained_by_tolerance(const ObservedOrder& order, const Record& record) {
+  double fraction = 0;
+  for (std::size_t k = 0; k < order.errors.size(); ++k) {
+    const Value place{order.levels.at(k), order.spacings.at(k), order.time, vnv::with_heading(order.quantity)};
+    const double scale = std::abs(order.errors[k]);
+    const double tolerance = tolerance_of(place, record).value_or(allowed_by_default * scale);
+    fraction = std::max(fraction, std::min(tolerance / scale, noticed));
   }
+  return tilt_by(fraction, order.spacings);
+}
 
-  void compare_claims(const Record& before, const Record& after) {
-    const auto place = [&](const Claimed& claim) {
-      const Verdict& v = *claim.verdict;
-      Difference d = of_method(before, Kind::claim, fmt::format("claim on {} ({})", v.quantity, v.author));
-      d.level = v.level;
-      d.time = v.time;
-      d.before = v.value;
-      return d;
-    };
-    match(
-        claims_of(before), claims_of(after),
-        [](const Claimed& a, const Claimed& b) { return a.ordinal == b.ordinal && a.is_same(b); },
-        [&](const Claimed& was, const Claimed* is) {
-          Difference d = place(was);
-          if (is) d.after = is->verdict->value;
-          tell(std::move(d), is ? compare_verdicts(*was.verdict, *is->verdict) : Reason{Change::worse, gone});
-        },
-        [&](const Claimed& is) {
-          tell(place(is), {Change::unjudged, added});
-        });
+void compare_orders_of(const Record& before, const Record& after, std::vector<Difference>& found) {
+  const auto is_same = [](const ObservedOrder& a, const ObservedOrder& b) {
+    return a.ladder == b.ladder && a.quantity == b.quantity && vnv::same_time(a.time, b.time);
+  };
+  const auto place = [&](const ObservedOrder& order, const ObservedOrder*) {
+    Difference d = of_method(before, Kind::order, fmt::format("order of {} over {}", order.quantity, order.ladder));
+    d.time = order.time;
+    return d;
+  };
+  const auto judge = [&](const ObservedOrder& was, const ObservedOrder& is) {
+    return compare_orders(was, is, explained_by_tolerance(was, before));
+  };
+  compare_lists(
+      before.orders, after.orders, is_same, place, [](const ObservedOrder& order) { return order.order; }, judge,
+      found);
+}
+
+/// Claims of one quantity, place and kind of author are distinguished by how many came before.
+struct Claimed {
+  const Verdict* verdict;
+  std::string author;  // "theory", "literature" or "baseline"
+  long ordinal = 0;
+
+  bool is_same(const Claimed& other) const {
+    return author == other.author && verdict->quantity == other.verdict->quantity &&
+           verdict->level == other.verdict->level && vnv::same_time(verdict->time, other.verdict->time);
   }
-
-  std::vector<Difference> found_;
 };
+
+std::vector<Claimed> claims_of(const Record& record) {
+  std::vector<Claimed> claims;
+  for (const Verdict& verdict : record.verdicts) {
+    if (verdict.quantity == vnv::never_accepted) continue;  // gone once they are accepted, which is no loss
+    Claimed claim{&verdict, verdict.author.substr(0, verdict.author.find(':'))};
+    claim.ordinal = std::ranges::count_if(claims, [&](const Claimed& other) { return claim.is_same(other); });
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+void compare_claims(const Record& before, const Record& after, std::vector<Difference>& found) {
+  const auto is_same = [](const Claimed& a, const Claimed& b) { return a.ordinal == b.ordinal && a.is_same(b); };
+  const auto place = [&](const Claimed& claim, const Claimed*) {
+    const Verdict& v = *claim.verdict;
+    Difference d = of_method(before, Kind::claim, fmt::format("claim on {} ({})", v.quantity, v.author));
+    d.level = v.level;
+    d.time = v.time;
+    return d;
+  };
+  compare_lists(
+      claims_of(before), claims_of(after), is_same, place, [](const Claimed& claim) { return claim.verdict->value; },
+      [](const Claimed& was, const Claimed& is) { return compare_verdicts(*was.verdict, *is.verdict); }, found);
+}
 
 bool are_of_one_method(const Record& a, const Record& b) { return a.case_name == b.case_name && a.method == b.method; }
 
@@ -207,7 +187,7 @@ void require_one_of_each(const Records& records) {
 
 bool are_at_one_place(const Difference& a, const Difference& b) {
   return a.case_name == b.case_name && a.method == b.method && a.kind == b.kind && a.level == b.level &&
-         a.quantity == b.quantity && same_time(a.time, b.time);
+         a.quantity == b.quantity && vnv::same_time(a.time, b.time);
 }
 
 /// What is not the same in all runs of one program.
@@ -226,17 +206,20 @@ std::vector<Difference> unsteady_among(const std::vector<Records>& runs) {
 std::vector<Difference> compare(const Records& before, const Records& after) {
   require_one_of_each(before);
   require_one_of_each(after);
-  Comparison comparison;
-  match(
-      before, after, are_of_one_method,
-      [&](const Record& was, const Record* is) {
-        if (is) return comparison.compare_methods(was, *is);
-        comparison.tell(of_method(was, Kind::run, "method"), {Change::worse, gone});
-      },
-      [&](const Record& is) {
-        comparison.tell(of_method(is, Kind::run, "method"), {Change::unjudged, added});
-      });
-  return comparison.take();
+  std::vector<Difference> found;
+  for (const Record& was : before) {
+    const auto is = std::ranges::find_if(after, [&](const Record& other) { return are_of_one_method(was, other); });
+    if (is == after.end()) {
+      found.push_back(concluded(of_method(was, Kind::run, "method"), {Change::worse, gone}));
+      continue;
+    }
+    for (const auto compare_all : {compare_runs, compare_claims, compare_errors, compare_orders_of})
+      compare_all(was, *is, found);
+  }
+  for (const Record& is : after)
+    if (std::ranges::none_of(before, [&](const Record& other) { return are_of_one_method(other, is); }))
+      found.push_back(concluded(of_method(is, Kind::run, "method"), {Change::unjudged, added}));
+  return found;
 }
 
 std::vector<Difference> compare_repeated(const std::vector<Records>& before, const std::vector<Records>& after) {

@@ -12,7 +12,7 @@ using Records = std::vector<vnv::Record>;
 
 /// Everything that was compared, what is the same too: runs, claims, values and orders.
 ///
-/// A method, run, value, order or claim that is gone is worse, since something is no longer looked at; a new one is
+/// A method, run, value, order or claim that is gone is worse, since something is no longer measured; a new one is
 /// unjudged. A run that ended and diverges now is worse. A claim is worse when it held and now fails or is
 /// inconclusive, and inconclusive when its limits now allow more; a baseline that fails because its value got better is
 /// better. What belongs to the machine is unjudged.

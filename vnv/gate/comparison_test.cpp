@@ -116,9 +116,9 @@ TEST(Comparison, NamesAnOrderFallenByThreeTenthsHoweverWideItsInterval) {
   EXPECT_EQ(found.back().change, Change::worse);
 }
 
-TEST(Comparison, LeavesBaselinesTheirRoomButNoMore) {
-  const auto moved = [](double share) {
-    return change_of({changes_by([share](Record& r) { r.values[1].value *= 1 + share; }).front()});
+TEST(Comparison, LeavesBaselinesTheirToleranceButNoMore) {
+  const auto moved = [](double fraction) {
+    return change_of({changes_by([fraction](Record& r) { r.values[1].value *= 1 + fraction; }).front()});
   };
   EXPECT_EQ(moved(0.0009), Change::unjudged);  // only the memory is left
   EXPECT_EQ(moved(0.0011), Change::worse);
@@ -197,6 +197,12 @@ TEST(Comparison, FindsABaselineBetterThatIsLeftBecauseTheErrorFell) {
   });
   for (const Difference& d : found)
     EXPECT_TRUE(d.change == Change::better || d.quantity == "peak memory [GB]") << sentence_of(d);
+}
+
+TEST(Comparison, TakesAFirstAcceptanceForNoLoss) {
+  Record before = plain();
+  before.verdicts.push_back(verdict("", std::string(vnv::never_accepted), 3, std::nullopt, 0, "baseline: none yet"));
+  for (const Difference& d : compare({before}, {plain()})) EXPECT_LE(d.change, Change::same) << sentence_of(d);
 }
 
 TEST(Comparison, LeavesALoosenedLimitToAPerson) {

@@ -12,7 +12,7 @@
 namespace touchstone::gate {
 namespace {
 
-/// So many changes are named; a reviewer who wants the rest reads the JSON.
+/// So many changes are named; the JSON holds the rest.
 constexpr std::size_t most_named = 40;
 
 struct Column {

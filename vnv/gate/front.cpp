@@ -1,6 +1,7 @@
 #include "vnv/gate/front.hpp"
 
 #include "vnv/gate/compare_values.hpp"
+#include "vnv/record/median.hpp"
 #include "vnv/record/work_precision.hpp"
 
 #include <fmt/format.h>
@@ -38,8 +39,7 @@ double median_cpu(const std::vector<Records>& runs, const Record& method, const 
       for (const RunSummary& run : record.runs)
         if (record.case_name == method.case_name && record.method == method.method && run.level == level)
           times.push_back(run.cost.cpu);
-  std::ranges::sort(times);
-  return (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
+  return vnv::median(times);
 }
 
 vnv::Curve curve_of(const Record& record, const std::vector<Records>& runs, const std::string& quantity,

@@ -79,8 +79,8 @@ class Gate : public testing::Test {
   Status gate(const std::string& before, const std::string& after) {
     request_.before = before;
     request_.after = after;
-    told_.str("");
-    return touchstone::gate::gate(request_, told_, progress_);
+    output_.str("");
+    return touchstone::gate::gate(request_, output_, progress_);
   }
 
   /// What a refusal says; empty if there is none.
@@ -93,14 +93,14 @@ class Gate : public testing::Test {
     return "";
   }
 
-  std::string told() const { return told_.str(); }
+  std::string output() const { return output_.str(); }
 
   GateRequest request_;
   std::ostringstream progress_;
 
  private:
   programs::ScratchFolder scratch_;
-  std::ostringstream told_;
+  std::ostringstream output_;
 };
 
 const auto less_accurate = [](vnv::Record& record) { record.values[0].value *= 1.1; };
@@ -109,7 +109,7 @@ TEST_F(Gate, LetsPassARecordAgainstItself) {
   const std::string file = record_file("flow.mpm.json", plain());
   EXPECT_EQ(gate(file, file), same_or_better);
   EXPECT_EQ(gate(folder(), folder()), same_or_better);
-  EXPECT_NE(told().find("same: "), std::string::npos);
+  EXPECT_NE(output().find("same: "), std::string::npos);
 }
 
 TEST_F(Gate, StopsALargerErrorAndLetsPassASmallerOne) {
@@ -117,9 +117,10 @@ TEST_F(Gate, StopsALargerErrorAndLetsPassASmallerOne) {
   less_accurate(changed);
   const std::string good = record_file("good.json", plain()), bad = record_file("bad.json", changed);
   EXPECT_EQ(gate(good, bad), worse);
-  EXPECT_NE(told().find("flow.mpm M1: L2 v_x [%] at 1 s: 0.4 before, 0.44 after: worse"), std::string::npos) << told();
+  EXPECT_NE(output().find("flow.mpm M1: L2 v_x [%] at 1 s: 0.4 before, 0.44 after: worse"), std::string::npos)
+      << output();
   EXPECT_EQ(gate(bad, good), same_or_better);
-  EXPECT_NE(told().find("better: "), std::string::npos);
+  EXPECT_NE(output().find("better: "), std::string::npos);
 }
 
 TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
@@ -192,7 +193,7 @@ TEST_F(Gate, RefusesTwoRecordsOfOneMethodInAFolder) {
 TEST_F(Gate, SkipsProgramsThatAreTheSame) {
   const std::string same = build("same", 1, 1);
   EXPECT_EQ(gate(same, same), same_or_better);
-  EXPECT_NE(told().find("programs of 1 cases the same"), std::string::npos) << told();
+  EXPECT_NE(output().find("programs of 1 cases the same"), std::string::npos) << output();
   EXPECT_FALSE(fs::exists(same + "/vnv/flow.count"));
 }
 
@@ -241,22 +242,22 @@ TEST_F(Gate, ReadsDataBesideAProgram) {
 }
 
 TEST_F(Gate, OfABuildAgainstItselfIsTheSame) {
-  EXPECT_EQ(gate(build("before", 1, 1), build("after", 1, 2)), same_or_better) << told();
+  EXPECT_EQ(gate(build("before", 1, 1), build("after", 1, 2)), same_or_better) << output();
 }
 
 TEST_F(Gate, NamesASolverThatIsATwentiethSlower) {
   EXPECT_EQ(gate(build("before", 1, 3), build("after", 1.05, 4)), worse);
-  EXPECT_NE(told().find("after: worse: 1.0"), std::string::npos) << told();
-  EXPECT_NE(told().find("30 pairs of runs"), std::string::npos) << told();
+  EXPECT_NE(output().find("after: worse: 1.0"), std::string::npos) << output();
+  EXPECT_NE(output().find("30 pairs of runs"), std::string::npos) << output();
   fs::remove_all(folder() / "before");
   fs::remove_all(folder() / "after");
   EXPECT_EQ(gate(build("before", 1.05, 5), build("after", 1, 6)), same_or_better);
-  EXPECT_NE(told().find("better: "), std::string::npos);
+  EXPECT_NE(output().find("better: "), std::string::npos);
 }
 
 TEST_F(Gate, WithoutRepeatsComparesValuesOnly) {
   request_.repeats = 0;
-  EXPECT_EQ(gate(build("before", 1, 1), build("after", 2, 2)), same_or_better) << told();
+  EXPECT_EQ(gate(build("before", 1, 1), build("after", 2, 2)), same_or_better) << output();
   EXPECT_EQ(text_in(folder() / "before/vnv/flow.count"), "1\n");
   fs::remove_all(folder() / "after");
   EXPECT_EQ(gate(folder() / "before", build("after", 1, 2, less_accurate)), worse);
@@ -266,7 +267,7 @@ TEST_F(Gate, FindsAProgramWorseThatWritesNoRecordAnyMore) {
   const std::string before = build("before", 1, 1), after = build("after", 1, 2);
   write_text(after + "/vnv/flow.count", "1000");
   EXPECT_EQ(gate(before, after), worse);
-  EXPECT_NE(told().find("flow.mpm: method: worse: no longer there"), std::string::npos) << told();
+  EXPECT_NE(output().find("flow.mpm: method: worse: no longer there"), std::string::npos) << output();
   EXPECT_NE(progress_.str().find("ended with status 9 and no record"), std::string::npos);
 }
 
@@ -277,7 +278,7 @@ TEST_F(Gate, FindsACaseWorseThatIsGone) {
   write_text(before + "/vnv/wave_tests.cmake",
              "add_test([=[wave.sph]=] --method sph --suite acceptance --records x)\n");
   EXPECT_EQ(gate(before, after), worse);
-  EXPECT_NE(told().find("wave.sph: method: worse: no longer there"), std::string::npos) << told();
+  EXPECT_NE(output().find("wave.sph: method: worse: no longer there"), std::string::npos) << output();
 }
 
 TEST_F(Gate, NeverJudgesWhatACaseFindsThatJudgesTime) {
@@ -286,7 +287,7 @@ TEST_F(Gate, NeverJudgesWhatACaseFindsThatJudgesTime) {
     std::ofstream(folder + "/vnv/flow_tests.cmake", std::ios::app) << "set_tests_properties(x RUN_SERIAL TRUE)\n";
     return folder;
   };
-  EXPECT_EQ(gate(timed("before", 1), timed("after", 2)), same_or_better) << told();
+  EXPECT_EQ(gate(timed("before", 1), timed("after", 2)), same_or_better) << output();
   EXPECT_EQ(text_in(folder() / "before/vnv/flow.count"), "1\n");
 }
 
@@ -335,7 +336,7 @@ TEST_F(GateOfRevisions, AreBuiltAndForgotten) {
       source + "/vnv\" ${CMAKE_BINARY_DIR}/vnv)\n");
   request_.repeats = 0;
   request_.all = true;
-  EXPECT_EQ(gate("HEAD", "HEAD"), same_or_better) << told();
+  EXPECT_EQ(gate("HEAD", "HEAD"), same_or_better) << output();
   EXPECT_NE(progress_.str().find("gate: builds "), std::string::npos);
   EXPECT_TRUE(fs::is_empty(temporary()));
   EXPECT_FALSE(fs::exists(".git/worktrees/source"));

@@ -1,10 +1,11 @@
 #include "vnv/gate/source.hpp"
 
+#include "vnv/files/whole_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -14,24 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The first group of the first match in a text; empty if there is none.
-std::string found_in(const std::string& text, const std::string& pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
-}
-
 bool is_build(const fs::path& folder) {
   return fs::exists(folder / "CMakeCache.txt") && fs::is_directory(folder / "vnv");
 }
 
 /// The program of a case by the file that registers its methods with ctest, which the program wrote when it was built.
 Program program_of(const fs::path& tests, const Choice& choice) {
-  const std::string stem = tests.stem().string(), text = bytes_of(tests);
+  const std::string stem = tests.stem().string(), text = files::read_whole(tests);
   Program program{stem.substr(0, stem.rfind("_tests")), {}, {}, text.find("RUN_SERIAL TRUE") != text.npos};
   program.file = tests.parent_path() / program.case_name;
   const std::regex method("--method ([^ ]+) --suite " + choice.suite + " ");
@@ -41,7 +31,7 @@ Program program_of(const fs::path& tests, const Choice& choice) {
 }
 
 Build build_in(const fs::path& folder, const Choice& choice) {
-  Build build{folder, found_in(bytes_of(folder / "CMakeCache.txt"), "\nCMAKE_HOME_DIRECTORY:INTERNAL=([^\n]*)")};
+  Build build{folder, configured(folder, "CMAKE_HOME_DIRECTORY")};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "vnv")) {
     if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
     Program program = program_of(entry.path(), choice);
@@ -96,6 +86,13 @@ std::string commit_of(const std::string& name) {
 
 }  // namespace
 
+std::string configured(const fs::path& folder, const std::string& name) {
+  std::ifstream cache(folder / "CMakeCache.txt");
+  for (std::string line; std::getline(cache, line);)
+    if (line.starts_with(name + ":")) return line.substr(line.find('=') + 1);
+  return "";
+}
+
 bool Choice::includes_case(const std::string& name) const {
   return cases.empty() || std::ranges::find(cases, name) != cases.end();
 }
@@ -139,7 +136,7 @@ void BuiltRevision::forget_source() const {
   try {
     programs::run_into(scratch_.path() / "output",
                        {"git", "-C", repository_, "worktree", "remove", "--force", source()});
-  } catch (...) {  // even log to end once more: what is left is removed with the folder, and forgotten by git in time
+  } catch (...) {  // interrupted once more: what is left is removed with the folder, and forgotten by git in time
   }
 }
 
@@ -182,7 +179,7 @@ std::map<std::string, Texts> objects_of(const Build& build, const std::string& c
     const bool is_library = target.starts_with("vnv") && !target.ends_with("_test") && !target.ends_with("_headers");
     if (target != case_name && (!is_library || not_of_cases.contains(target))) continue;
     if (file.extension() != ".o" || file.filename() == "environment.cpp.o") continue;
-    std::string& bytes = objects[target][file.string()] = bytes_of(entry.path());
+    std::string& bytes = objects[target][file.string()] = files::read_whole(entry.path());
     mask(bytes, build.folder.string());
     mask(bytes, build.source.string());
   }
@@ -190,7 +187,7 @@ std::map<std::string, Texts> objects_of(const Build& build, const std::string& c
 }
 
 bool are_compiled_alike(const Build& before, const Build& after, const Program& program, const Program& other) {
-  if (bytes_of(program.file) == bytes_of(other.file)) return true;
+  if (files::read_whole(program.file) == files::read_whole(other.file)) return true;
   const auto objects = objects_of(before, program.case_name), others = objects_of(after, program.case_name);
   const auto are_alike = [&](const auto& target) {  // a library that one build lacks is not linked with the case
     const auto found = others.find(target.first);
@@ -207,7 +204,7 @@ Texts data_of(const Build& build, const std::string& case_name) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const bool is_baseline = entry.path().parent_path().filename() == "baselines";
     if (entry.is_regular_file() && (!is_baseline || entry.path().stem() == case_name))
-      data[entry.path().lexically_relative(folder).string()] = bytes_of(entry.path());
+      data[entry.path().lexically_relative(folder).string()] = files::read_whole(entry.path());
   }
   return data;
 }

@@ -26,6 +26,9 @@ struct Build {
   std::vector<Program> programs{};
 };
 
+/// What a build folder was configured with, by the name of a variable; empty if it does not say.
+std::string configured(const std::filesystem::path& folder, const std::string& name);
+
 /// A revision's sources and build, in folders that are gone with this.
 class BuiltRevision {
  public:
@@ -65,7 +68,7 @@ Source open_source(const std::string& name, const Choice& choice, std::ostream& 
 /// of it and of the libraries that both builds have, and the data that it may read are the same. The file that holds
 /// the revision is left out: it describes where a record was made and the compiler writes it into its code, so that
 /// programs of two revisions never have the same bytes. Names of the folders of a build and its sources count for
-/// nothing where they are as long in both. Whatever cannot be log from a change is one: then both are run.
+/// nothing where they are as long in both. Whatever cannot be distinguished from a change is one: then both are run.
 bool are_same_programs(const Build& before, const Build& after, const Program& program, const Program& other);
 
 }  // namespace touchstone::gate

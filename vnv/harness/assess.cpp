@@ -1,5 +1,6 @@
 #include "vnv/harness/assess.hpp"
 
+#include "vnv/files/tables.hpp"
 #include "vnv/harness/environment.hpp"
 #include "vnv/harness/run_levels.hpp"
 #include "vnv/judge/order.hpp"
@@ -8,9 +9,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace touchstone::vnv {
 namespace {
+
+/// What a run monitored, as a CSV file. Throws std::invalid_argument unless each number is a quantity with a name.
+HistoryFile history_of(const Case& declared, const std::string& name, const Run& run) {
+  std::vector<std::string> headings{"time [s]"};
+  for (const Quantity& quantity : declared.watch.quantities) headings.push_back(quantity.heading());
+  std::string text =
+      fmt::format("# title: {} {}, monitored quantities\n{}", name, run.summary.level, csv_line(headings));
+  for (std::size_t k = 0; k < run.history.time.size(); ++k) {
+    if (run.history.seen[k].size() + 1 != headings.size())
+      throw std::invalid_argument(fmt::format("{}: {} numbers are monitored, expected as many as quantities, {}", name,
+                                              run.history.seen[k].size(), headings.size() - 1));
+    text += fmt::format("{}{}{}\n", run.history.time[k], headings.size() > 1 ? "," : "",
+                        fmt::join(run.history.seen[k], ","));
+  }
+  std::string stem = fmt::format("{}.{}", name, run.summary.level);
+  std::ranges::replace_if(
+      stem, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
+  return {run.summary.level, fmt::format("histories/{}.csv", stem), std::move(text)};
+}
 
 /// Measures each run and keeps account in the record.
 void measure_runs(const Case& declared, const Method& method, const std::vector<Run>& runs, Record& record) {
@@ -23,6 +44,8 @@ void measure_runs(const Case& declared, const Method& method, const std::vector<
       const std::vector<Value> errors = measure(*level, run);
       record.values.insert(record.values.end(), errors.begin(), errors.end());
     }
+    if (declared.watch.see && !run.history.time.empty())
+      record.histories.push_back(history_of(declared, record.case_name + "." + record.method, run));
     record.runs.push_back(run.summary);
     record.runs.back().cost.harness += measuring.seconds();
   }
@@ -121,34 +144,48 @@ std::vector<Value> all_values(const Case& declared, const Results& results, cons
   return values;
 }
 
-constexpr std::string_view nothing_accepted = "no baseline was accepted for this yet";
+/// One verdict on all values of a method that were never accepted, which says how they would be.
+void ask_for_acceptance(long count, Suite suite, Record& record) {
+  if (count == 0 || suite != Suite::acceptance) return;
+  const Claim accepted = at_most({std::string(never_accepted), "", Kind::count}, 0, baseline("none yet"));
+  Verdict v = judge(accepted, {record.case_name, record.method, ""}, static_cast<double>(count));
+  v.outcome = Outcome::inconclusive;
+  v.margin = not_a_number;
+  v.sentence = fmt::format(
+      "{0}.{1}: {2} no accepted baseline yet; accept {3} with: vnv accept {0}.{1} --reason \"...\"", record.case_name,
+      record.method, count == 1 ? "1 value has" : fmt::format("{} values have", count), count == 1 ? "it" : "them");
+  record.verdicts.push_back(std::move(v));
+}
 
 /// Each value keeps within the limits that were accepted with the last one.
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
+  long not_accepted = 0;
   for (const Value& e : record.values) {
     const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity.heading());
     const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
     if (last)
       record.verdicts.push_back(
           judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
-    else if (suite == Suite::acceptance)
-      record.verdicts.push_back(
-          inconclusive(between(e.quantity, -INFINITY, INFINITY, {"baseline"}), place, e.value, nothing_accepted));
+    else
+      ++not_accepted;
   }
+  ask_for_acceptance(not_accepted, suite, record);
 }
 
 /// What the members of an ensemble are together is of the distribution that was accepted; each alone is chance.
 void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
+  long not_accepted = 0;
   for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
     const Claim alike =
         at_least({one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
                  baseline(fmt::format("{} accepted members; Anderson-Darling permutation test", one.accepted.size())));
-    const Place place{record.case_name, record.method, "", not_a_number, one.time};
     if (!one.accepted.empty())
-      record.verdicts.push_back(judge(alike, place, one.p_value));
-    else if (suite == Suite::acceptance)
-      record.verdicts.push_back(inconclusive(alike, place, one.p_value, nothing_accepted));
+      record.verdicts.push_back(
+          judge(alike, {record.case_name, record.method, "", not_a_number, one.time}, one.p_value));
+    else
+      ++not_accepted;
   }
+  ask_for_acceptance(not_accepted, suite, record);
 }
 
 /// What a baseline holds of a run must still be measured, unless it is reported at the end of a run and this run went
@@ -160,10 +197,10 @@ void miss_lost_values(const Baselines& baselines, Record& record) {
     const bool measured = std::ranges::any_of(record.values, [&](const Value& e) {
       return baselines.find(record.method, e.level, e.time, e.quantity.heading()) == &last;
     });
-    const bool told_later = std::ranges::any_of(record.values, [&](const Value& e) {
+    const bool measured_later = std::ranges::any_of(record.values, [&](const Value& e) {
       return e.level == last.level && e.quantity.heading() == last.quantity && e.time > last.time;
     });
-    if (!measured && !told_later)
+    if (!measured && !measured_later)
       record.verdicts.push_back(
           judge(between(with_heading(last.quantity), last.lower, last.upper, baseline(last.basis)),
                 {record.case_name, record.method, last.level, run->spacing, last.time}, not_a_number));
@@ -225,8 +262,8 @@ bool claims_more_than_ends(const Record& record) {
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
   std::vector<Baseline> rows;
   for (const Value& e : record.values) {
-    const double room = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
-    rows.push_back({record.method, e.level, e.time, e.quantity.heading(), e.value, e.value - room, e.value + room,
+    const double allowed = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
+    rows.push_back({record.method, e.level, e.time, e.quantity.heading(), e.value, e.value - allowed, e.value + allowed,
                     tolerance.basis});
   }
   return rows;

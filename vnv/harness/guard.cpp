@@ -22,6 +22,7 @@ void begin(const fs::path& records) {
   for (const fs::directory_entry& entry : fs::directory_iterator(records))
     if (entry.path().extension() == ".json" || entry.path().extension() == ".part") old.push_back(entry.path());
   for (const fs::path& record : old) fs::remove(record);
+  fs::remove_all(records / "histories");
   if (!(std::ofstream(records / "stamp") << "suite began\n" << std::flush))
     throw std::runtime_error(fmt::format("{}: cannot be written, expected a folder for records", records.string()));
 }

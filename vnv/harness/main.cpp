@@ -1,9 +1,11 @@
 /// The program of one case: each method of the_case() becomes a test.
 
 #include "solvers/lattice.hpp"
+#include "vnv/files/whole_file.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/harness/describe.hpp"
 #include "vnv/harness/measurements.hpp"
+#include "vnv/harness/run_levels.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,8 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iostream>
 
 namespace touchstone::vnv {
 namespace {
@@ -36,7 +36,8 @@ void print(const Record& record) {
     fmt::print("{}.{} {}: {}; {} particles, {} steps, {:.3g} CPU s, {:.3g} ns per particle-step\n", record.case_name,
                record.method, run.level, run.outcome, run.cost.particles, run.cost.steps, run.cost.cpu,
                1e9 * run.cost.per_particle_step());
-  for (const Verdict& verdict : record.verdicts) fmt::print("{}\n", verdict.sentence);
+  for (const Verdict& verdict : record.verdicts)
+    if (verdict.outcome == Outcome::holds) fmt::print("{}\n", verdict.sentence);
   if (is_run_for_dashboard()) fmt::print("{}", measurement_lines(record));
 }
 
@@ -51,8 +52,10 @@ class MethodTest : public testing::Test {
     print(record);
     EXPECT_TRUE(claims_more_than_ends(record))
         << case_name << "." << method_.name << ": nothing was judged, expected at least one claim";
+    std::vector<std::string> not_held;
     for (const Verdict& verdict : record.verdicts)
-      if (verdict.outcome != Outcome::holds) ADD_FAILURE() << verdict.sentence;
+      if (verdict.outcome != Outcome::holds) not_held.push_back(verdict.sentence);
+    if (!not_held.empty()) ADD_FAILURE() << fmt::format("{}", fmt::join(not_held, "\n"));
   } catch (const std::exception& error) {  // that a record cannot be written is no fault of the method
     FAIL() << case_name << "." << method_.name << ": " << error.what();
   }
@@ -113,12 +116,10 @@ int run_tests(const Case& declared, char* program) {
 /// One run at any resolution, measured and not judged.
 int explore(const Case& declared) {
   for (const Method* method : chosen_methods(declared)) {
-    const double until = options.until > 0 ? options.until : declared.times.front();
-    const Level level{.name = "custom",
-                      .spacing = options.spacing,
-                      .cell = options.cell,
-                      .time_step = options.time_step,
-                      .acceptance = until};
+    Level level = level_at(*method, options.spacing);
+    if (!std::isnan(options.cell)) level.cell = options.cell;
+    level.time_step = options.time_step;
+    level.acceptance = options.until > 0 ? options.until : declared.times.front();
     Method custom = *method;
     custom.levels = {level};
     custom.ladders.clear();
@@ -193,8 +194,7 @@ void write_ctest_file(const Case& declared, const char* program, const std::stri
           "5400{})\n",
           test, labels, name_of(suite), method.relative_cost, declared.timed ? " RUN_SERIAL TRUE" : "");
     }
-  std::ofstream out(file);
-  if (!(out << text << std::flush)) throw std::runtime_error(fmt::format("{}: cannot be written", file));
+  files::write_whole(file, text);
 }
 
 int run(int count, char** arguments) {
@@ -213,7 +213,8 @@ int run(int count, char** arguments) {
   app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
   app.add_option("--spacing", options.spacing, "one run at this particle spacing [m], measured and not judged");
   const auto positive = CLI::PositiveNumber;
-  app.add_option("--cell", options.cell, "with --spacing: size of a background cell [m]; else the spacing")
+  app.add_option("--cell", options.cell,
+                 "with --spacing: size of a background cell [m]; else as on the level of nearest spacing")
       ->needs("--spacing")
       ->check(positive);
   app.add_option("--time-step", options.time_step, "with --spacing: time step [s]; else that of the method")
@@ -250,7 +251,6 @@ int run(int count, char** arguments) {
   }
   if (app.count("--spacing") > 0) {
     require_positive("--spacing", "spacing [m]", options.spacing);
-    if (std::isnan(options.cell)) options.cell = options.spacing;
     return explore(declared);
   }
   if (app.count("--accept") > 0) {

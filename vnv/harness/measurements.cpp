@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -16,23 +17,9 @@ namespace {
 constexpr std::size_t most = 40;  // lines of one test
 
 std::string escaped(const std::string& text) {
+  static const std::map<char, std::string> entities{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string xml;
-  for (const char letter : text) switch (letter) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      default:
-        xml += letter;
-    }
+  for (const char letter : text) xml += entities.contains(letter) ? entities.at(letter) : std::string(1, letter);
   return xml;
 }
 
@@ -68,7 +55,7 @@ void add_cost(const Record& record, Lines& lines) {
   lines.add("peak memory [MB], " + dearest->level, dearest->cost.peak_memory / 1e6);
 }
 
-/// Those that fail first, then those with the smallest share of their limit left; what counts has none.
+/// Those that fail first, then those with the smallest fraction of their limit left; what counts has none.
 void add_judged(const Record& record, Lines& lines) {
   std::vector<Verdict> judged = record.verdicts;
   std::erase_if(judged, [](const Verdict& v) { return v.margin == 0 && v.outcome == Outcome::holds; });

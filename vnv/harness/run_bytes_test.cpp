@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 namespace touchstone::vnv {
 namespace {
 
@@ -35,6 +37,15 @@ TEST(ARunAsBytes, ComesBackBitByBit) {
   EXPECT_EQ(after.history.seen, before.history.seen);
   EXPECT_EQ(after.found, before.found);
   EXPECT_EQ(after.curves, before.curves);
+}
+
+TEST(ARunAsBytes, KeepsWhatIsNotFinite) {
+  ARun before;
+  const double infinity = std::numeric_limits<double>::infinity();
+  before.history.time = {not_a_number, -not_a_number, infinity, -infinity, -0.0};
+  const ARun after = run_from(to_bytes(before));
+  ASSERT_EQ(after.history.time.size(), before.history.time.size());
+  EXPECT_EQ(std::memcmp(after.history.time.data(), before.history.time.data(), 5 * sizeof(double)), 0);
 }
 
 TEST(ARunAsBytes, ThatIsTornIsRefused) {

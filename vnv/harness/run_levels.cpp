@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace touchstone::vnv {
 namespace {
@@ -89,6 +91,14 @@ Run run_of(const Attempt& attempt) {
   return run;
 }
 
+/// Whether the solver of a method, if its runs are of one, can be made.
+bool is_accepted(const Method& method, const Level& level) try {
+  if (method.solver && method.time_step) method.solver(level, level.step_or(method.time_step(level)));
+  return true;
+} catch (const std::invalid_argument&) {
+  return false;
+}
+
 }  // namespace
 
 std::vector<Run> run_levels(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
@@ -102,6 +112,16 @@ std::vector<Run> run_levels(const std::string& case_name, const Case& declared, 
   std::vector<Run> runs;
   for (const Attempt& attempt : attempts) runs.push_back(run_of(attempt));
   return runs;
+}
+
+Level level_at(const Method& method, double spacing) {
+  Level level{.name = "custom", .spacing = spacing};
+  const auto nearest = std::ranges::min_element(
+      method.levels, {}, [&](const Level& known) { return std::abs(std::log(known.spacing / spacing)); });
+  if (nearest == method.levels.end()) return level;
+  const double cell = level.cell = spacing * (nearest->cell / nearest->spacing);
+  for (double larger = 1; !is_accepted(method, level) && larger < 1.5; larger += 0.05) level.cell = larger * cell;
+  return level;
 }
 
 }  // namespace touchstone::vnv

@@ -23,7 +23,7 @@ ARun ended(const Schedule& when) {
   return {.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished", .cost = {.steps = 7}}};
 }
 
-TEST(RunRungs, RunsThoseOfTheSuiteUntilItsTime) {
+TEST(RunLevels, RunsThoseOfTheSuiteUntilItsTime) {
   const Method method = doing([](const Level&, const Schedule& when) { return ended(when); });
   const auto few = run_levels("case", in_half_a_second, method, Suite::acceptance);
   ASSERT_EQ(few.size(), 1u);
@@ -32,7 +32,7 @@ TEST(RunRungs, RunsThoseOfTheSuiteUntilItsTime) {
   EXPECT_EQ(run_levels("case", in_half_a_second, method, Suite::report).size(), 2u);
 }
 
-TEST(RunRungs, RepeatsShortRunsWhereCostIsShown) {
+TEST(RunLevels, RepeatsShortRunsWhereCostIsShown) {
   const Method method = doing([](const Level&, const Schedule& when) { return ended(when); });
   Case declared = in_half_a_second;
   declared.repeats = {.budget = 10, .most = 3, .longest = 10};
@@ -40,7 +40,7 @@ TEST(RunRungs, RepeatsShortRunsWhereCostIsShown) {
   EXPECT_EQ(run_levels("case", declared, method, Suite::acceptance)[0].summary.cost.repeats, 1);
 }
 
-TEST(RunRungs, ChargeTheHarnessWithTheProcessAndNotWithTheSteps) {
+TEST(RunLevels, ChargeTheHarnessWithTheProcessAndNotWithTheSteps) {
   const Method method = doing([](const Level&, const Schedule& when) {
     ARun run = ended(when);
     const StopWatch watch;
@@ -54,7 +54,7 @@ TEST(RunRungs, ChargeTheHarnessWithTheProcessAndNotWithTheSteps) {
   EXPECT_GT(runs[0].summary.cost.peak_memory, 1e5);
 }
 
-TEST(RunRungs, LeavesARunThatDidNotFinishWhereOneDied) {
+TEST(RunLevels, LeavesARunThatDidNotFinishWhereOneDied) {
   const Method method = doing([](const Level& level, const Schedule& when) {
     if (level.name == "fine") raise(SIGKILL);
     return ended(when);
@@ -65,9 +65,17 @@ TEST(RunRungs, LeavesARunThatDidNotFinishWhereOneDied) {
   EXPECT_NE(runs[1].summary.outcome.find("died of signal 9"), std::string::npos) << runs[1].summary.outcome;
 }
 
-TEST(RunRungs, PassesOnThatInputIsRefused) {
+TEST(RunLevels, PassesOnThatInputIsRefused) {
   const Method method = doing([](const Level&, const Schedule&) -> ARun { throw std::invalid_argument("spacing"); });
   EXPECT_THROW(run_levels("case", in_half_a_second, method, Suite::report), std::invalid_argument);
+}
+
+TEST(ALevelOfAnySpacing, HasCellsAsTheLevelOfNearestSpacing) {
+  Method method{.levels = {{.name = "M1", .spacing = 0.1, .cell = 0.1}, {.name = "M2", .spacing = 0.05, .cell = 0.1}}};
+  EXPECT_NEAR(level_at(method, 0.2).cell, 0.2, 1e-15);
+  EXPECT_NEAR(level_at(method, 0.02).cell, 0.04, 1e-15);
+  method.levels = {{.name = "S1", .spacing = 0.1}};
+  EXPECT_TRUE(std::isnan(level_at(method, 0.1).cell)) << "a method without cells";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/former.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,6 @@ namespace {
 using std::filesystem::path;
 
 const std::vector<std::string> columns{"method", "level", "time [s]", "quantity", "value", "lower", "upper", "basis"};
-
-bool same_time(double a, double b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
-}
 
 bool stands_before(const Baseline& a, const Baseline& b) {
   const auto place = [](const Baseline& row) {
@@ -77,31 +73,16 @@ Baselines baselines_in(const Sheet& sheet) {
   return baselines;
 }
 
-std::string cell(const std::string& text) {
-  const bool padded = !text.empty() && (text.front() == ' ' || text.back() == ' ');
-  if (!padded && text.find_first_of(",\"\t") == text.npos) return text;
-  std::string quoted;
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return fmt::format("\"{}\"", quoted);
-}
-
-std::string line_of(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const auto& text : cells) line += cell(text) + ',';
-  line.back() = '\n';
-  return line;
-}
-
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string text_of(const std::vector<Baseline>& rows, const Acceptance& acceptance) {
   std::string text = fmt::format("# title: {}\n# revision: {}\n# date: {}\n# reason: {}\n", acceptance.title,
                                  acceptance.revision, acceptance.date, acceptance.reason);
   for (const auto& note : acceptance.notes) text += fmt::format("# note: {}\n", note);
-  text += line_of(columns);
+  text += csv_line(columns);
   for (const auto& row : rows)
-    text += line_of({row.method, row.level, shortest(row.time), row.quantity, shortest(row.value), shortest(row.lower),
-                     shortest(row.upper), row.basis});
+    text += csv_line({row.method, row.level, shortest(row.time), row.quantity, shortest(row.value), shortest(row.lower),
+                      shortest(row.upper), row.basis});
   return text;
 }
 
@@ -128,7 +109,7 @@ void write_baselines(const path& file, std::vector<Baseline> rows, const Accepta
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     files::write_whole(file, text);
   } catch (const std::runtime_error&) {
-    throw BadData(file, 0, "the baselines cannot be written; expected permission and room to write beside it");
+    throw BadData(file, 0, "the baselines cannot be written; expected permission and space to write beside it");
   }
 }
 

@@ -144,7 +144,7 @@ TEST(Baselines, CannotBeWrittenWhereAFolderStands) {
   const auto folder = fresh_folder();
   std::filesystem::create_directories(folder / "case.csv" / "inside");
   const auto write = [&] { write_baselines(folder / "case.csv", {l2}, accepted); };
-  EXPECT_EQ(said_by(write), " the baselines cannot be written; expected permission and room to write beside it");
+  EXPECT_EQ(said_by(write), " the baselines cannot be written; expected permission and space to write beside it");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
 }
 
@@ -185,7 +185,7 @@ TEST(Baselines, MustSayWhoAcceptedThemAndWhy) {
 
 TEST(Baselines, MustKeepToOneLineEach) {
   EXPECT_EQ(refusal({changed([](Baseline& row) { row.basis = "two\nlines"; })}),
-            "7: row too short; found 1, expected 8 cells");
+            "6: a quote that does not close; found '\"two', expected a second '\"'");
 }
 
 TEST(Baselines, RefuseAFileOfOtherColumns) {

@@ -8,7 +8,7 @@
 namespace touchstone::vnv {
 namespace {
 
-/// Share of a limit that is left, or of half the width between two.
+/// Fraction of a limit that is left, or of half the width between two.
 double margin_of(const Claim& claim, double value) {
   if (claim.lower && claim.upper) {
     const double half = (*claim.upper - *claim.lower) / 2;
@@ -120,13 +120,6 @@ Verdict judge(const Claim& claim, const Place& place, double value) {
 
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order) {
   return claim.surely_above ? judge_convergence(claim, place, order) : judge_slope(claim, place, order);
-}
-
-Verdict inconclusive(const Claim& claim, const Place& place, double value, std::string_view why) {
-  Verdict v = verdict_of(claim, place, value);
-  v.outcome = Outcome::inconclusive;
-  v.sentence = fmt::format("{}: {}: {}", value_in_words(v), why, word_of(v.outcome));
-  return v;
 }
 
 }  // namespace touchstone::vnv

@@ -10,7 +10,7 @@
 
 namespace touchstone::vnv {
 
-/// Who set a limit: `theory`, `literature` or `baseline`, and where to look it up.
+/// Who set a limit: `theory`, `literature` or `baseline`, and where it stands.
 struct Author {
   std::string words;
 };
@@ -88,8 +88,5 @@ Verdict judge(const Claim& claim, const Place& place, double value);
 
 /// Judges an observed order.
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order);
-
-/// A verdict on a value that nothing judges.
-Verdict inconclusive(const Claim& claim, const Place& place, double value, std::string_view why);
 
 }  // namespace touchstone::vnv

@@ -38,12 +38,6 @@ TEST(Claim, SaysWhereWhatTheValueTheLimitAndWhoSetIt) {
       "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s, limit 2.33 % (literature: Sun et al., table 3, S2), margin -8 %: FAILS");
 }
 
-TEST(Claim, OfAValueThatNothingJudgesTellsTheValueAndWhy) {
-  const Verdict v = inconclusive(between(l2, -INFINITY, INFINITY, baseline("")), here, 2.51, "nobody knows");
-  EXPECT_EQ(v.outcome, Outcome::inconclusive);
-  EXPECT_EQ(v.sentence, "poiseuille.sph S2: L2 v_x = 2.51 % at 1 s: nobody knows: INCONCLUSIVE");
-}
-
 TEST(Claim, CoversItsLevelAndTimeOnly) {
   const Claim claim = small.on("S2").at(0.1);
   EXPECT_TRUE(claim.covers("S2", 0.1 + 1e-12));

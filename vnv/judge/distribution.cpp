@@ -42,7 +42,7 @@ double distance_of(const Pooled& both) {
   return area;
 }
 
-/// Of Anderson & Darling, but for a factor; between equal values there is no place to look.
+/// Of Anderson & Darling, but for a factor; between equal values nothing is counted.
 double unlikeness_of(const Pooled& both) {
   const double all = both.first + both.second;
   double of_first = 0, since_last = 0, sum = 0;
@@ -63,12 +63,12 @@ bool is_finite(const std::vector<double>& sample) {
 
 }  // namespace
 
-double quantile(std::vector<double> sample, double share) {
-  if (sample.empty() || !(share >= 0 && share <= 1))
+double quantile(std::vector<double> sample, double fraction) {
+  if (sample.empty() || !(fraction >= 0 && fraction <= 1))
     throw std::invalid_argument(
-        fmt::format("quantile: {} values, share {}, expected at least one and 0 to 1", sample.size(), share));
+        fmt::format("quantile: {} values, fraction {}, expected at least one and 0 to 1", sample.size(), fraction));
   std::ranges::sort(sample);
-  const double place = share * static_cast<double>(sample.size() - 1);
+  const double place = fraction * static_cast<double>(sample.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   if (below + 1 == sample.size()) return sample.back();
   return std::lerp(sample[below], sample[below + 1], place - static_cast<double>(below));

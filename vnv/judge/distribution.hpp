@@ -5,17 +5,17 @@
 
 namespace touchstone::vnv {
 
-/// The value that a share of a sample does not exceed, linear between its members (Hyndman & Fan 1996, type 7).
-/// Throws std::invalid_argument for an empty sample or a share outside [0, 1].
-double quantile(std::vector<double> sample, double share);
+/// The value that a fraction of a sample does not exceed, linear between its members (Hyndman & Fan 1996, type 7).
+/// Throws std::invalid_argument for an empty sample or a fraction outside [0, 1].
+double quantile(std::vector<double> sample, double fraction);
 
 /// The Wasserstein distance of first order between two samples, in their unit: what has to be moved, and how far, to
 /// make one of the other. Not a number if one of them is empty or holds what is not finite.
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b);
 
 /// How often two samples of one distribution are at least as unlike, in place or in spread: by the statistic of
-/// Anderson & Darling (Pettitt, Biometrika 63 (1976), 161), the share of random ways to deal all values to two samples
-/// of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39). The same for the same
+/// Anderson & Darling (Pettitt, Biometrika 63 (1976), 161), the fraction of random ways to deal all values to two
+/// samples of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39). The same for the same
 /// samples. 0 where a sample is empty or holds what is not finite.
 double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals = 100'000);
 

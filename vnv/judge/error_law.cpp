@@ -45,10 +45,10 @@ int slopes(const gsl_vector* at, void* data, gsl_matrix* out) {
   const Ladder& ladder = *static_cast<const Ladder*>(data);
   for (std::size_t i = 0; i < ladder.log_error.size(); ++i) {
     const double above = gsl_vector_get(at, log_scale) + gsl_vector_get(at, order) * ladder.log_spacing[i];
-    const double share = 1 / (1 + std::exp(gsl_vector_get(at, log_floor) - above));  // that is not floor
-    gsl_matrix_set(out, i, order, share * ladder.log_spacing[i]);
-    gsl_matrix_set(out, i, log_scale, share);
-    gsl_matrix_set(out, i, log_floor, 1 - share);
+    const double fraction = 1 / (1 + std::exp(gsl_vector_get(at, log_floor) - above));  // that is not floor
+    gsl_matrix_set(out, i, order, fraction * ladder.log_spacing[i]);
+    gsl_matrix_set(out, i, log_scale, fraction);
+    gsl_matrix_set(out, i, log_floor, 1 - fraction);
   }
   return GSL_SUCCESS;
 }
@@ -117,8 +117,8 @@ std::optional<ErrorLaw> fit_law_with_floor(const std::vector<double>& spacings, 
   const double least = *std::ranges::min_element(errors);
   std::optional<ErrorLaw> best;
   for (const double guess : {1.0, 2.0, 4.0})
-    for (const double share : {0.9, 0.5, 0.1}) {
-      const auto law = search(ladder, {guess, std::log((1 - share) * least), std::log(share * least)});
+    for (const double fraction : {0.9, 0.5, 0.1}) {
+      const auto law = search(ladder, {guess, std::log((1 - fraction) * least), std::log(fraction * least)});
       if (law && law->order > 0 && (!best || law->squares < best->squares)) best = law;
     }
   return best;

@@ -14,9 +14,9 @@ struct ErrorLaw {
   double squares = not_a_number;                                 // sum of (log of error over law)²
 };
 
-/// The law of least squares in log e, as errors scatter by a share of themselves: a trust-region search [GSL, Nonlinear
-/// Least-Squares Fitting] from several starts. Nothing for fewer than four levels, for an error that is no positive
-/// number, or where no start leads to a law. Spacings [m] are positive and fall.
+/// The law of least squares in log e, as errors scatter by a fraction of themselves: a trust-region search [GSL,
+/// Nonlinear Least-Squares Fitting] from several starts. Nothing for fewer than four levels, for an error that is no
+/// positive number, or where no start leads to a law. Spacings [m] are positive and fall.
 std::optional<ErrorLaw> fit_law_with_floor(const std::vector<double>& spacings, const std::vector<double>& errors);
 
 }  // namespace touchstone::vnv

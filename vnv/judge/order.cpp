@@ -1,7 +1,6 @@
 #include "vnv/judge/order.hpp"
 
 #include "vnv/judge/error_law.hpp"
-#include "vnv/judge/spacings.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,8 @@
 #include <gsl/gsl_fit.h>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace touchstone::vnv {
@@ -74,13 +75,24 @@ Trend trend_of(const ObservedOrder& found, const std::vector<double>& errors) {
   return Trend::inconclusive;
 }
 
+/// Throws std::invalid_argument unless the spacings [m] of a ladder are finite, positive and falling.
+void require_falling(const std::vector<double>& spacings) {
+  double coarser = std::numeric_limits<double>::infinity();
+  for (const double spacing : spacings) {
+    if (!(spacing > 0 && spacing < coarser))
+      throw std::invalid_argument(fmt::format(
+          "observe_order: spacing {} m after {} m, expected finite, positive and falling spacings", spacing, coarser));
+    coarser = spacing;
+  }
+}
+
 }  // namespace
 
 ObservedOrder observe_order(std::vector<double> spacings, std::vector<double> errors) {
   if (spacings.size() != errors.size())
     throw std::invalid_argument(
         fmt::format("observe_order: {} spacings and {} errors, expected equally many", spacings.size(), errors.size()));
-  require_falling("observe_order", spacings);
+  require_falling(spacings);
   const auto x = logs(spacings), y = logs(errors);
   ObservedOrder found;
   found.pairwise = slopes(x, y);

@@ -129,7 +129,7 @@ TEST(ObservedOrder, HasAnIntervalThatHoldsTheTruthNineteenTimesInTwenty) {
 
 const std::vector<double> long_ladder{0.08, 0.056, 0.04, 0.028, 0.02, 0.014, 0.01};  // m
 
-/// Errors of a law that scatter by a share of themselves.
+/// Errors of a law that scatter by a fraction of themselves.
 class NoisyErrors {
  public:
   NoisyErrors(std::function<double(double)> law, double noise) : law_(std::move(law)), noise_(noise) {}

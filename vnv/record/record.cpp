@@ -27,9 +27,10 @@ TOUCHSTONE_FIELDS(Table, id, title, caption, columns, rows)
 TOUCHSTONE_FIELDS(WorkDiagram, id, title, caption, quantity, targets, ranked_by)
 TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles, per_step, error, cpu, cpu_lowest,
                   cpu_highest)
+TOUCHSTONE_FIELDS(HistoryFile, level, file)
 TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, suite, revision, compiler,
                   flags, machine, finished_at, runs, values, orders, verdicts, figures, curves, clouds, tables,
-                  diagrams, work)
+                  diagrams, work, histories)
 
 namespace {
 
@@ -74,6 +75,7 @@ Record record_from(json::Json json) {
     bring_up_from_3(json);
   else if (schema != Record{}.schema)
     throw json::Misfit{"schema", fmt::format("is {}, expected {} or 3, those known here", schema, Record{}.schema)};
+  if (!json.contains("histories")) json["histories"] = json::Json::array();  // written before there were any
   Record record;
   const json::Reader reader(json);
   describe(reader, record);
@@ -86,6 +88,13 @@ Record record_from(json::Json json) {
 std::string_view name_of(Trend trend) { return words(trend).at(static_cast<std::size_t>(trend)); }
 
 void write(const Record& record, const std::filesystem::path& file) {
+  for (const HistoryFile& history : record.histories) {
+    if (history.text.empty()) continue;
+    const std::filesystem::path place = file.parent_path() / history.file;
+    std::error_code refused;  // what may not be made cannot be written either, and that is said
+    std::filesystem::create_directory(place.parent_path(), refused);
+    files::write_whole(place, history.text);
+  }
   files::write_whole(file, json::with_clear_errors(file.string(), "cannot be written",
                                                    [&] { return json::Writer::json(record).dump() + "\n"; }));
 }

@@ -16,7 +16,16 @@
 
 namespace touchstone::vnv {
 
-/// A diagram of error over CPU time, with the errors whose price is told.
+/// What a run monitored over time, as a CSV file beside the record: time and each quantity by its heading.
+struct HistoryFile {
+  std::string level;
+  std::string file;    // "histories/dam_break.mpm.M2.csv", within the folder of the record
+  std::string text{};  // of the file, to be written with the record; empty in a record that was read
+
+  bool operator==(const HistoryFile&) const = default;
+};
+
+/// A diagram of error over CPU time, with the errors whose cost is reported.
 struct WorkDiagram {
   std::string id;                   // "work"; also the stem of its files
   std::string title;                // "Error against run time"
@@ -46,6 +55,8 @@ struct WorkPoint {
 
 /// The quantity of the one verdict on a method that could not be assessed: 0 instead of 1.
 inline constexpr std::string_view could_be_assessed = "assessed";
+/// The quantity of the one verdict on the values of a method that were never accepted: how many.
+inline constexpr std::string_view never_accepted = "values without an accepted baseline";
 
 struct Record {
   int schema = 4;
@@ -66,11 +77,12 @@ struct Record {
   std::vector<Table> tables;
   std::vector<WorkDiagram> diagrams;
   std::vector<WorkPoint> work;
+  std::vector<HistoryFile> histories;
 
   bool operator==(const Record&) const = default;
 };
 
-/// Writes the record whole or not at all: to a neighbouring temporary name, then renamed.
+/// Writes the record whole or not at all, after the histories that it lists.
 /// Throws std::runtime_error naming the file and the cause.
 void write(const Record& record, const std::filesystem::path& file);
 

@@ -1,5 +1,7 @@
 #include "vnv/record/record.hpp"
 
+#include "vnv/files/tables.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -87,12 +89,31 @@ Record full_record() {
       {"norms", "Norms", "Table 3", {"level", "L2 [%]"}, {{std::string("M1"), 3.34}, {std::string("M2"), 1.59}}}};
   r.diagrams = {{"work", "Error against run time", "at 1 s", {"L2 v_x", "%", Kind::norm}, {3, 1}, 1}};
   r.work = {{"work", "paper", "MPM", "M1", true, 800, 4.6e-4, 3.34, 92, 91, 93}};
+  r.histories = {{"M1", "histories/poiseuille.mpm.M1.csv"}};
   return r;
 }
 
 TEST_F(RecordFile, ComesBackAsItWasWritten) {
   write(full_record(), file());
   EXPECT_EQ(read_record(file()), full_record());
+}
+
+TEST_F(RecordFile, StandsBesideTheHistoriesThatItLists) {
+  Record record = full_record();
+  record.histories[0].text = "# title: a history\ntime [s],v_x [m/s]\n0,nan\n0.1,2.5\n";
+  write(record, file());
+  const Sheet sheet = read_sheet(file().parent_path() / read_record(file()).histories[0].file);
+  EXPECT_EQ(sheet.headings.cells, (std::vector<std::string>{"time [s]", "v_x [m/s]"}));
+  EXPECT_TRUE(std::isnan(sheet.number(sheet.rows[0], 1, true)));
+  EXPECT_EQ(sheet.number(sheet.rows[1], 1), 2.5);
+}
+
+TEST_F(RecordFile, IsReadWhereItWasWrittenBeforeThereWereHistories) {
+  Record record = full_record();
+  write(record, file());
+  change(",\"histories\":[{\"level\":\"M1\",\"file\":\"histories/poiseuille.mpm.M1.csv\"}]", "");
+  record.histories.clear();
+  EXPECT_EQ(read_record(file()), record);
 }
 
 TEST_F(RecordFile, KeepsTheDifferenceBetweenNoLimitAndALimit) {

@@ -18,7 +18,7 @@ struct Cost {
   double cpu_highest = 0;  // s
   double wall = 0;         // s
   double stepping = 0;     // s  the part of `wall` that was spent in the solver's steps
-  double harness = 0;      // s  wall time of all else: looking, sampling, measuring, a process of its own
+  double harness = 0;      // s  wall time of all else: checks, sampling, measuring, a process of its own
   double peak_memory = 0;  // bytes  largest resident set of the run's process
 
   double per_step() const { return cpu / static_cast<double>(steps); }                      // s

@@ -26,7 +26,7 @@ struct Verdict {
   std::optional<double> lower, upper;  // in `unit`; the limits that are claimed
   std::string author;                  // "theory: ...", "literature: ...", "baseline: ..."
   Outcome outcome = Outcome::inconclusive;
-  double margin = not_a_number;  // share of the limit left, negative if it fails
+  double margin = not_a_number;  // fraction of the limit left, negative if it fails
   std::string sentence;          // all of it, for a person
 
   bool operator==(const Verdict&) const = default;

@@ -21,6 +21,7 @@ namespace touchstone::vnv {
 struct Watch {
   double every = std::numeric_limits<double>::infinity();  // s
   std::function<std::vector<double>(const Samples&)> see{};
+  std::vector<Quantity> quantities{};  // what they are, one of each, for the record
 };
 
 /// When to look at a run.
