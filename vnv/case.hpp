@@ -12,7 +12,9 @@
 namespace touchstone::vnv {
 
 enum class Suite { acceptance, report, nightly };
-std::string_view name_of(Suite suite);
+inline std::string_view name_of(Suite suite) {
+  return suite == Suite::acceptance ? "acceptance" : suite == Suite::report ? "report" : "nightly";
+}
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Level {
@@ -80,7 +82,11 @@ struct Results {
   std::vector<Run> runs;
 
   /// The run of a level, or null if this suite has none.
-  const Run* run(std::string_view level) const;
+  const Run* run(std::string_view level) const {
+    for (const Run& r : runs)
+      if (r.summary.level == level) return &r;
+    return nullptr;
+  }
 };
 
 /// Turns a run into named numbers, "L2 v_x, row means [%]".
@@ -117,7 +123,10 @@ struct Case {
 };
 
 /// The case with more plots.
-Case with_plots(Case declared, const std::vector<Plot>& plots);
+inline Case with_plots(Case declared, const std::vector<Plot>& plots) {
+  declared.plots.insert(declared.plots.end(), plots.begin(), plots.end());
+  return declared;
+}
 
 /// Defined by the case file.
 Case the_case();

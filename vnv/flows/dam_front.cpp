@@ -1,5 +1,6 @@
 #include "vnv/flows/dam_front.hpp"
 
+#include "reference/dam_front.hpp"
 #include "vnv/files/tables.hpp"
 
 namespace touchstone::vnv {
@@ -107,7 +108,13 @@ Plot DamFront::history(Figure frame, std::vector<std::string> levels) const {
                              lobovsky.numbers("L [-]"), true});
     record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
                              martin_moyce.numbers("L [-]"), true});
-    record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
+    const reference::RitterFront ritter{.g = dam.gravity, .h0 = dam.column_height, .l0 = dam.column_length};
+    Curve bound{frame.id, "Ritter 1892", Role::guide, {}, {}, false};
+    for (const double t : {0.0, 0.9 / dam.scaled_time(1)}) {
+      bound.x.push_back(dam.scaled_time(t));
+      bound.y.push_back(ritter(t) / dam.column_length);
+    }
+    record.curves.push_back(std::move(bound));
   };
 }
 
