@@ -37,7 +37,7 @@ inline Scene<Tait> scene() {
 }
 
 /// Both half-axes over time.
-inline Watch watch_axes() {
+inline Watch monitored_axes() {
   return {.every = 0.02, .see = [](const Samples& s) {
             const auto axes = half_axes(s);
             return std::vector{axes[0], axes[1]};
