@@ -96,11 +96,11 @@ using Measurement = std::function<std::vector<Value>(const Level&, const Run&)>;
 /// baseline is taken of them.
 using Finding = std::function<std::vector<Value>(const Results&, const Record&)>;
 
-/// How much time may go into making short runs of a method more than once, to tell their cost well.
+/// How much time may go into making short runs of a method more than once, for a reliable measure of their cost.
 struct Repeats {
   double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each level
   long most = 5;          // runs of any one level
-  double longest = 0.25;  // s  user time of a run that is repeated: a longer one tells its cost well enough
+  double longest = 0.25;  // s  user time of a run that is repeated: the cost of a longer one is reliable
 };
 
 /// Adds figures and tables to the record of a method.

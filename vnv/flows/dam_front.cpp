@@ -31,7 +31,7 @@ FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
   return front;
 }
 
-/// T when a front comes within a slab of the far wall, between two looks, or infinity.
+/// T when a front comes within a slab of the far wall, between two samples, or infinity.
 double arrival(const DamFront& dam, const FrontHistory& front) {
   const double there = (dam.tank_length - dam.slab) / dam.column_length;
   for (std::size_t k = 1; k < front.T.size(); ++k)
