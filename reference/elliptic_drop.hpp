@@ -26,8 +26,6 @@ struct EllipticDrop {
     double s;         // 1/s  rate of strain
     double p_centre;  // Pa
 
-    double v_x(double x) const { return s * x; }   // m/s
-    double v_y(double y) const { return -s * y; }  // m/s
     /// Pressure [Pa]; negative outside the drop, where there is none.
     double p(double x, double y) const { return p_centre * (1 - (x / a) * (x / a) - (y / b) * (y / b)); }
   };
@@ -35,36 +33,19 @@ struct EllipticDrop {
   /// Integrated from the start by Runge, Kutta, Prince and Dormand to a relative 1e-13 [GSL, Ordinary Differential
   /// Equations].
   State at(double t) const {
-    check(t);
-    double state[] = {1, 1};  // a / R and s / s0, over s0 t
-    integrate(s0 * t, state);
-    return state_of(R * state[0], s0 * state[1]);
-  }
-
-  /// The same by the energy, which is kept: s² (a² + b²) = 2 s0² R². For a drop of known length.
-  State of_length(double a) const {
-    check(0);
-    if (!(std::isfinite(a) && a >= R))
-      refuse("EllipticDrop", "a [m]", a, fmt::format("a finite half-axis, at least {}", R));
-    const double b = R * R / a;
-    return state_of(a, s0 * R * std::sqrt(2 / (a * a + b * b)));
-  }
-
- private:
-  void check(double t) const {
     require_positive("EllipticDrop", "R [m]", R);
     require_positive("EllipticDrop", "s0 [1/s]", s0);
     require_positive("EllipticDrop", "rho [kg/m³]", rho);
     require_time("EllipticDrop", t);
     constexpr double latest = 1000;  // s0 t
     if (s0 * t > latest) refuse("EllipticDrop", "t [s]", t, fmt::format("at most {}", latest / s0));
-  }
-
-  State state_of(double a, double s) const {
-    const double b = R * R / a;
+    double state[] = {1, 1};  // a / R and s / s0, over s0 t
+    integrate(s0 * t, state);
+    const double a = R * state[0], b = R * R / a, s = s0 * state[1];
     return {.a = a, .b = b, .s = s, .p_centre = rho * s * s * a * a * b * b / (a * a + b * b)};
   }
 
+ private:
   static void integrate(double until, double* state) {
     const auto rates = [](double, const double y[], double dydt[], void*) -> int {
       const double a2 = y[0] * y[0], b2 = 1 / a2;

@@ -40,7 +40,6 @@ struct RotatingPatch {
   }
 
   double mass() const { return rho * L * L; }                                         // kg/m
-  double angular_momentum() const { return -rho * omega * L * L * L * L / 6; }        // kg m/s
   double kinetic_energy() const { return rho * omega * omega * L * L * L * L / 12; }  // J/m
 
  private:

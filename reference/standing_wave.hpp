@@ -33,7 +33,6 @@ struct StandingWave {
   }
 
   double omega() const { return std::sqrt(g * k() * std::tanh(k() * h)); }  // 1/s
-  double period() const { return 2 * std::numbers::pi / omega(); }          // s
   double decay_rate() const { return 2 * nu * k() * k(); }  // 1/s  of the amplitude; energy falls twice as fast
 
  private:

@@ -44,7 +44,7 @@ inline void require_images(std::string_view where, double t) {
   if (t > latest_images) refuse(where, "nu t / H²", t, fmt::format("at most {}; later, fourier", latest_images));
 }
 
-/// What a sum may leave out, as a share of the velocity scale of its flow.
+/// What a sum may leave out, as a fraction of the velocity scale of its flow.
 inline constexpr double negligible = std::numeric_limits<double>::epsilon() / 2;
 
 /// term(first) + term(first + stride) + ..., up to the n from which on all that is left, at most rest(n), is

@@ -14,7 +14,9 @@ namespace touchstone::vnv {
 struct Record;
 
 enum class Suite { acceptance, report, nightly };
-std::string_view name_of(Suite suite);
+inline std::string_view name_of(Suite suite) {
+  return suite == Suite::acceptance ? "acceptance" : suite == Suite::report ? "report" : "nightly";
+}
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
 struct Level {
@@ -82,7 +84,11 @@ struct Results {
   std::vector<Run> runs;
 
   /// The run of a level, or null if this suite has none.
-  const Run* run(std::string_view level) const;
+  const Run* run(std::string_view level) const {
+    for (const Run& r : runs)
+      if (r.summary.level == level) return &r;
+    return nullptr;
+  }
 };
 
 /// Turns a run into named numbers, "L2 v_x, row means [%]".
@@ -92,11 +98,11 @@ using Measurement = std::function<std::vector<Value>(const Level&, const Run&)>;
 /// baseline is taken of them.
 using Finding = std::function<std::vector<Value>(const Results&, const Record&)>;
 
-/// How much time may go into making short runs of a method more than once, to tell their cost well.
+/// How much time may go into making short runs of a method more than once, for a reliable measure of their cost.
 struct Repeats {
   double budget = 0.5;    // s  user time of all repeats of a method, beyond the first run of each level
   long most = 5;          // runs of any one level
-  double longest = 0.25;  // s  user time of a run that is repeated: a longer one tells its cost well enough
+  double longest = 0.25;  // s  user time of a run that is repeated: the cost of a longer one is reliable
 };
 
 /// Adds figures and tables to the record of a method.
@@ -119,7 +125,10 @@ struct Case {
 };
 
 /// The case with more plots.
-Case with_plots(Case declared, const std::vector<Plot>& plots);
+inline Case with_plots(Case declared, const std::vector<Plot>& plots) {
+  declared.plots.insert(declared.plots.end(), plots.begin(), plots.end());
+  return declared;
+}
 
 /// Defined by the case file.
 Case the_case();

@@ -30,16 +30,6 @@ const Flow& flow_of(const Level& level) {
   return named == flows.end() ? flows.front() : *named;
 }
 
-std::string ladder_at(int Re) { return fmt::format("particles across at Re {}", Re); }
-
-Level level_of(const Flow& flow, int particles, double acceptance, double nightly) {
-  return {.name = flow.at(particles),
-          .spacing = cavity.side / particles,
-          .cell = 2 * cavity.side / particles,
-          .acceptance = acceptance,
-          .nightly = nightly};
-}
-
 /// A method in the flow that each level names.
 template <class MakeMethod>
 Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<Claim> claims) {
@@ -51,7 +41,7 @@ Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<
   method.relative_cost = 0;  // particles times steps; started late, these would prolong the nightly suite
   for (const Level& level : method.levels) method.relative_cost += 1e-6 * level.nightly / std::pow(level.spacing, 3);
   for (const Flow& flow : flows) {
-    Ladder ladder{ladder_at(flow.Re), {}};
+    Ladder ladder{fmt::format("particles across at Re {}", flow.Re), {}};
     for (const Level& level : method.levels)
       if (flow_of(level).Re == flow.Re) ladder.levels.push_back(level.name);
     if (!ladder.levels.empty()) method.ladders.push_back(std::move(ladder));
@@ -60,18 +50,21 @@ Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<
   return method;
 }
 
-/// All flows; the thinner the boundary layers, the fewer levels are useful.
-std::vector<Level> all_levels() {
-  const auto& [slow, middle, fast] = flows;
-  return {level_of(slow, 24, slow.end, slow.end), level_of(slow, 50, 0, slow.end),
-          level_of(slow, 100, 0, slow.end),       level_of(middle, 50, 0, middle.end),
-          level_of(middle, 100, 0, middle.end),   level_of(fast, 100, 0, fast.end)};
+/// Levels of the flows with so many particles across; acceptance runs 24.
+std::vector<Level> levels_of(const std::vector<std::vector<int>>& particles) {
+  std::vector<Level> levels;
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    for (const int across : particles[k])
+      levels.push_back({.name = flows[k].at(across),
+                        .spacing = cavity.side / across,
+                        .cell = 2 * cavity.side / across,
+                        .acceptance = across == 24 ? flows[k].end : 0,
+                        .nightly = flows[k].end});
+  return levels;
 }
-/// The coarse ones of the slowest flow.
-std::vector<Level> coarse_levels() {
-  const Flow& slow = flows.front();
-  return {level_of(slow, 24, slow.end, slow.end), level_of(slow, 50, 0, slow.end)};
-}
+/// The thinner the boundary layers, the fewer levels are useful.
+const std::vector<Level> all_levels = levels_of({{24, 50, 100}, {50, 100}, {100}}),
+                         coarse_levels = levels_of({{24, 50}});
 
 double speed(const Samples& samples, Eigen::Index particle) { return samples.v.col(particle).norm(); }  // m/s
 
@@ -137,19 +130,14 @@ Case vnv::the_case() {
            "by local fits of second degree; norms are relative to the lid's speed.\n\nMPM as printed and transport-velocity SPH "
            "are left out: within 0.4 s the lid drives one of their particles through the downstream wall.",
        .times = {flows.front().end},
-       .watch = {.every = output_interval,
-                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
-                 .quantities = {{"kinetic energy", "J/m"}}},
+       .watch = kinetic_energy_every(output_interval),
        .measurements = {against_ghia},
        .findings = {unsteadiness(0, 3)},
-       .methods = {in_cavity(affine, coarse_levels(), within(6, flows[0].at(24), first_measured)),
-                   in_cavity(least_squares, all_levels(),
+       .methods = {in_cavity(affine, coarse_levels, within(6, flows[0].at(24), first_measured)),
+                   in_cavity(least_squares, all_levels,
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
-                   in_cavity([](const auto& scene) { return mixing(second_order(scene)); }, all_levels(),
-                             near_ghia(4, {flows.begin(), flows.end()}))},
-       .plots = {over_time(
-                     {"energy", "Kinetic energy", "Total over all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
-                     {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
+                   mixing(in_cavity(second_order, all_levels, near_ghia(4, {flows.begin(), flows.end()})))},
+       .plots = {kinetic_energy_over_time(0, {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
                  snapshots({"speed",
                             "Speed at Re 1000",
                             "10000 particles coloured by speed.",

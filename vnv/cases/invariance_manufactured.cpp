@@ -1,5 +1,5 @@
-/// The manufactured solution that is mirrored, carried along, turned, on a disturbed lattice and with particles
-/// numbered anew, and its body force with it: every term of the equations takes part.
+/// The manufactured solution under symmetry transformations, and its body force with it: every term of the equations
+/// takes part.
 
 #include "vnv/flows/manufactured.hpp"
 #include "vnv/flows/square_views.hpp"
@@ -11,7 +11,7 @@ Case vnv::the_case() {
   Case declared = square::in_several_views(
       square::PlaneFlow<ForceField>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
                                     [](const View& view) { return ForceField{manufactured::Sustaining{view}}; }},
-      0.2);
+      manufactured::end);
   declared.title = "Invariance: manufactured solution";
   declared.description =
       "The manufactured solution, 34 particles across a period, under symmetry transformations that include the body force that "

@@ -1,5 +1,4 @@
-/// A rotating square patch that is mirrored, carried along, turned, on a disturbed lattice and with particles numbered
-/// anew: a free surface with corners, under tension.
+/// A rotating square patch under symmetry transformations: a free surface with corners, under tension.
 
 #include "vnv/flows/patch.hpp"
 #include "vnv/measures/decay.hpp"
@@ -13,8 +12,7 @@ using namespace touchstone::vnv::patch;
 
 namespace {
 
-constexpr double end = 0.3;                // s
-constexpr double spacing_of_all = L / 24;  // m
+constexpr double end = 0.3;  // s
 
 /// The lattice turns with the patch, so that its sides stay even.
 View turned_with_its_lattice() {
@@ -25,19 +23,12 @@ View turned_with_its_lattice() {
 
 const View turned = turned_with_its_lattice();
 
-const SeveralViews in_views{
-    .views = {views::plain(), views::mirrored_about_x(0), views::carried_along({0.5, 0.3}), turned,
-              views::on_disturbed_lattice(0.1 * spacing_of_all), views::numbered_anew()},
-    .spacing = spacing_of_all,
-    .cell = 2 * spacing_of_all,
-    .end = end,
-    .error = {"kinetic energy over that of a rigidly rotating square"}};
+const SeveralViews in_views = several_views({views::mirrored_about_x(0), views::carried_along({0.5, 0.3}), turned},
+                                            L / 24, end, {"kinetic energy over that of a rigidly rotating square"});
 
 Scene<Tait> scene_of(const View& view) {
   Scene<Tait> seen = scene();
-  seen.start = {.velocity = [=](const Vec2& x) { return view.velocity(velocity, x, 0); },
-                .pressure = [=](const Vec2& x) { return view.pressure(pressure, x, 0); },
-                .places = view.rearranged};
+  seen.start = view.start(velocity, pressure);
   return seen;
 }
 
@@ -51,8 +42,7 @@ Case vnv::the_case() {
   Case declared = in_views.declared(
       kinetic_energy_over(exact.kinetic_energy(), in_views.error),
       in_views.methods(scene_of, methods_on, {"sph_delta"}),
-      "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included. "
-      "Disturbed lattice: each particle starts up to a tenth of a spacing off its place.");
+      "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included.");
   for (Method& method : declared.methods)
     if (method.name.starts_with("sph"))
       method.claims.push_back(in_views.unchanged(turned, "without a grid there is no preferred direction"));

@@ -1,25 +1,15 @@
-/// A decaying wave of shear that is mirrored, carried along, turned, on a disturbed lattice and with particles numbered
-/// anew: on its lattice rows of particles slip past each other, turned they do not.
+/// A decaying shear wave under symmetry transformations: on its lattice rows of particles slip past each other, turned
+/// they do not.
 
-#include "reference/shear_wave.hpp"
+#include "vnv/flows/shear_wave.hpp"
 #include "vnv/flows/square_views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 
-namespace {
-
-constexpr double U = 1, c = 10, rho = 1000, Re = 100;  // m/s, m/s, kg/m³, -
-constexpr Newtonian fluid{{.density = rho, .bulk_modulus = rho * c * c / 7}, rho* U* square::side / Re};
-const reference::ShearWave exact{.L = square::side, .U = U, .nu = fluid.kinematic_viscosity()};
-
-}  // namespace
-
 Case vnv::the_case() {
-  Case declared = square::in_several_views(square::PlaneFlow<>{.fluid = fluid,
-                                                               .velocity = [](const Vec2& x, double t) -> Vec2 {
-                                                                 return {exact(x.y(), t), 0};
-                                                               },
+  Case declared = square::in_several_views(square::PlaneFlow<>{.fluid = shear_wave::fluid,
+                                                               .velocity = shear_wave::velocity,
                                                                .pressure = [](const Vec2&, double) { return 0.0; }},
                                            0.2);
   declared.title = "Invariance: shear wave";

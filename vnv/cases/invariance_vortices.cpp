@@ -1,5 +1,4 @@
-/// Taylor-Green vortices that are mirrored, carried along, turned, on a disturbed lattice and with particles numbered
-/// anew.
+/// Taylor-Green vortices under symmetry transformations.
 
 #include "vnv/flows/square_views.hpp"
 #include "vnv/flows/taylor_green.hpp"

@@ -1,5 +1,5 @@
-/// Water at rest that is carried along, on a disturbed lattice and with particles numbered anew: gravity, a free
-/// surface and a floor. Its mirror image is the water itself.
+/// Water at rest under symmetry transformations: gravity, a free surface and a floor. Its mirror image is the water
+/// itself.
 
 #include "vnv/flows/water_at_rest.hpp"
 #include "vnv/measures/norms_of.hpp"
@@ -11,15 +11,9 @@ using namespace touchstone::vnv::water_at_rest;
 
 namespace {
 
-constexpr double end = 1;                      // s
-constexpr double spacing_of_all = depth / 20;  // m
+constexpr double end = 1;  // s
 
-const SeveralViews in_views{.views = {views::plain(), views::carried_along({0.5, 0}),
-                                      views::on_disturbed_lattice(0.1 * spacing_of_all), views::numbered_anew()},
-                            .spacing = spacing_of_all,
-                            .cell = 2 * spacing_of_all,
-                            .end = end,
-                            .error = l2_p};
+const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, depth / 20, end, l2_p);
 
 Scene<Tait, Uniform> scene_of(const View& view) {
   Scene<Tait, Uniform> seen = scene;
@@ -35,10 +29,9 @@ std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = in_views.declared(
-      norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
-      "Carried along: a uniform velocity of 0.5 m/s is added. Disturbed lattice: each particle starts "
-      "up to a tenth of a spacing off its place.");
+  Case declared =
+      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
+                        "Carried along: a uniform velocity of 0.5 m/s is added.");
   declared.title = "Invariance: hydrostatic equilibrium";
   declared.description =
       "Water 1 m deep under gravity, 20 particles over the depth, under symmetry transformations: in a frame moving at 0.5 m/s; from a disturbed "

@@ -10,8 +10,6 @@ using namespace touchstone::vnv::manufactured;
 
 namespace {
 
-constexpr double end = 0.2;  // s
-
 const std::vector<Level> six_levels = levels_across(
     side,
     {{32, end, 0, end}, {48, end, 0, end}, {64, end, 0, end}, {96, end, 0, end}, {128, 0, 0, end}, {256, 0, 0, end}});

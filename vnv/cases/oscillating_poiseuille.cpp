@@ -26,9 +26,7 @@ const Scene<Newtonian, ForceField> scene{
     .filled = gap,
     .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
     .body_force = {Oscillating{{F, 0}, omega}},
-    .start = {.velocity = [](const Vec2& x) -> Vec2 {
-      return {exact(x.y(), 0), 0};
-    }},
+    .start = start_of(exact),
 };
 
 }  // namespace

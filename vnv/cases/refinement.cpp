@@ -11,14 +11,12 @@ using namespace touchstone::vnv::manufactured;
 
 namespace {
 
-constexpr double end = 0.2;  // s
-
 /// One point of the surface of errors.
 struct Point {
-  int across;    // cells, or lengths of 1.3 spacings that h is long
-  double finer;  // points along a cell, or h over the spacing
-  double share;  // acoustic Courant number, by the cell or the spacing
-  bool quick;    // in the suite acceptance too
+  int across;      // cells, or lengths of 1.3 spacings that h is long
+  double finer;    // points along a cell, or h over the spacing
+  double courant;  // acoustic Courant number, by the cell or the spacing
+  bool quick;      // in the suite acceptance too
 };
 
 /// A direction of refinement: the points of `levels` along which all else is equal.
@@ -36,33 +34,33 @@ Level with_suites(Level level, bool quick) {
 Level mpm_level(const Point& p) {
   const double cell = side / p.across;
   return with_suites(
-      {.name = fmt::format("{0} cells, {1:g} x {1:g} points, c dt = {2:g} cells", p.across, p.finer, p.share),
+      {.name = fmt::format("{0} cells, {1:g} x {1:g} points, c dt = {2:g} cells", p.across, p.finer, p.courant),
        .spacing = cell / p.finer,
        .cell = cell,
-       .time_step = step_for(scene, p.share, cell, output_interval)},
+       .time_step = step_for(scene, p.courant, cell, output_interval)},
       p.quick);
 }
 Level sph_level(const Point& p) {
   const double h = 1.3 * side / p.across, spacing = side / std::round(side * p.finer / h);
   return with_suites(
-      {.name = fmt::format("h = 1.3 / {} m, {:g} spacings, c dt = {:g} spacings", p.across, p.finer, p.share),
+      {.name = fmt::format("h = 1.3 / {} m, {:g} spacings, c dt = {:g} spacings", p.across, p.finer, p.courant),
        .spacing = spacing,
        .smoothing_length = h,
-       .time_step = step_for(scene, p.share, spacing, output_interval)},
+       .time_step = step_for(scene, p.courant, spacing, output_interval)},
       p.quick);
 }
 
 constexpr std::array cells = {16, 24, 32, 48};
 constexpr std::array points = {2.0, 3.0, 4.0};
 constexpr std::array ratios = {1.3, 1.6, 2.0};
-constexpr std::array shares = {0.15, 0.075};
-constexpr double share_of_all = 0.3;
+constexpr std::array courants = {0.15, 0.075};
+constexpr double courant_of_all = 0.3;
 
 std::vector<Point> surface(const auto& finer) {
   std::vector<Point> all;
   for (const double f : finer)
-    for (const int n : cells) all.push_back({n, f, share_of_all, n <= 24 && f == finer[0]});
-  for (const double share : shares) all.push_back({32, finer[0], share, false});
+    for (const int n : cells) all.push_back({n, f, courant_of_all, n <= 24 && f == finer[0]});
+  for (const double courant : courants) all.push_back({32, finer[0], courant, false});
   return all;
 }
 
@@ -73,7 +71,7 @@ Method over_surface(Method method, const std::vector<Point>& all, Level (*level_
   const auto ladder = [&](const std::string& name, auto&& on) {
     Ladder line{name, {}};
     for (const Point& p : all)
-      if (p.share == share_of_all && on(p)) line.levels.push_back(level_of(p).name);
+      if (p.courant == courant_of_all && on(p)) line.levels.push_back(level_of(p).name);
     method.ladders.push_back(std::move(line));
   };
   for (const Point& p : all)
@@ -121,11 +119,8 @@ Case vnv::the_case() {
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
       .methods = {over_surface(mpm, surface(points), mpm_level, cells_at, points_in_cells),
                   over_surface(sph, surface(ratios), sph_level, kernels_at, spacing_in_kernels)},
-      .plots = {along_ladders({"surface",
-                               "Error against spacing, each parameter refined separately",
-                               "L2 error of the velocity at the end; each line refines one parameter.",
-                               {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
-                               {.label = "L2 v [%]", .logarithmic = true}},
-                              {}, spacing(), {{"", error_of(l2_velocity, end)}}),
+      .plots = {error_against_spacing("surface", "Error against spacing, each parameter refined separately",
+                                      "L2 error of the velocity at the end; each line refines one parameter.",
+                                      "L2 v [%]", l2_velocity, end),
                 over_time_steps}};
 }

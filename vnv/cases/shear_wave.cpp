@@ -1,23 +1,17 @@
 /// A decaying shear wave: the viscous term alone, in a fluid whose rows of particles slip past each other.
 
-#include "reference/shear_wave.hpp"
-#include "vnv/flows/square.hpp"
+#include "vnv/flows/shear_wave.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/plots/over_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
+using namespace touchstone::vnv::shear_wave;
 using namespace touchstone::vnv::square;
 
 namespace {
 
-constexpr double early = 0.1, end = 1;                 // s
-constexpr double U = 1, c = 10, rho = 1000, Re = 100;  // m/s, m/s, kg/m³, -
-constexpr Newtonian fluid{{.density = rho, .bulk_modulus = rho * c * c / 7}, rho* U* side / Re};
-const reference::ShearWave exact{.L = side, .U = U, .nu = fluid.kinematic_viscosity()};
-
-Vec2 velocity(const Vec2& x, double t) { return {exact(x.y(), t), 0}; }
-
+constexpr double early = 0.1, end = 1;  // s
 const Scene<Newtonian> scene{.domain = domain, .fluid = fluid, .filled = box, .start = {.velocity = [](const Vec2& x) {
                                                                                 return velocity(x, 0);
                                                                               }}};
@@ -42,9 +36,7 @@ Case vnv::the_case() {
            "number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: pressure and density stay uniform, "
            "and the wave decays by viscosity alone.",
        .times = {early, end},
-       .watch = {.every = 0.02,
-                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
-                 .quantities = {{"kinetic energy", "J/m"}}},
+       .watch = kinetic_energy_every(0.02),
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
                    with_ladder(levels, mpm_affine(scene, output_interval)),
@@ -54,14 +46,12 @@ Case vnv::the_case() {
                    with_ladder(levels, sph_transport_velocity(scene, output_interval)),
                    with_ladder(finer_levels, sph_second_order(scene, output_interval),
                                {of_second_order("fits of second degree")})},
-       .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
-                           {"32 across"}),
-                 exact_over_time(
-                     "energy",
-                     [](double t) {
-                       const double v = exact(side / 4, t);
-                       return rho * side * side * v * v / 4;
-                     },
-                     end)}},
+       .plots = {kinetic_energy_over_time(0, {"32 across"}), exact_over_time(
+                                                                 "energy",
+                                                                 [](double t) {
+                                                                   const double v = exact(side / 4, t);
+                                                                   return rho * side * side * v * v / 4;
+                                                                 },
+                                                                 end)}},
       figures(early, l2_velocity, 10));
 }

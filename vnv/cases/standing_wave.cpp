@@ -15,7 +15,7 @@ constexpr double end = 4;  // s
 
 /// Wave amplitude: the first moment of the particles' heights along it, over that of the exact wave at the
 /// start.
-std::vector<double> look(const Samples& s) {
+std::vector<double> monitored(const Samples& s) {
   const Scalars heights = s.x.row(1).transpose(),
                 wave = (2 * std::numbers::pi / L * s.x.row(0).transpose().array()).cos();
   return {(s.mass * heights * wave).sum()};
@@ -76,13 +76,10 @@ Case vnv::the_case() {
           "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
           "damped oscillation fitted to the first moment of the particle heights.",
       .times = {end},
-      .watch = {.every = 0.02, .see = look, .quantities = {{"first moment of the particle heights", "kg"}}},
+      .watch = {.every = 0.02, .see = monitored},
       .measurements = {errors_of_swing},
       .methods = methods_up_levels(),
-      .plots = {over_time({"swing",
-                           "First moment of the particle heights",
-                           "Mass times height times the cosine of the wave, summed over all particles.",
-                           {"t [s]"},
-                           {"moment [kg m / m]"}},
-                          0, {"100 across"})}};
+      .plots = {over_time("swing", "First moment of the particle heights",
+                          "Mass times height times the cosine of the wave, summed over all particles.",
+                          {"moment [kg m / m]"}, 0, {"100 across"})}};
 }

@@ -24,9 +24,7 @@ const Scene<Newtonian> scene{
     .fluid = water,
     .filled = gap,
     .walls = {floor_at(0, oscillating({V, 0}, omega)), ceiling_at(H, free_slip())},
-    .start = {.velocity = [](const Vec2& x) -> Vec2 {
-      return {exact(x.y(), 0), 0};
-    }},
+    .start = start_of(exact),
 };
 
 }  // namespace

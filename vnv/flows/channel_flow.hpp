@@ -8,8 +8,13 @@
 
 namespace touchstone::vnv::channel {
 
-/// Of which every step divides the times at which these flows are looked at [s].
+/// Every step divides it, and it the times at which these flows are sampled [s].
 inline constexpr double output_interval = 0.5e-3;
+
+/// A flow that starts as its oracle is at t = 0.
+inline Start start_of(Truth exact) {
+  return {.velocity = [exact = std::move(exact)](const Vec2& x) -> Vec2 { return {exact(x.y(), 0), 0}; }};
+}
 
 template <class SceneOfChannel>
 std::vector<Method> methods_along(const SceneOfChannel& scene) {
@@ -25,7 +30,7 @@ std::vector<Method> methods_along(const SceneOfChannel& scene) {
           vnv::sph_second_order(scene, output_interval)};
 }
 
-/// A flow along the channel with an oracle, looked at at some times [s], the last of which ends it, with so many
+/// A flow along the channel with an oracle, sampled at some times [s], the last of which ends it, with so many
 /// particles across. Acceptance runs its two coarsest levels. Three methods claim to be of second order.
 template <class SceneOfChannel>
 Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, const Truth& exact,
@@ -34,28 +39,16 @@ Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, c
   std::vector<Across> all;
   for (const int particles : across) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
   const std::vector<Level> levels = levels_across(H, all);
-  Case declared{
-      .times = times,
-      .measurements = {norms_of("v_x, per particle", by_particles, exact)},
-      .methods = {},
-      .plots = {profiles({"profile",
-                          "Velocity profiles",
-                          "All particles of the runs with 40 and 80 across.",
-                          {"y [mm]", 1e3},
-                          {"v_x [mm/s]", 1e3}},
-                         by_particles, exact, H, {"40 across", "80 across"}),
-                along_ladders({"convergence",
-                               "Error against spacing",
-                               fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", end),
-                               {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
-                               {.label = "L2 v_x [%]", .logarithmic = true}},
-                              {}, spacing(), {{"", error_of(l2, end)}}),
-                along_ladders({"cost",
-                               "Work-precision diagram",
-                               fmt::format("The same against CPU time to t = {:g} s; lower left is better.", end),
-                               {.label = "CPU time [s]", .logarithmic = true},
-                               {.label = "L2 v_x [%]", .logarithmic = true}},
-                              {}, cpu_time_until(end), {{"", error_of(l2, end)}})}};
+  Case declared{.times = times,
+                .measurements = {norms_of("v_x, per particle", by_particles, exact)},
+                .methods = {},
+                .plots = {profiles({"profile",
+                                    "Velocity profiles",
+                                    "All particles of the runs with 40 and 80 across.",
+                                    {"y [mm]", 1e3},
+                                    {"v_x [mm/s]", 1e3}},
+                                   by_particles, exact, H, {"40 across", "80 across"})}};
+  declared = with_plots(std::move(declared), errors_of_velocity("convergence", "L2 v_x [%]", l2, end));
   const auto of_second_order = [&](const std::string& words) -> std::vector<Claim> {
     return {order_at_least(ladder_across, l2, 1.8, 1.5, theory(words)).at(end).over(5)};
   };

@@ -38,20 +38,22 @@ std::vector<double> steps_below(double longest) {
 }
 
 double longest_step(double length, const StepLimits& limits) {
-  return limits.share * std::min(limits.acoustic * length / water.sound_speed(),
-                                 limits.viscous * length * length / water.kinematic_viscosity());
+  return limits.fraction * std::min(limits.acoustic * length / water.sound_speed(),
+                                    limits.viscous * length * length / water.kinematic_viscosity());
 }
 
-WorkPoint elsewhere(std::string series, std::string family, std::string run, double particles, double error) {
+WorkPoint elsewhere(std::string series, std::string family, std::string run, double particles, double error,
+                    double cpu) {
   return {.series = std::move(series),
           .family = std::move(family),
           .run = std::move(run),
           .elsewhere = true,
           .particles = particles,
-          .error = error};
+          .error = error,
+          .cpu = cpu,
+          .cpu_lowest = cpu,
+          .cpu_highest = cpu};
 }
-
-void set_time(WorkPoint& point, double cpu) { point.cpu = point.cpu_lowest = point.cpu_highest = cpu; }
 
 }  // namespace
 
@@ -61,7 +63,7 @@ std::vector<Level> mpm_run_time_levels(const std::vector<int>& cells, const std:
   for (const int n : cells)
     for (const int points_across : {1, 2}) {
       const double cell = H / n;
-      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1], .share = 0.9});
+      const double longest = longest_step(cell, {.acoustic = acoustic[points_across - 1], .fraction = 0.9});
       for (const double step : steps_below(longest))
         levels.push_back(affordable({.name = fmt::format("{} cells, {} per cell", n, points_across * points_across),
                                      .spacing = cell / points_across,
@@ -106,10 +108,10 @@ std::vector<WorkPoint> published_work(const std::string& flow) {
     const ValuesWithUnits& geometry = paper.provenance().geometry;
     const double steps = geometry.at("end_time").value / geometry.at("time_step").value;
     for (std::size_t k = 0; k < paper.rows(); ++k) {
+      const double per_step = 1e-3 * paper.numbers("T_p [ms]")[k];
       points.push_back(elsewhere(fmt::format("Sun et al., {}", family), family, paper.words("model")[k],
-                                 paper.numbers("particles [-]")[k], paper.numbers("L2 [%]")[k]));
-      points.back().per_step = 1e-3 * paper.numbers("T_p [ms]")[k];
-      set_time(points.back(), steps * points.back().per_step);
+                                 paper.numbers("particles [-]")[k], paper.numbers("L2 [%]")[k], steps * per_step));
+      points.back().per_step = per_step;
     }
   }
   return points;
@@ -121,11 +123,9 @@ std::vector<WorkPoint> peers_in_poiseuille_flow() {
   require_geometry(peers, "gap", H, 1e-9);
   require_geometry(peers, "end_time", 1, 1e-9);
   std::vector<WorkPoint> points;
-  for (std::size_t k = 0; k < peers.rows(); ++k) {
-    points.push_back(
-        elsewhere(peers.words("code")[k], "SPH", "", peers.numbers("particles [-]")[k], peers.numbers("L2 [%]")[k]));
-    set_time(points.back(), peers.numbers("CPU [s]")[k]);
-  }
+  for (std::size_t k = 0; k < peers.rows(); ++k)
+    points.push_back(elsewhere(peers.words("code")[k], "SPH", "", peers.numbers("particles [-]")[k],
+                               peers.numbers("L2 [%]")[k], peers.numbers("CPU [s]")[k]));
   return points;
 }
 

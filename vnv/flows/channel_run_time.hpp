@@ -2,12 +2,10 @@
 /// Work-precision diagrams of the two channel flows: each method over resolutions and time steps, from rest to 1 s, and
 /// the points of Sun et al. and of other codes.
 
-#include "vnv/flows/channel.hpp"
-#include "vnv/record/record.hpp"
+#include "vnv/flows/start_up.hpp"
 #include "vnv/studies/run_time.hpp"
 
 #include <array>
-#include <map>
 
 namespace touchstone::vnv::channel {
 
@@ -15,7 +13,7 @@ namespace touchstone::vnv::channel {
 struct StepLimits {
   double acoustic;         // critical step times sound speed over `length`
   double viscous = 0.125;  // times length² over kinematic viscosity (Morris, Fox & Zhu 1997)
-  double share = 0.8;      // of the smaller of both: the longest step taken
+  double fraction = 0.8;   // of the smaller of both: the longest step taken
 };
 
 /// How many particle-steps a run with the longest step may have to belong to a suite; with a shorter one, a tenth.
@@ -32,7 +30,7 @@ std::vector<Level> mpm_run_time_levels(const std::vector<int>& cells, const std:
 std::vector<Level> sph_run_time_levels(const std::vector<int>& particles, double smoothing, StepLimits limits,
                                        Effort effort);
 
-/// Error per particle at 1 s, with the errors whose price is told.
+/// Error per particle at 1 s, and the errors to which CPU times are reported.
 WorkDiagram work_diagram();
 
 /// Tables 3 and 4 of Sun et al. as points: T_p times the steps to 1 s.
@@ -41,7 +39,7 @@ std::vector<WorkPoint> published_work(const std::string& flow);
 /// Other codes, measured on another machine.
 std::vector<WorkPoint> peers_in_poiseuille_flow();
 
-/// One entry a method; the claims by its name.
+/// One entry a method; the claims by its name, or else by "MPM" or "SPH".
 template <class SceneOfChannel>
 std::vector<Method> run_time_methods(const SceneOfChannel& scene,
                                      const std::map<std::string, std::vector<Claim>>& claims) {
@@ -51,81 +49,33 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
   const Effort of_mpm{.report = 1.2e8, .nightly = 4e8}, of_sph{.report = 2e7, .nightly = 5e7};
   const std::vector<Level> mpm = mpm_run_time_levels(cells, {1, 1.41}, of_mpm),
                            affine = mpm_run_time_levels(cells, {0.9, 0.9}, of_mpm),
-                           printed = sph_run_time_levels(across, 1.2, {.acoustic = 0.73, .share = 0.4}, of_sph),
+                           printed = sph_run_time_levels(across, 1.2, {.acoustic = 0.73, .fraction = 0.4}, of_sph),
                            regularised = sph_run_time_levels(across, 1, {.acoustic = 2.22}, of_sph),
                            one_evaluation = sph_run_time_levels(across, 1, {.acoustic = 0.8}, of_sph);
-  return {{
-              .name = "mpm",
-              .description = mpm_words + moving_words,
-              .run = mpm_with<mpm::PrescribedMotion>(scene),
-              .levels = mpm,
-              .claims = claims.at("mpm"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "mpm_reset",
-              .description = mpm_words + reset_words,
-              .run = mpm_with<mpm::VelocityReset>(scene),
-              .levels = mpm,
-              .claims = claims.at("mpm_reset"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "mpm_float",
-              .description = mpm_words + moving_words + float_words,
-              .run = mpm_with<mpm::PrescribedMotion, float>(scene),
-              .levels = mpm,
-              .claims = claims.at("mpm_float"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "mpm_affine",
-              .description = affine_words,
-              .run = mpm_affine(scene),
-              .levels = affine,
-              .claims = claims.at("mpm_affine"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "sph",
-              .description = sph_printed_words + conservative_words,
-              .run = sph_as_printed(scene),
-              .levels = printed,
-              .claims = claims.at("sph"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "sph_difference",
-              .description = sph_printed_words + difference_words,
-              .run = sph_as_printed<sph::PressureDifference>(scene),
-              .levels = printed,
-              .claims = claims.at("sph_difference"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "sph_regularised_float",
-              .description = sph_regularised_words + " Sums over pairs in single precision.",
-              .run = sph_with_transport_velocity<KickDriftKick, float>(scene),
-              .levels = regularised,
-              .claims = claims.at("sph_regularised_float"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "sph_one_evaluation",
-              .description = sph_regularised_words + one_evaluation_words,
-              .run = sph_with_transport_velocity<AdamsBashforth>(scene),
-              .levels = one_evaluation,
-              .claims = claims.at("sph_one_evaluation"),
-              .relative_cost = 30,
-          },
-          {
-              .name = "sph_regularised",
-              .description = sph_regularised_words,
-              .run = sph_with_transport_velocity(scene),
-              .levels = regularised,
-              .claims = claims.at("sph_regularised"),
-              .relative_cost = 30,
-          }};
+  const auto method = [&](const std::string& name, const std::string& description, auto run,
+                          const std::vector<Level>& levels) -> Method {
+    return {.name = name,
+            .description = description,
+            .run = std::move(run),
+            .levels = levels,
+            .claims = claims.at(claims.contains(name)     ? name
+                                : name.starts_with("mpm") ? "MPM"
+                                                          : "SPH"),
+            .relative_cost = 30};
+  };
+  return {
+      method("mpm", mpm_words + moving_words, mpm_with<mpm::PrescribedMotion>(scene), mpm),
+      method("mpm_reset", mpm_words + reset_words, mpm_with<mpm::VelocityReset>(scene), mpm),
+      method("mpm_float", mpm_words + moving_words + float_words, mpm_with<mpm::PrescribedMotion, float>(scene), mpm),
+      method("mpm_affine", affine_words, mpm_affine(scene), affine),
+      method("sph", sph_printed_words + conservative_words, sph_as_printed(scene), printed),
+      method("sph_difference", sph_printed_words + difference_words, sph_as_printed<sph::PressureDifference>(scene),
+             printed),
+      method("sph_regularised_float", sph_regularised_words + " Sums over pairs in single precision.",
+             sph_with_transport_velocity<KickDriftKick, float>(scene), regularised),
+      method("sph_one_evaluation", sph_regularised_words + one_evaluation_words,
+             sph_with_transport_velocity<AdamsBashforth>(scene), one_evaluation),
+      method("sph_regularised", sph_regularised_words, sph_with_transport_velocity(scene), regularised)};
 }
 
 /// The case of a flow: `exact` is its truth, `elsewhere` what others measured of it.

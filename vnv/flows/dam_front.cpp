@@ -1,5 +1,6 @@
 #include "vnv/flows/dam_front.hpp"
 
+#include "reference/dam_front.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/record/record.hpp"
 
@@ -31,7 +32,7 @@ FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
   return front;
 }
 
-/// T when a front comes within a slab of the far wall, between two looks, or infinity.
+/// T when a front comes within a slab of the far wall, between two samples, or infinity.
 double arrival(const DamFront& dam, const FrontHistory& front) {
   const double there = (dam.tank_length - dam.slab) / dam.column_length;
   for (std::size_t k = 1; k < front.T.size(); ++k)
@@ -108,7 +109,13 @@ Plot DamFront::history(Figure frame, std::vector<std::string> levels) const {
                              lobovsky.numbers("L [-]"), true});
     record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
                              martin_moyce.numbers("L [-]"), true});
-    record.curves.push_back({frame.id, "Ritter 1892", Role::guide, {0, 0.9}, {1, 2.8}, false});
+    const reference::RitterFront ritter{.g = dam.gravity, .h0 = dam.column_height, .l0 = dam.column_length};
+    Curve bound{frame.id, "Ritter 1892", Role::guide, {}, {}, false};
+    for (const double t : {0.0, 0.9 / dam.scaled_time(1)}) {
+      bound.x.push_back(dam.scaled_time(t));
+      bound.y.push_back(ritter(t) / dam.column_length);
+    }
+    record.curves.push_back(std::move(bound));
   };
 }
 

@@ -139,16 +139,4 @@ FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& mea
           .measured_slope = slope_of("the measured", measured, slope_window)};
 }
 
-Agreement agrees_within(double E, double u_num, double u_input, double u_D) {
-  for (const double u : {u_num, u_input, u_D})
-    if (u < 0) throw std::invalid_argument(fmt::format("agrees_within: uncertainty {}, expected zero or more", u));
-  const double u_val = std::sqrt(u_num * u_num + u_input * u_input + u_D * u_D);  // std::hypot may lose a NaN
-  const bool agrees = std::abs(E) <= u_val;
-  return {.E = E,
-          .u_val = u_val,
-          .agrees = agrees,
-          .words = agrees ? fmt::format("agrees within u_val = {:.3g} (E = {:.3g})", u_val, E)
-                          : fmt::format("model error {:.3g} +- {:.3g}", E, u_val)};
-}
-
 }  // namespace touchstone::vnv

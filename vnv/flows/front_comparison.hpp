@@ -1,5 +1,5 @@
 #pragma once
-/// A computed dam-break front against a measured one, and whether the two differ by more than is known.
+/// A computed dam-break front against a measured one.
 
 #include <string>
 #include <string_view>
@@ -43,18 +43,5 @@ FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& mea
 
 /// The slope dL/dT of a least-squares line through a front's points in a window. Throws as `compare_fronts`.
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window);
-
-/// What an error means beside the uncertainties of numbers, inputs and data.
-struct Agreement {
-  double E;      // simulation less data
-  double u_val;  // in the unit of E
-  bool agrees;   // |E| <= u_val; false if either is not a number
-  std::string words;
-};
-
-/// Validation by ASME V&V 20 (2009): u_val² = u_num² + u_input² + u_D², all in the unit of E and of the
-/// same coverage. The words are "agrees within u_val" or "model error E +- u_val", with their numbers.
-/// Throws std::invalid_argument for a negative uncertainty.
-Agreement agrees_within(double E, double u_num, double u_input, double u_D);
 
 }  // namespace touchstone::vnv

@@ -168,38 +168,5 @@ TEST(FrontComparison, RefusesAWindowThatIsNone) {
   }
 }
 
-TEST(Agreement, HoldsUpToTheUncertaintyAndNotBeyond) {
-  EXPECT_TRUE(agrees_within(0.0, 0, 0, 0).agrees);
-  EXPECT_TRUE(agrees_within(5, 0, 3, 4).agrees);
-  EXPECT_TRUE(agrees_within(-5, 4, 3, 0).agrees);
-  EXPECT_FALSE(agrees_within(5.001, 0, 3, 4).agrees);
-  EXPECT_FALSE(agrees_within(-5.001, 3, 4, 0).agrees);
-}
-
-TEST(Agreement, IsWiderThanEachUncertaintyAndNarrowerThanTheirSum) {
-  const double u_val = agrees_within(0, 0.1, 0.2, 0.3).u_val;
-  EXPECT_GT(u_val, 0.3);
-  EXPECT_LT(u_val, 0.6);
-  EXPECT_DOUBLE_EQ(u_val, agrees_within(0, 0.3, 0.1, 0.2).u_val);
-}
-
-TEST(Agreement, SaysWhatItFound) {
-  EXPECT_EQ(agrees_within(0.05, 0, 0.03, 0.04).words.find("agrees within u_val"), 0u);
-  EXPECT_EQ(agrees_within(-0.12, 0, 0.03, 0.04).words, "model error -0.12 +- 0.05");
-}
-
-TEST(Agreement, IsRefusedToWhatIsNotANumber) {
-  EXPECT_FALSE(agrees_within(nan, 1, 1, 1).agrees);
-  EXPECT_FALSE(agrees_within(0, nan, 0, 0).agrees);
-  EXPECT_FALSE(agrees_within(0, 0, nan, 0).agrees);
-  EXPECT_FALSE(agrees_within(0, 0, 0, nan).agrees);
-}
-
-TEST(Agreement, RefusesANegativeUncertainty) {
-  EXPECT_THROW(agrees_within(0, -1, 0, 0), std::invalid_argument);
-  EXPECT_THROW(agrees_within(0, 0, -1, 0), std::invalid_argument);
-  EXPECT_THROW(agrees_within(0, 0, 0, -1), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace touchstone::vnv

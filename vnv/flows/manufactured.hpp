@@ -35,6 +35,7 @@ struct Sustaining {
   }
 };
 
+inline constexpr double end = 0.2;  // s
 inline const Scene<Newtonian, ForceField> scene{.domain = square::domain,
                                                 .fluid = fluid,
                                                 .filled = square::box,

@@ -1,5 +1,5 @@
 #pragma once
-/// Flows in a square that repeats along both axes, in several views, by six methods.
+/// Flows in a square that repeats along both axes, under symmetry transformations, by six methods.
 
 #include "vnv/flows/square.hpp"
 #include "vnv/studies/views.hpp"
@@ -19,25 +19,14 @@ struct PlaneFlow {
 /// ten periods repeats.
 inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5); }
 
-template <class Force>
-std::vector<Method> methods_on(const Scene<Newtonian, Force>& scene) {
-  return {mpm_as_printed(scene, output_interval),         mpm_affine(scene, output_interval),
-          mpm_least_squares(scene, output_interval),      sph_as_printed(scene, output_interval),
-          sph_transport_velocity(scene, output_interval), sph_second_order(scene, output_interval)};
-}
-
-/// Looked at at `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
+/// At `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
 /// those of the cells.
 template <class Force>
 Case in_several_views(const PlaneFlow<Force>& flow, double end) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
-  const SeveralViews flows{.views = {views::plain(), views::mirrored_about_x(0), views::carried_along({1, 0.5}), turned,
-                                     views::on_disturbed_lattice(0.1 * spacing), views::numbered_anew()},
-                           .spacing = spacing,
-                           .cell = 2 * spacing,
-                           .end = end,
-                           .error = l2_velocity};
+  const SeveralViews flows =
+      several_views({views::mirrored_about_x(0), views::carried_along({1, 0.5}), turned}, spacing, end, l2_velocity);
   const auto scene_of = [=](const View& view) -> Scene<Newtonian, Force> {
     const double period = view.name == turned.name ? std::sqrt(5) * side : side;
     const Box repeated{.high = {period, period}};
@@ -45,14 +34,11 @@ Case in_several_views(const PlaneFlow<Force>& flow, double end) {
             .fluid = flow.fluid,
             .filled = repeated,
             .body_force = flow.body_force(view),
-            .start = {.velocity = [=](const Vec2& x) { return view.velocity(flow.velocity, x, 0); },
-                      .pressure = [=](const Vec2& x) { return view.pressure(flow.pressure, x, 0); },
-                      .places = view.rearranged}};
+            .start = view.start(flow.velocity, flow.pressure)};
   };
   return flows.declared(
       velocity_errors(flow.velocity), flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
-      "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the lattice. "
-      "Disturbed lattice: each particle is initially displaced by up to a tenth of a spacing.");
+      "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the lattice.");
 }
 
 /// What methods claim of the views, for the description of a case.

@@ -37,22 +37,25 @@ struct Flow {
   }
 };
 
-/// What its cases share: errors and the decay of energy until `end` [s], drawn at `early` [s].
-inline Case declared(const Flow& flow, double early, double end, double error_of_first_order) {
+/// What its cases share: errors at `early` and the decay of energy until `end`, by methods of which those of second
+/// order have their own levels.
+inline constexpr double early = 0.1, end = 0.5;  // s
+inline Case declared(const Flow& flow, const std::vector<Across>& of_second_order,
+                     const std::map<std::string, std::vector<Claim>>& claims = {}) {
   const reference::TaylorGreen exact = flow.exact();
-  return with_plots(
-      {.times = {early, end},
-       .watch = {.every = 0.01,
-                 .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
-                 .quantities = {{"kinetic energy", "J/m"}}},
-       .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure()),
-                        decay_of_energy(0, 2 * exact.decay_rate())},
-       .methods = {},
-       .plots = {over_time({"energy", "Kinetic energy", "Of all particles.", {"t [s]"}, {"kinetic energy [J/m]"}}, 0,
-                           {"50 across"}),
-                 exact_over_time(
-                     "energy", [exact](double t) { return exact.energy(t); }, end)}},
-      square::figures(early, l2_velocity, error_of_first_order));
+  Case all{.times = {early, end},
+           .watch = kinetic_energy_every(0.01),
+           .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure()),
+                            decay_of_energy(0, 2 * exact.decay_rate())},
+           .methods = with_ladder(levels_across(square::side, {{50, early, 0, end}, {100, 0, 0, end}}),
+                                  square::methods_on(flow.scene()), claims),
+           .plots = {kinetic_energy_over_time(0, {"50 across"}),
+                     exact_over_time(
+                         "energy", [exact](double t) { return exact.energy(t); }, end)}};
+  for (Method& method : all.methods)
+    if (method.name == "mpm_least_squares" || method.name == "sph_second_order")
+      method = with_ladder(levels_across(square::side, of_second_order), method, method.claims);
+  return with_plots(std::move(all), square::figures(early, l2_velocity, 50));
 }
 
 }  // namespace touchstone::vnv::taylor_green

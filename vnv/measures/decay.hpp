@@ -1,5 +1,5 @@
 #pragma once
-/// How fast something that was watched dies away.
+/// Kinetic energy, and how fast what is monitored decays.
 
 #include "vnv/case.hpp"
 
@@ -14,6 +14,23 @@ namespace touchstone::vnv {
 /// Kinetic energy per depth [J/m].
 inline double kinetic_energy(const Samples& samples) {
   return (samples.mass * samples.v.colwise().squaredNorm().transpose().array()).sum() / 2;
+}
+
+/// What a run is monitored for every so often [s]: its kinetic energy, in the first column.
+inline Watch kinetic_energy_every(double interval) {
+  return {.every = interval,
+          .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
+          .quantities = {{"kinetic energy", "J/m"}}};
+}
+
+/// Angular momentum per depth about a place [kg m/s].
+inline double angular_momentum(const Samples& samples, const Vec2& about = Vec2::Zero()) {
+  double sum = 0;
+  for (Eigen::Index p = 0; p < samples.size(); ++p) {
+    const Vec2 arm = samples.x.col(p) - about;
+    sum += samples.mass[p] * (arm.x() * samples.v(1, p) - arm.y() * samples.v(0, p));
+  }
+  return sum;
 }
 
 /// Kinetic energy at each time of a run, over `unit` [J/m], as that quantity.
@@ -37,7 +54,7 @@ inline double rate_of_decay(const std::vector<double>& times, const std::vector<
   return -slope;
 }
 
-/// "relative error of the kinetic-energy decay rate [%]", of the kinetic energy that a run was watched for in `column`.
+/// "relative error of the kinetic-energy decay rate [%]", of the kinetic energy that was monitored in `column`.
 inline const Quantity decay_error{"relative error of the kinetic-energy decay rate", "%", Kind::deviation};
 inline Measurement decay_of_energy(std::size_t column, double exact_rate) {
   return [=](const Level& level, const Run& run) -> std::vector<Value> {

@@ -28,13 +28,13 @@ struct Change {
   bool operator<(const Change& other) const { return rear < other.rear; }
 };
 
-/// All changes, for slabs one cell long below `top` and particles that are squares, as a heap: the farthest first.
-inline std::priority_queue<Change> changes(const Samples& samples, double cell, double top) {
+/// All changes, for slabs one cell long and high, and particles that are squares, as a heap: the farthest first.
+inline std::priority_queue<Change> changes(const Samples& samples, double cell) {
   std::vector<Change> all;
   const double largest_side = std::sqrt(samples.mass.maxCoeff() / samples.density.minCoeff());
   for (Eigen::Index p = 0; p < samples.size(); ++p) {
-    if (!(samples.x(1, p) < top + largest_side / 2)) continue;
-    const double side = std::sqrt(samples.mass(p) / samples.density(p)), height = top - (samples.x(1, p) - side / 2);
+    if (!(samples.x(1, p) < cell + largest_side / 2)) continue;
+    const double side = std::sqrt(samples.mass(p) / samples.density(p)), height = cell - (samples.x(1, p) - side / 2);
     if (!(height > 0)) continue;
     const double nose = samples.x(0, p) + side / 2, tail = nose - side, inside = std::min(height, side);
     all.insert(all.end(), {{nose, inside}, {tail, -inside}, {nose - cell, -inside}, {tail - cell, inside}});
@@ -56,16 +56,14 @@ inline double farthest_particle(const Samples& samples) {
   return fronts::known(samples) ? samples.x.row(0).maxCoeff() : not_a_number;
 }
 
-/// The rearmost particle for which it and those behind it hold at least `share` of the volume.
-/// Throws std::invalid_argument unless 0 < share <= 1.
-inline double percentile_front(const Samples& samples, double share = 0.995) {
-  if (!(share > 0 && share <= 1))
-    throw std::invalid_argument(fmt::format("percentile_front: share = {}, expected above 0 and at most 1", share));
+/// The rearmost particle for which it and those behind it hold at least 99.5 % of the volume.
+inline double percentile_front(const Samples& samples) {
+  constexpr double fraction = 0.995;
   if (!fronts::known(samples)) return not_a_number;
   const Scalars x = samples.x.row(0), volumes = samples.volumes();
-  const double expected = (1 - 1e-12) * share * volumes.sum();  // less what the rounding of sums may do
+  const double expected = (1 - 1e-12) * fraction * volumes.sum();  // less what the rounding of sums may do
 
-  // Only in the slice where the share is reached do the particles have to be put in order.
+  // Only in the slice where that fraction is reached do the particles have to be put in order.
   constexpr int slices = 256;
   const double rear = x.minCoeff(), per_length = (slices - 1) / std::max(x.maxCoeff() - rear, 1e-300);
   const auto slice = [&](Eigen::Index p) { return std::min(static_cast<int>((x(p) - rear) * per_length), slices - 1); };
@@ -83,21 +81,21 @@ inline double percentile_front(const Samples& samples, double share = 0.995) {
   return x.maxCoeff();  // the sums differ by rounding
 }
 
-/// The middle of the farthest slab that is half full: one cell long, one cell high, standing on the floor, anywhere
+/// The middle of the farthest slab that is half full: one cell [m] long, one cell high, standing on the floor, anywhere
 /// along x, and full when the fluid in it has the volume cell².
 ///
 /// A particle of volume V is an upright square of side sqrt(V), of which the part below the top of the slab counts, so
 /// the slab that is exactly half full is found by moving one backwards from the farthest fluid. An upright face at
 /// least a cell high is found where it stands, whatever the spacing. A sheet thinner than half a cell, or drops that
 /// together fill no half slab, are no front; with one particle a cell, a lone particle on the floor is one.
-/// `cell` and the height `floor` in m. Throws std::invalid_argument for a cell that is not positive.
-inline double half_full_slab(const Samples& samples, double cell, double floor = 0) {
+/// Throws std::invalid_argument for a cell that is not positive.
+inline double half_full_slab(const Samples& samples, double cell) {
   if (!(cell > 0))
     throw std::invalid_argument(fmt::format("half_full_slab: cell = {} m, expected a positive length", cell));
   if (!fronts::known(samples)) return not_a_number;
   const double half = cell * cell / 2;
   double volume = 0, rate = 0, rear = 0;  // while the slab is ahead of all fluid, its rear may be anywhere
-  for (auto changes = fronts::changes(samples, cell, floor + cell); !changes.empty(); changes.pop()) {
+  for (auto changes = fronts::changes(samples, cell); !changes.empty(); changes.pop()) {
     const fronts::Change change = changes.top();
     const double more = rate * (rear - change.rear);
     if (volume + more >= half) return rear - (half - volume) / rate + cell / 2;

@@ -14,7 +14,7 @@ namespace touchstone::vnv {
 /// Root mean square of what is left of the particles' velocities after a linear fit around each of them, to the
 /// particles within `reach` [m], over that of the velocities: motion of one particle against the next. Modes of it in
 /// which the nodes of the material point method see nothing live on for ever (null-space modes). For up to some
-/// thousand particles: each looks at all.
+/// thousand particles: each is compared with all.
 inline double hidden_motion(const Samples& s, double reach) {
   double left = 0, all = 0;
   for (Eigen::Index i = 0; i < s.size(); ++i) {

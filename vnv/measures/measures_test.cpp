@@ -106,11 +106,6 @@ TEST(RowMeans, StandWhereTheirMembersAre) {
   EXPECT_NEAR(profile.at.front(), 0.08, 1e-14);
 }
 
-TEST(RowMeans, CountTheirRowsFromTheWall) {
-  const auto on_the_wall = moved(channel, {0, -0.05});
-  EXPECT_EQ(row_means(velocity_x, 0.1, -0.05)(on_the_wall).at.size(), 10u);
-}
-
 TEST(RowMeans, LeaveOutRowsWithoutParticles) {
   const auto profile = row_means(velocity_x, 0.1)(joined(channel, moved(channel, {0, 3})));
   EXPECT_EQ(profile.at.size(), 20u);
@@ -181,20 +176,13 @@ TEST(Fronts, AreNotANumberWithoutFluidOrWithAPlaceOrVolumeThatIsNone) {
   }
 }
 
-TEST(PercentileFront, HasItsShareOfTheVolumeBehindIt) {
+TEST(PercentileFront, HasNearlyAllOfTheVolumeBehindIt) {
   auto s = disordered(column, 0.4);
   s.mass.head(100) *= 3;
-  for (const double share : {0.1, 0.5, 0.995}) {
-    const double front = percentile_front(s, share), all = s.volumes().sum();
-    const auto volume_where = [&](auto chosen) { return chosen.select(s.volumes(), 0.0).sum(); };
-    const double rounding = 1e-12 * all;
-    EXPECT_GE(volume_where(s.x.row(0).transpose().array() <= front), share * all - rounding) << share;
-    EXPECT_LT(volume_where(s.x.row(0).transpose().array() < front), share * all) << share;
-  }
-}
-
-TEST(PercentileFront, OfTheWholeVolumeIsTheFarthestParticle) {
-  EXPECT_EQ(percentile_front(disordered(column, 0.4), 1), farthest_particle(disordered(column, 0.4)));
+  const double front = percentile_front(s), all = s.volumes().sum();
+  const auto volume_where = [&](auto chosen) { return chosen.select(s.volumes(), 0.0).sum(); };
+  EXPECT_GE(volume_where(s.x.row(0).transpose().array() <= front), (0.995 - 1e-12) * all);
+  EXPECT_LT(volume_where(s.x.row(0).transpose().array() < front), 0.995 * all);
 }
 
 TEST(PercentileFront, OfParticlesInOnePlaceIsThatPlace) {
@@ -203,11 +191,6 @@ TEST(PercentileFront, OfParticlesInOnePlaceIsThatPlace) {
 
 TEST(PercentileFront, IsFoundAmongAllTheOthersWhenOneDropFlewFarAway) {
   EXPECT_EQ(percentile_front(joined(column, drop({1e6, 0}, 0.01))), percentile_front(column));
-}
-
-TEST(PercentileFront, RefusesAShareThatIsNone) {
-  for (const double share : {0.0, -0.1, 1.001, nan})
-    EXPECT_THROW(percentile_front(column, share), std::invalid_argument);
 }
 
 TEST(HalfFullSlab, StandsAtAnUprightFaceWhateverTheSpacing) {
@@ -233,12 +216,6 @@ TEST(HalfFullSlab, FollowsASheetThickerThanHalfACell) {
 
 TEST(HalfFullSlab, DoesNotSeeFluidAboveTheFirstCell) {
   EXPECT_NEAR(half_full_slab(joined(column, block({1, 0.1}, {0.5, 0.5}, 0.05)), cell), 1, 1e-12);
-}
-
-TEST(HalfFullSlab, StandsOnTheFloorItIsGiven) {
-  const auto raised = moved(column, {0, 2.5});
-  EXPECT_NEAR(half_full_slab(raised, cell, 2.5), 1, 1e-12);
-  EXPECT_TRUE(std::isnan(half_full_slab(raised, cell)));
 }
 
 TEST(HalfFullSlab, MovesLittleWhenTheParticlesDo) {

@@ -18,7 +18,19 @@ struct Profile {
 /// One number of one particle.
 using Field = std::function<double(const Samples&, Eigen::Index particle)>;
 
-/// A way to look at samples.
+/// Its mean over the particles at chosen places; not a number where there are none.
+template <class Chosen>
+double mean_where(const Samples& samples, const Field& field, const Chosen& chosen) {
+  double sum = 0, count = 0;
+  for (Eigen::Index p = 0; p < samples.size(); ++p)
+    if (chosen(Vec2(samples.x.col(p)))) {
+      sum += field(samples, p);
+      ++count;
+    }
+  return sum / count;
+}
+
+/// A profile from samples.
 using Measure = std::function<Profile(const Samples&)>;
 
 inline double velocity_x(const Samples& samples, Eigen::Index particle) { return samples.v(0, particle); }    // m/s

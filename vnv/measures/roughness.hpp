@@ -62,16 +62,16 @@ inline Measurement roughness_of(std::string name, Field field, std::string scale
                                 std::vector<double> times = {}) {
   return [=](const Level& level, const Run& run) {
     std::vector<Value> errors;
-    const auto tell = [&](const Samples& samples) {
+    const auto add = [&](const Samples& samples) {
       errors.push_back({level.name,
                         level.spacing,
                         samples.time,
                         {fmt::format("{} roughness over {}", name, scale_name), "%", Kind::error},
                         100 * roughness(samples, field, 2.5 * level.spacing) / scale});
     };
-    if (times.empty()) std::ranges::for_each(run.samples, tell);
+    if (times.empty()) std::ranges::for_each(run.samples, add);
     for (const double time : times)
-      if (const Samples* samples = run.at(time)) tell(*samples);
+      if (const Samples* samples = run.at(time)) add(*samples);
     return errors;
   };
 }

@@ -37,24 +37,23 @@ inline Profile means(const Rows& rows) {
 
 /// The mean of a field over each row of particles, upwards, as the profiles of Sun et al. average particles of equal y.
 ///
-/// Row k holds the particles with low + k row_height <= y < low + (k + 1) row_height [m], and stands at the mean y of
-/// its members; every row has the same weight, however many it holds, and a row without particles is left out. With
-/// the initial spacing for the height and a wall for `low`, a lattice that starts half a spacing from the wall has its
-/// rows in the middle of theirs, and each particle may drift by half a spacing before it counts in the next. Particles
-/// in disorder have no rows of their own; these still part them evenly, where parting at gaps in y would find one row.
-/// A lattice that starts on the wall itself wants `low` half a spacing below it, else rounding splits its rows.
+/// Row k holds the particles with k row_height <= y < (k + 1) row_height [m], above a wall at y = 0, and stands at the
+/// mean y of its members; every row has the same weight, however many it holds, and a row without particles is left
+/// out. With the initial spacing for the height, a lattice that starts half a spacing from the wall has its rows in the
+/// middle of theirs, and each particle may drift by half a spacing before it counts in the next. Particles in disorder
+/// have no rows of their own; these still part them evenly, where parting at gaps in y would find one row.
 ///
 /// A value that is not a number makes the mean of its row not a number; particles at such a y are a row at no number.
 /// Throws std::invalid_argument for a height that is not positive and finite.
-inline Measure row_means(Field field, double row_height, double low = 0) {
+inline Measure row_means(Field field, double row_height) {
   if (!(row_height > 0 && std::isfinite(row_height)))
     throw std::invalid_argument(
         fmt::format("row_means: row height = {} m, expected a positive finite height", row_height));
-  return [field = std::move(field), row_height, low](const Samples& samples) {
+  return [field = std::move(field), row_height](const Samples& samples) {
     rows::Rows rows;
     for (Eigen::Index p = 0; p < samples.size(); ++p) {
       const double y = samples.x(1, p);
-      auto& row = rows[std::floor((y - low) / row_height)];
+      auto& row = rows[std::floor(y / row_height)];
       row.count += 1;
       row.y += y;
       row.value += field(samples, p);

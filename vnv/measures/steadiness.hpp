@@ -6,7 +6,7 @@
 namespace touchstone::vnv {
 
 /// "rate of change of kinetic energy [%/s]" at the end of each run: the slope of the line through the logs of the
-/// energies that it was watched for in `column`, over its last `span` [s]. Of a run that diverged nothing is told.
+/// energies that were monitored in `column`, over its last `span` [s]. Nothing is reported of a run that diverged.
 inline const Quantity change_of_energy{"rate of change of kinetic energy", "%/s", Kind::error};
 inline Finding unsteadiness(std::size_t column, double span) {
   return [=](const Results& results, const Record&) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A swing that dies away: its period and its decay, from what was watched.
+/// A damped oscillation: its period and its decay, from what was monitored.
 
 #include "vnv/record/quantity.hpp"
 
@@ -13,20 +13,19 @@
 
 namespace touchstone::vnv {
 
-/// exp(-decay t) (p cos(omega t) + q sin(omega t)) + rest, as it lies closest to values over time.
+/// exp(-decay t) (p cos(omega t) + q sin(omega t)) + rest, fitted to values over time.
 struct Swing {
   double omega = not_a_number, decay = not_a_number;  // 1/s
-  double rest = not_a_number;                         // where it swings about, in the unit of the values
 };
 
 /// By least squares: p, q and the rest are linear, omega and decay are searched for from `omega_near` [1/s] and from no
 /// decay by the simplex of Nelder & Mead [GSL, Multidimensional Minimization]. Not numbers for fewer than six values,
 /// for one that is not finite, or where the search finds no end.
 inline Swing fit_swing(const std::vector<double>& times, const std::vector<double>& values, double omega_near) {
-  struct Watched {
+  struct Monitored {
     Eigen::Map<const Eigen::ArrayXd> t, value;
 
-    Eigen::Vector3d linear(double omega, double decay, double& squares) const {
+    double misfit(double omega, double decay) const {
       Eigen::MatrixX3d shapes(t.size(), 3);
       shapes.col(0) = (-decay * t).exp() * (omega * t).cos();
       shapes.col(1) = (-decay * t).exp() * (omega * t).sin();
@@ -35,21 +34,18 @@ inline Swing fit_swing(const std::vector<double>& times, const std::vector<doubl
       const Eigen::Matrix3d moments = shapes.transpose().lazyProduct(shapes);
       const Eigen::Vector3d sums = shapes.transpose().lazyProduct(value.matrix());
       const Eigen::Vector3d factors = moments.ldlt().solve(sums);
-      squares = (shapes.lazyProduct(factors) - value.matrix()).squaredNorm();
-      return factors;
+      return (shapes.lazyProduct(factors) - value.matrix()).squaredNorm();
     }
   };
   const auto count = static_cast<Eigen::Index>(values.size());
-  const Watched watched{{times.data(), count}, {values.data(), count}};
-  if (count < 6 || !watched.value.allFinite()) return {};
+  const Monitored monitored{{times.data(), count}, {values.data(), count}};
+  if (count < 6 || !monitored.value.allFinite()) return {};
 
   gsl_multimin_function misfit{[](const gsl_vector* at, void* data) {
-                                 double squares;
-                                 static_cast<const Watched*>(data)->linear(gsl_vector_get(at, 0), gsl_vector_get(at, 1),
-                                                                           squares);
-                                 return squares;
+                                 return static_cast<const Monitored*>(data)->misfit(gsl_vector_get(at, 0),
+                                                                                    gsl_vector_get(at, 1));
                                },
-                               2, const_cast<Watched*>(&watched)};
+                               2, const_cast<Monitored*>(&monitored)};
   const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> start(gsl_vector_calloc(2), gsl_vector_free),
       size(gsl_vector_alloc(2), gsl_vector_free);
   gsl_vector_set(start.get(), 0, omega_near);
@@ -60,11 +56,8 @@ inline Swing fit_swing(const std::vector<double>& times, const std::vector<doubl
   constexpr int most_steps = 500;
   for (int k = 0; k < most_steps; ++k) {
     if (gsl_multimin_fminimizer_iterate(search.get()) != GSL_SUCCESS) return {};
-    if (gsl_multimin_fminimizer_size(search.get()) < 1e-7 * omega_near) {
-      const double omega = gsl_vector_get(search->x, 0), decay = gsl_vector_get(search->x, 1);
-      double squares;
-      return {.omega = omega, .decay = decay, .rest = watched.linear(omega, decay, squares)[2]};
-    }
+    if (gsl_multimin_fminimizer_size(search.get()) < 1e-7 * omega_near)
+      return {.omega = gsl_vector_get(search->x, 0), .decay = gsl_vector_get(search->x, 1)};
   }
   return {};
 }

@@ -14,7 +14,7 @@ Method mpm_apic(const AnyScene& scene, double output_interval);
 template <class AnyScene>
 Method mpm_xpic(const AnyScene& scene, double output_interval);
 
-/// What a method of smoothed particle hydrodynamics for free surfaces may be told besides its parts.
+/// The parameters of a method of smoothed particle hydrodynamics for free surfaces besides its parts.
 struct SphChoice {
   double ratio = 2;      // -  h over the spacing
   double alpha = 0.02;   // -  artificial viscosity, where the fluid has none of its own

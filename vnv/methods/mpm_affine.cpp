@@ -1,10 +1,5 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/mpm/affine/affine.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -15,15 +10,12 @@ Simulation mpm_affine_solver(const AnyScene& scene, const Level& level, double t
 
 template <class AnyScene>
 Method mpm_affine(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::cell, output_interval, scene, mpm_affine_solver<AnyScene>,
       {.name = "mpm_affine",
-       .description = fmt::format(
+       .description =
            "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
-           "cell. Acoustic Courant number {:g}, by the cell; each step adds dissipation, so that larger steps are more accurate.",
-           courant),
-       .tolerance = stretched},
-      [=](const Level& level, double time_step) { return mpm_affine_solver(scene, level, time_step); },
-      by_cells(scene, courant, output_interval));
+           "cell. Each step adds dissipation, so that larger steps are more accurate."});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                    \

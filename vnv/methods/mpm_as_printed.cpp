@@ -1,13 +1,8 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/mpm/walls/prescribed_velocity.hpp"
 #include "solvers/mpm/walls/velocity_reset.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -19,15 +14,12 @@ Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_ste
 
 template <class AnyScene>
 Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::cell, output_interval, scene, mpm_solver<mpm::PrescribedMotion, double, AnyScene>,
       {.name = "mpm",
-       .description = fmt::format(
-           "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, MUSL; four "
-           "particles per cell. Acoustic Courant number {:g}, by the cell.",
-           courant),
-       .tolerance = stretched},
-      [=](const Level& level, double time_step) { return mpm_solver<>(scene, level, time_step); },
-      by_cells(scene, courant, output_interval));
+       .description =
+           "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, "
+           "MUSL; four particles per cell."});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                                    \

@@ -1,10 +1,5 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/mpm/least_squares/least_squares.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -15,17 +10,13 @@ Simulation mpm_least_squares_solver(const AnyScene& scene, const Level& level, d
 
 template <class AnyScene>
 Method mpm_least_squares(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::cell, output_interval, scene, mpm_least_squares_solver<AnyScene>,
       {.name = "mpm_least_squares",
-       .description = fmt::format(
-           "Material point method by least squares: nodal values from quadratic fits to the particles, the "
-           "equations are solved by central differences on the nodes, particles are remeshed onto their lattice before "
-           "its strain reaches a quarter; third-order Adams-Bashforth, four particles in a cell. Sound travels {:g} cells "
-           "in a step.",
-           courant),
-       .tolerance = stretched},
-      [=](const Level& level, double time_step) { return mpm_least_squares_solver(scene, level, time_step); },
-      by_cells(scene, courant, output_interval));
+       .description =
+           "Material point method by least squares: nodal values from quadratic fits to the particles, the equations "
+           "are solved by central differences on the nodes, particles are remeshed onto their lattice before its "
+           "strain reaches a quarter; third-order Adams-Bashforth, four particles in a cell."});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                           \

@@ -6,9 +6,6 @@
 #include "solvers/mpm/composed/transfers/xpic.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -21,18 +18,15 @@ Simulation mpm_of_b_splines_solver(const AnyScene& scene, const Level& level, do
 namespace {
 template <class Transfer, class AnyScene>
 Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std::string& name,
-                        const std::string& transfer, double courant = 0.5) {
-  return simulating(
+                        const std::string& transfer) {
+  return keeping_courant_number(
+      0.5, &Level::cell, output_interval, scene, mpm_of_b_splines_solver<Transfer, AnyScene>,
       {.name = name,
        .description = fmt::format(
            "Material point method with quadratic B-splines modified at walls, MUSL, {}, and densities that are "
-           "smoothed over the nodes while preserving hydrostatic gradients; four particles per cell. Acoustic "
-           "Courant number {:g}, by the cell.",
-           transfer, courant),
-       .tolerance = stretched,
-       .relative_cost = 2},
-      [=](const Level& level, double time_step) { return mpm_of_b_splines_solver<Transfer>(scene, level, time_step); },
-      by_cells(scene, courant, output_interval));
+           "smoothed over the nodes while preserving hydrostatic gradients; four particles per cell.",
+           transfer),
+       .relative_cost = 2});
 }
 }  // namespace
 

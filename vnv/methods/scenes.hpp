@@ -1,12 +1,34 @@
 #pragma once
-/// The scenes for which solvers are compiled, for the sources of this folder: `declare` gets each as its argument.
+/// What the sources of this folder share: how a solver becomes a method, and the scenes for which it is compiled.
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/force_field.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
+#include "vnv/methods/methods.hpp"
+#include "vnv/methods/setups.hpp"
 
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+/// A solver as a method that keeps an acoustic Courant number c dt / length by the level's cell or spacing; `method`
+/// has a name and a description but for that number.
+template <class AnyScene>
+Method keeping_courant_number(double courant, double Level::*length, double output_interval, const AnyScene& scene,
+                              Simulation (*solver)(const AnyScene&, const Level&, double), Method method) {
+  method.description +=
+      fmt::format(" Acoustic Courant number {:g}, by the {}.", courant, length == &Level::cell ? "cell" : "spacing");
+  method.tolerance = stretched;
+  return simulating(
+      std::move(method), [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
+      [=](const Level& level) { return step_for(scene, courant, level.*length, output_interval); });
+}
+
+}  // namespace touchstone::vnv
+
+// `declare` gets each scene as its argument.
 #define TOUCHSTONE_VISCOUS_SCENES(declare) \
   declare(Scene<Newtonian>) declare(Scene<Newtonian, Uniform>) declare(Scene<Newtonian, ForceField>)
 #define TOUCHSTONE_INVISCID_SCENES(declare) declare(Scene<Tait>) declare(Scene<Tait, Uniform>)

@@ -1,5 +1,3 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
@@ -7,9 +5,6 @@
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -34,16 +29,13 @@ Simulation sph_printed_solver(const AnyScene& scene, const Level& level, double 
 
 template <class AnyScene>
 Method sph_as_printed(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::spacing, output_interval, scene, sph_printed_solver<sph::Pressure, PredictorCorrector, AnyScene>,
       {.name = "sph",
-       .description = fmt::format(
-           "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term "
-           "and an artificial viscosity of 0.01. Acoustic Courant number {:g}, by the spacing.",
-           courant),
-       .tolerance = stretched,
-       .relative_cost = 2},
-      [=](const Level& level, double time_step) { return sph_printed_solver<>(scene, level, time_step); },
-      by_spacings(scene, courant, output_interval));
+       .description =
+           "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure "
+           "term and an artificial viscosity of 0.01.",
+       .relative_cost = 2});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                                    \

@@ -10,8 +10,6 @@
 #include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
 #include "vnv/methods/scenes.hpp"
 
-#include <fmt/format.h>
-
 namespace touchstone::vnv {
 
 namespace {
@@ -23,6 +21,7 @@ auto viscosity_of(const FluidLaw& fluid, double alpha, double h) {
     return sph::momentum(sph::ArtificialViscosity{.alpha = alpha, .sound_speed = fluid.sound_speed(), .h = h});
 }
 
+const std::string diffusion_words = "density diffusion with renormalised gradient, delta = 0.1 (Antuono et al. 2010)";
 template <class FluidLaw>
 sph::Antuono diffusion_in(const FluidLaw& fluid, double h) {
   return {.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h};
@@ -36,8 +35,8 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
   return simulating(
       {.name = name,
        .description = fmt::format(
-           "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), Wendland's C2 "
-           "kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, by h.",
+           "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), "
+           "Wendland's C2 kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, by h.",
            words, viscosity, choice.ratio, choice.courant),
        .tolerance = stretched,
        .relative_cost = 4},
@@ -54,24 +53,20 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
 }
 }  // namespace
 
-/// delta-SPH [Antuono et al. 2010].
 template <class AnyScene>
 Method sph_delta(const AnyScene& scene, double output_interval, const SphChoice& choice) {
-  return sph_of_parts(
-      scene, output_interval, "sph_delta",
-      "density diffusion with renormalised gradient, delta = 0.1 (Antuono et al. 2010), symmetric pressure term p_i + p_j",
-      choice, [](const auto& fluid, double h) {
-        return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in(fluid, h)};
-      });
+  return sph_of_parts(scene, output_interval, "sph_delta", diffusion_words + ", symmetric pressure term p_i + p_j",
+                      choice, [](const auto& fluid, double h) {
+                        return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in(fluid, h)};
+                      });
 }
 
-/// The same with particles that are shifted from where they are crowded [Lind et al. 2012; Sun et al. 2017].
 template <class AnyScene>
 Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
       scene, output_interval, "sph_shifted",
-      "density diffusion with renormalised gradient, delta = 0.1 (Antuono et al. 2010), symmetric pressure term p_i + p_j, particle "
-      "shifting, tangential at a free surface (Sun et al. 2017)",
+      diffusion_words +
+          ", symmetric pressure term p_i + p_j, particle shifting, tangential at a free surface (Sun et al. 2017)",
       choice, [](const auto& fluid, double h) {
         return sph::Parts{.pressure = sph::PressureSum{},
                           .diffusion = diffusion_in(fluid, h),
@@ -80,13 +75,10 @@ Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoic
       });
 }
 
-/// delta-SPH with gradients of the kernel that are exact for linear fields.
 template <class AnyScene>
 Method sph_corrected(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
-      scene, output_interval, "sph_corrected",
-      "gradients corrected after Bonet & Lok (1999), density diffusion with renormalised gradient, delta = 0.1 (Antuono et "
-      "al. 2010)",
+      scene, output_interval, "sph_corrected", "gradients corrected after Bonet & Lok (1999), " + diffusion_words,
       choice, [](const auto& fluid, double h) {
         return sph::Parts{
             .pressure = sph::BonetLokPressure{}, .diffusion = diffusion_in(fluid, h), .gradient = sph::BonetLok{}};

@@ -1,11 +1,6 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/sph/kernels/wendland_c2.hpp"
 #include "solvers/sph/second_order/second_order.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -18,17 +13,14 @@ Simulation sph_second_order_solver(const AnyScene& scene, const Level& level, do
 
 template <class AnyScene>
 Method sph_second_order(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::spacing, output_interval, scene, sph_second_order_solver<AnyScene>,
       {.name = "sph_second_order",
-       .description = fmt::format(
+       .description =
            "Smoothed particle hydrodynamics of second order: quadratic fits to velocity and pressure around each "
-           "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 kernel with h = "
-           "1.3 spacings. Acoustic Courant number {:g}, by the spacing.",
-           courant),
-       .tolerance = stretched,
-       .relative_cost = 2},
-      [=](const Level& level, double time_step) { return sph_second_order_solver(scene, level, time_step); },
-      by_spacings(scene, courant, output_interval));
+           "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 "
+           "kernel with h = 1.3 spacings.",
+       .relative_cost = 2});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                          \

@@ -1,5 +1,3 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
@@ -8,9 +6,6 @@
 #include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "vnv/methods/scenes.hpp"
-#include "vnv/methods/setups.hpp"
-
-#include <fmt/format.h>
 
 namespace touchstone::vnv {
 
@@ -30,16 +25,13 @@ Simulation sph_regularised_solver(const AnyScene& scene, const Level& level, dou
 
 template <class AnyScene>
 Method sph_transport_velocity(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::spacing, output_interval, scene, sph_transport_velocity_solver<AnyScene>,
       {.name = "sph_transport_velocity",
-       .description = fmt::format(
-           "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = "
-           "1 spacing, density by continuity, conservative pressure. Acoustic Courant number {:g}, by the spacing.",
-           courant),
-       .tolerance = stretched,
-       .relative_cost = 2},
-      [=](const Level& level, double time_step) { return sph_transport_velocity_solver(scene, level, time_step); },
-      by_spacings(scene, courant, output_interval));
+       .description =
+           "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h "
+           "= 1 spacing, density by continuity, conservative pressure.",
+       .relative_cost = 2});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                                               \

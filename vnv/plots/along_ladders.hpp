@@ -5,6 +5,8 @@
 #include "vnv/case.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>
@@ -66,6 +68,35 @@ inline Plot along_ladders(Figure frame, std::vector<std::string> ladders, Pick x
         if (!curve.x.empty()) record.curves.push_back(std::move(curve));
       }
   };
+}
+
+/// An error at a time [s] over the particle spacing, a curve for each ladder; `label` is that of the error.
+inline Plot error_against_spacing(std::string id, std::string title, std::string caption, std::string label,
+                                  const Quantity& error, double time) {
+  return along_ladders({std::move(id),
+                        std::move(title),
+                        std::move(caption),
+                        {.label = "particle spacing [mm]", .scale = 1e3, .logarithmic = true},
+                        {.label = std::move(label), .logarithmic = true}},
+                       {}, spacing(), {{"", error_of(error, time)}});
+}
+/// The same over the CPU time until then.
+inline Plot work_precision(std::string caption, std::string label, const Quantity& error, double time) {
+  return along_ladders({"cost",
+                        "Work-precision diagram",
+                        std::move(caption),
+                        {.label = "CPU time [s]", .logarithmic = true},
+                        {.label = std::move(label), .logarithmic = true}},
+                       {}, cpu_time_until(time), {{"", error_of(error, time)}});
+}
+/// Both, of a velocity.
+inline std::vector<Plot> errors_of_velocity(std::string id, const std::string& label, const Quantity& error,
+                                            double time) {
+  return {error_against_spacing(std::move(id), "Error against spacing",
+                                fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", time), label,
+                                error, time),
+          work_precision(fmt::format("The same against CPU time to t = {:g} s; lower left is better.", time), label,
+                         error, time)};
 }
 
 /// The same curves in every record: published values, an experiment, guides to the eye.

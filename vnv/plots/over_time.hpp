@@ -8,9 +8,12 @@
 
 namespace touchstone::vnv {
 
-/// What the watch saw in its `column` over time, one curve per level named (those that were run).
-inline Plot over_time(Figure frame, std::size_t column, std::vector<std::string> levels) {
-  return [=](const Results& results, Record& record) {
+/// What was monitored in a `column` over time, one curve per level named (those that were run).
+inline Plot over_time(std::string id, std::string title, std::string caption, Axis quantity, std::size_t column,
+                      std::vector<std::string> levels) {
+  return [column, levels,
+          frame = Figure{std::move(id), std::move(title), std::move(caption), {"t [s]"}, std::move(quantity)}](
+             const Results& results, Record& record) {
     record.figures.push_back(frame);
     for (const std::string& level : levels) {
       const Run* run = results.run(level);
@@ -20,6 +23,12 @@ inline Plot over_time(Figure frame, std::size_t column, std::vector<std::string>
       record.curves.push_back(std::move(curve));
     }
   };
+}
+
+/// Kinetic energy, monitored in a `column`.
+inline Plot kinetic_energy_over_time(std::size_t column, std::vector<std::string> levels) {
+  return over_time("energy", "Kinetic energy", "Of all particles.", {"kinetic energy [J/m]"}, column,
+                   std::move(levels));
 }
 
 /// An exact line from t = 0 to `until` [s].

@@ -36,6 +36,12 @@ struct View {
   double pressure(const PressureTruth& plain, const Vec2& x, double t) const {
     return plain(place_in_plain_flow(x, t), t);
   }
+  /// The start of a flow on its lattice.
+  Start start(const VelocityTruth& v, const PressureTruth& p) const {
+    return {.velocity = [v, view = *this](const Vec2& x) { return view.velocity(v, x, 0); },
+            .pressure = [p, view = *this](const Vec2& x) { return view.pressure(p, x, 0); },
+            .places = rearranged};
+  }
   Vectors places_on(const Vectors& lattice) const { return rearranged ? rearranged(lattice) : lattice; }
 
   /// The particles of a run in this view, as they would be in the plain flow.
@@ -83,7 +89,7 @@ inline View numbered_anew() {
 struct SeveralViews {
   std::vector<View> views;  // the first is the plain flow
   double spacing, cell;     // m
-  double end;               // s  when all are looked at
+  double end;               // s
   Quantity error;
 
   /// The view of a level; the plain flow for a run at any resolution.
@@ -121,14 +127,17 @@ struct SeveralViews {
     };
   }
 
-  /// One row a method; `words` say what the views are.
+  /// One row a method; `words` say what the transformations are.
   Plot table(const std::string& words) const {
     return [*this, words](const Results& results, Record& record) {
-      Table table{"views",
-                  "The same flow under symmetry transformations",
-                  fmt::format("\"{}\" at t = {:g} s. {}", error.heading(), end, words),
-                  {"method"},
-                  {}};
+      Table table{
+          "views",
+          "The same flow under symmetry transformations",
+          fmt::format("\"{}\" at t = {:g} s. {} Disturbed lattice: each particle is initially displaced by up to "
+                      "a tenth of a spacing.",
+                      error.heading(), end, words),
+          {"method"},
+          {}};
       std::vector<Cell> row{results.method.name};
       for (const View& view : views) {
         table.columns.push_back(view.name);
@@ -139,15 +148,15 @@ struct SeveralViews {
     };
   }
 
-  /// All of a case but its words and what it watches; `views_in_words` stands at its table.
+  /// All of a case but its words and what it monitors; `words` say what the transformations are.
   Case declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views,
-                const std::string& views_in_words) const {
+                const std::string& words) const {
     return {.times = {end},
             .measurements = {measured(of_plain_flow)},
             .findings = {changes()},
             .claims = claims_of_all(),
             .methods = std::move(methods_in_views),
-            .plots = {table(views_in_words)}};
+            .plots = {table(words)}};
   }
 
   Claim unchanged(const View& view, const std::string& why) const {
@@ -192,5 +201,13 @@ struct SeveralViews {
     return run ? error_of(error, end)(record, *run).value_or(not_a_number) : not_a_number;
   }
 };
+
+/// The plain flow, these transformations, a disturbed lattice and renumbered particles; in MPM four particles a cell.
+inline SeveralViews several_views(std::vector<View> transformed, double spacing, double end, const Quantity& error) {
+  transformed.insert(transformed.begin(), views::plain());
+  transformed.push_back(views::on_disturbed_lattice(0.1 * spacing));
+  transformed.push_back(views::numbered_anew());
+  return {.views = std::move(transformed), .spacing = spacing, .cell = 2 * spacing, .end = end, .error = error};
+}
 
 }  // namespace touchstone::vnv
