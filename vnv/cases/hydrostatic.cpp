@@ -69,7 +69,9 @@ Case vnv::the_case() {
           "the equilibrium of Tait's law; each row of particles starts at the height at which it has its equilibrium "
           "column of water above it. Any motion is spurious.",
       .times = {settled, 2, end},
-      .watch = {.every = 0.05, .see = monitored},
+      .watch = {.every = 0.05,
+                .see = monitored,
+                .quantities = {{"kinetic over potential energy"}, {"height of the highest particle", "m"}}},
       .measurements = {norms_of("p, per particle", pressures, pressure_at), unrest},
       .methods = {with_ladder(levels, printed(scene)), with_ladder(levels, affine(scene), claims()),
                   with_ladder(coarser, apic(scene), claims()), with_ladder(coarser, xpic(scene), claims()),

@@ -100,7 +100,12 @@ Case vnv::the_case() {
           "in the null space of the transfer to the grid of a material point method. Particles of SPH that pair come closer than half a "
           "spacing.",
       .times = {},
-      .watch = {.every = 0.05, .see = monitored},
+      .watch = {.every = 0.05,
+                .see = monitored,
+                .quantities = {{"kinetic energy", "J/m"},
+                               {"angular momentum", "kg m/s"},
+                               {"fraction of hidden motion"},
+                               {"closest pair over spacing"}}},
       .measurements = {drifts},
       .methods = {for_long(mpm_as_printed(scene, output_interval, 0.4), {gains_nothing}),
                   for_long(mpm_affine(scene, output_interval, 0.4), {gains_nothing, keeps_turning(0.1)}),

@@ -76,7 +76,7 @@ Case vnv::the_case() {
           "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
           "damped oscillation fitted to the first moment of the particle heights.",
       .times = {end},
-      .watch = {.every = 0.02, .see = monitored},
+      .watch = {.every = 0.02, .see = monitored, .quantities = {{"first moment of the particle heights", "kg"}}},
       .measurements = {errors_of_swing},
       .methods = methods_up_levels(),
       .plots = {over_time("swing", "First moment of the particle heights",

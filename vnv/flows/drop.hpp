@@ -38,10 +38,13 @@ inline Scene<Tait> scene() {
 
 /// Both half-axes over time.
 inline Watch monitored_axes() {
-  return {.every = 0.02, .see = [](const Samples& s) {
-            const auto axes = half_axes(s);
-            return std::vector{axes[0], axes[1]};
-          }};
+  return {.every = 0.02,
+          .see =
+              [](const Samples& s) {
+                const auto axes = half_axes(s);
+                return std::vector{axes[0], axes[1]};
+              },
+          .quantities = {{"longer half-axis", "m"}, {"shorter half-axis", "m"}}};
 }
 
 inline const Quantity axes_error{"Linf of both half-axes until the length has doubled", "%", Kind::norm};
