@@ -17,6 +17,7 @@ template <class AnyScene>
 Method mpm_affine(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "mpm_affine",
+       .family = Family::mpm,
        .description = fmt::format(
            "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
            "cell. Acoustic Courant number {:g}, by the cell; each step adds dissipation, so that larger steps are more accurate.",

@@ -21,6 +21,7 @@ template <class AnyScene>
 Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "mpm",
+       .family = Family::mpm,
        .description = fmt::format(
            "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, MUSL; four "
            "particles per cell. Acoustic Courant number {:g}, by the cell.",

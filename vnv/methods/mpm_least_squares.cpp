@@ -17,6 +17,7 @@ template <class AnyScene>
 Method mpm_least_squares(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "mpm_least_squares",
+       .family = Family::mpm,
        .description = fmt::format(
            "Material point method by least squares: nodal values from quadratic fits to the particles, the "
            "equations are solved by central differences on the nodes, particles are remeshed onto their lattice before "

@@ -24,6 +24,7 @@ Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std
                         const std::string& transfer, double courant = 0.5) {
   return simulating(
       {.name = name,
+       .family = Family::mpm,
        .description = fmt::format(
            "Material point method with quadratic B-splines modified at walls, MUSL, {}, and densities that are "
            "smoothed over the nodes while preserving hydrostatic gradients; four particles per cell. Acoustic "

@@ -36,6 +36,7 @@ template <class AnyScene>
 Method sph_as_printed(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "sph",
+       .family = Family::sph,
        .description = fmt::format(
            "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure term "
            "and an artificial viscosity of 0.01. Acoustic Courant number {:g}, by the spacing.",

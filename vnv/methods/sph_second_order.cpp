@@ -20,6 +20,7 @@ template <class AnyScene>
 Method sph_second_order(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "sph_second_order",
+       .family = Family::sph,
        .description = fmt::format(
            "Smoothed particle hydrodynamics of second order: quadratic fits to velocity and pressure around each "
            "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 kernel with h = "

@@ -32,6 +32,7 @@ template <class AnyScene>
 Method sph_transport_velocity(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "sph_transport_velocity",
+       .family = Family::sph,
        .description = fmt::format(
            "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = "
            "1 spacing, density by continuity, conservative pressure. Acoustic Courant number {:g}, by the spacing.",
