@@ -83,7 +83,7 @@ inline View numbered_anew() {
 struct SeveralViews {
   std::vector<View> views;  // the first is the plain flow
   double spacing, cell;     // m
-  double end;               // s  when all are looked at
+  double end;               // s  when all are evaluated
   Quantity error;
 
   /// The view of a level; the plain flow for a run at any resolution.
@@ -139,7 +139,7 @@ struct SeveralViews {
     };
   }
 
-  /// All of a case but its words and what it watches; `views_in_words` stands at its table.
+  /// All of a case but its words and what it monitors; `views_in_words` stands at its table.
   Case declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views,
                 const std::string& views_in_words) const {
     return {.times = {end},
