@@ -30,7 +30,7 @@ FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
   return front;
 }
 
-/// T when a front comes within a slab of the far wall, between two looks, or infinity.
+/// T when a front comes within a slab of the far wall, between two samples, or infinity.
 double arrival(const DamFront& dam, const FrontHistory& front) {
   const double there = (dam.tank_length - dam.slab) / dam.column_length;
   for (std::size_t k = 1; k < front.T.size(); ++k)
@@ -51,7 +51,7 @@ double largest_departure(const Run& run, Column column) {
 
 }  // namespace
 
-std::vector<double> DamFront::look(const Samples& samples) const {
+std::vector<double> DamFront::monitored(const Samples& samples) const {
   const Scalars x = samples.x.row(0), y = samples.x.row(1);
   const auto in_tank = (x >= 0 && x <= tank_length && y >= 0 && y <= tank_height).count();
   return {half_full_slab(samples, slab) / column_length, percentile_front(samples) / column_length,
@@ -125,7 +125,7 @@ Plot DamFront::models() const {
         {"method", "model", "particles paper", "particles ours", "ratio", "boundary particles paper",
          "boundary particles ours", "ratio", "T_p ours [ms]", "memory ours [MB]"},
         {}};
-    const std::string method = results.method.name == "mpm" ? "MPM" : "SPH";
+    const std::string method = results.method.family == Family::mpm ? "MPM" : "SPH";
     const DataTable paper = published.only("method", method);
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       const Run* run = results.run(paper.words("model")[k]);
