@@ -51,9 +51,13 @@ struct Tolerance {
   double absolute = 1e-12;  // in any unit: what another order of a sum leaves of zero
 };
 
+/// The material point method has a background grid, smoothed particle hydrodynamics has none.
+enum class Family { undeclared, mpm, sph };
+
 struct Method {
-  std::string name{};         // "mpm"
-  std::string description{};  // which equations, which walls, which time step; what print leaves open
+  std::string name{};                  // "mpm"
+  Family family = Family::undeclared;  // needed where methods of both are compared
+  std::string description{};           // which equations, which walls, which time step; what print leaves open
   std::function<Run(const Level&, const Schedule&)> run{};
   std::function<Simulation(const Level&, double)> solver{};  // of its scene, with a time step [s]; if runs are of one
   std::function<double(const Level&)> time_step{};           // s  the step that it takes by itself, likewise

@@ -21,7 +21,7 @@ struct Register {
   using type [[gnu::vector_size(__BIGGEST_ALIGNMENT__)]] = Real;
 };
 
-/// Ten chains hide the latency of a fused operation and leave room for its operands in sixteen registers.
+/// Ten chains hide the latency of a fused operation and leave registers for its operands among sixteen.
 template <class Real>
 void multiply_and_add(long times) {
   using Lanes = typename Register<Real>::type;

@@ -82,8 +82,8 @@ void time_solver(benchmark::State& state, Solver solver, const Formulation& work
   state.counters["of peak"] = work.flops / each / peak();
   state.counters["of " + level.name] = work.bytes / each / bandwidth(level);
   for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
-    if (const double share = laps.per_step(SubStep(k)) / laps.per_step(); share > 0)
-      state.counters[std::string(names_of_sub_steps[k])] = 1e9 * share * each;
+    if (const double fraction = laps.per_step(SubStep(k)) / laps.per_step(); fraction > 0)
+      state.counters[std::string(names_of_sub_steps[k])] = 1e9 * fraction * each;
 }
 
 template <class Loop>
@@ -119,8 +119,7 @@ void add_loop(const std::string& name, Make make) {
 template <class AnyScene>
 void add_mpm(const std::string& model, const AnyScene& scene, double cell, double spacing, double time_step) {
   add_solver("mpm/" + model, mpm_work, [=] {
-    return mpm::solver<mpm::PrescribedMotion>(
-        scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
+    return mpm::solver<mpm::PrescribedMotion>(scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
   });
   add_loop("plain_musl/" + model, [=] { return PlainMusl(plain(scene), cell, spacing, time_step); });
 }

@@ -5,23 +5,23 @@
 
 namespace touchstone::bench {
 
+struct MlsParticle {
+  double x, y, vx = 0, vy = 0;                // m, m/s
+  double cxx = 0, cxy = 0, cyx = 0, cyy = 0;  // 1/s  the affine matrix, the velocity's gradient
+  double mass, density;                       // kg/m, kg/m³
+};
+struct MlsNode {
+  double mass = 0;        // kg/m
+  double vx = 0, vy = 0;  // m/s   momentum [kg/s] until divided by the mass
+};
+
 /// The moving least squares material point method as its 88-line program has it (Hu et al., ACM Trans. Graph. 37 (2018)
 /// 150): quadratic B-splines, nine nodes, affine velocities (APIC), the stress by the affine matrix. Here for a fluid:
 /// pressure from the density by Tait's law, viscosity from the affine matrix as the velocity gradient.
-class MlsMpm {
+class MlsMpm : public PlainMpm<MlsParticle, MlsNode> {
  public:
-  struct Particle {
-    double x, y, vx = 0, vy = 0;                // m, m/s
-    double cxx = 0, cxy = 0, cyx = 0, cyy = 0;  // 1/s  the affine matrix, the velocity's gradient
-    double mass, density;                       // kg/m, kg/m³
-  };
-
   MlsMpm(const PlainFlow& flow, double cell, double spacing, double time_step)
-      : flow_(flow),
-        grid_(flow, cell, 1),
-        dt_(time_step),
-        particles_(particles_at_rest<Particle>(flow, spacing)),
-        nodes_(grid_.nodes()) {}
+      : PlainMpm(flow, cell, spacing, time_step, 1) {}
 
   void step() {
     for (Node& node : nodes_) node = {};
@@ -32,13 +32,7 @@ class MlsMpm {
     for (Particle& p : particles_) gather(p);
   }
 
-  const std::vector<Particle>& particles() const { return particles_; }
-
  private:
-  struct Node {
-    double mass = 0;        // kg/m
-    double vx = 0, vy = 0;  // m/s   momentum [kg/s] until divided by the mass
-  };
   struct Weights {
     int column, row;    // of the first of three nodes along each axis; the middle one is the nearest
     double f, g;        // cells  from the first node to the particle
@@ -106,12 +100,6 @@ class MlsMpm {
     p.y += dt_ * vy;
     p.density /= 1 + dt_ * (p.cxx + p.cyy);
   }
-
-  PlainFlow flow_;
-  PlainGrid grid_;
-  double dt_;  // s
-  std::vector<Particle> particles_;
-  std::vector<Node> nodes_;
 };
 
 }  // namespace touchstone::bench

@@ -55,4 +55,29 @@ class PlainGrid {
   std::vector<int> held_[2];
 };
 
+/// What a plain loop of the material point method works on, with `layers` of nodes outside each wall.
+template <class ParticleOfLoop, class NodeOfLoop>
+class PlainMpm {
+ public:
+  using Particle = ParticleOfLoop;
+
+  const std::vector<Particle>& particles() const { return particles_; }
+
+ protected:
+  using Node = NodeOfLoop;
+
+  PlainMpm(const PlainFlow& flow, double cell, double spacing, double time_step, int layers)
+      : flow_(flow),
+        grid_(flow, cell, layers),
+        dt_(time_step),
+        particles_(particles_at_rest<Particle>(flow, spacing)),
+        nodes_(grid_.nodes()) {}
+
+  PlainFlow flow_;
+  PlainGrid grid_;
+  double dt_;  // s
+  std::vector<Particle> particles_;
+  std::vector<Node> nodes_;
+};
+
 }  // namespace touchstone::bench

@@ -5,22 +5,26 @@
 
 namespace touchstone::bench {
 
+struct MuslParticle {
+  double x, y, vx = 0, vy = 0;  // m, m/s
+  double mass, density;         // kg/m, kg/m³
+  PlainStress stress{};
+};
+struct MuslNode {
+  double mass = 0;                  // kg/m
+  double px = 0, py = 0;            // kg/s  momentum, first of the old velocities, then of the new
+  double fx = 0, fy = 0;            // N/m
+  double ax = 0, ay = 0;            // m/s²
+  double vx = 0, vy = 0;            // m/s
+  double later_x = 0, later_y = 0;  // m/s   remapped
+};
+
 /// The material point method with linear hats as textbooks have it (Sulsky, Zhou & Schreyer 1995): three loops over
 /// particles and their four nodes a step. The whole stress is kept whatever the fluid.
-class PlainMusl {
+class PlainMusl : public PlainMpm<MuslParticle, MuslNode> {
  public:
-  struct Particle {
-    double x, y, vx = 0, vy = 0;  // m, m/s
-    double mass, density;         // kg/m, kg/m³
-    PlainStress stress{};
-  };
-
   PlainMusl(const PlainFlow& flow, double cell, double spacing, double time_step)
-      : flow_(flow),
-        grid_(flow, cell, 0),
-        dt_(time_step),
-        particles_(particles_at_rest<Particle>(flow, spacing)),
-        nodes_(grid_.nodes()) {}
+      : PlainMpm(flow, cell, spacing, time_step, 0) {}
 
   void step() {
     for (Node& node : nodes_) node = {};
@@ -33,17 +37,7 @@ class PlainMusl {
     for (Particle& p : particles_) move_and_strain(p);
   }
 
-  const std::vector<Particle>& particles() const { return particles_; }
-
  private:
-  struct Node {
-    double mass = 0;                  // kg/m
-    double px = 0, py = 0;            // kg/s  momentum, first of the old velocities, then of the new
-    double fx = 0, fy = 0;            // N/m
-    double ax = 0, ay = 0;            // m/s²
-    double vx = 0, vy = 0;            // m/s
-    double later_x = 0, later_y = 0;  // m/s   remapped
-  };
   struct Weights {
     int node[4];
     double value[4], slope_x[4], slope_y[4];  // -, 1/m
@@ -130,12 +124,6 @@ class PlainMusl {
     for (int node : grid_.held(0)) nodes_[node].vx = nodes_[node].ax = nodes_[node].later_x = 0;
     for (int node : grid_.held(1)) nodes_[node].vy = nodes_[node].ay = nodes_[node].later_y = 0;
   }
-
-  PlainFlow flow_;
-  PlainGrid grid_;
-  double dt_;  // s
-  std::vector<Particle> particles_;
-  std::vector<Node> nodes_;
 };
 
 }  // namespace touchstone::bench

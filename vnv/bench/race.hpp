@@ -36,11 +36,11 @@ vnv::Run run_of(const Solver& solver, double per_step) {
   return run;
 }
 
-/// Sub-steps, as their shares of the median step.
+/// Sub-steps, as their fractions of the median step.
 inline void found_laps(vnv::Run& run, const vnv::LapClock& laps, double per_particle_step) {
   for (std::size_t k = 0; k < names_of_sub_steps.size(); ++k)
-    if (const double share = laps.per_step(SubStep(k)) / laps.per_step(); share > 0)
-      run.add(time_of(SubStep(k)), 1e9 * share * per_particle_step);
+    if (const double fraction = laps.per_step(SubStep(k)) / laps.per_step(); fraction > 0)
+      run.add(time_of(SubStep(k)), 1e9 * fraction * per_particle_step);
 }
 
 /// A solver against a plain loop, after `lead` steps of both.
@@ -66,8 +66,8 @@ vnv::Run race_with_rates(Solver solver, Loop loop, int per_step, const Effort& e
   vnv::Run run = race(solver, loop, 0, effort);
   vnv::LapClock laps;
   const Times times = time_in_turn({[&] { laps.step(solver); }, [&] { loop.find_rates(); }}, effort);
-  const double share = (laps.per_step(SubStep::pairs) + laps.per_step(SubStep::rates)) / laps.per_step();
-  run.add(faster_rates, times.ratio(1, 0) / share * per_step);
+  const double fraction = (laps.per_step(SubStep::pairs) + laps.per_step(SubStep::rates)) / laps.per_step();
+  run.add(faster_rates, times.ratio(1, 0) / fraction * per_step);
   run.add(scaled_rate, 1e3 * times.ratio(1, 0) / plain_rates_where_peers_ran);
   return run;
 }

@@ -1,7 +1,5 @@
 /// Ablation study of Poiseuille flow: one ingredient of each method at a time is removed or replaced.
 
-#include "reference/poiseuille.hpp"
-#include "solvers/forces/force_field.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
@@ -13,11 +11,8 @@
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"
-#include "solvers/walls/no_slip.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/driven_channel.hpp"
 #include "vnv/stability/ablation.hpp"
-
-#include <numbers>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -25,44 +20,18 @@ using namespace touchstone::vnv::channel;
 
 namespace {
 
-constexpr double F = 8 * mm;    // m/s²  table 1
 constexpr double end = 0.5;     // s  the flow has 99.3 % of its steady velocity
 constexpr double long_end = 5;  // s  neighbouring rows have slipped past each other by fifty spacings
 
-/// The body force with a perturbation of 1e-4 at wavelengths of a few cells: without it nothing would excite the
-/// acoustics of a lattice that is perfectly even.
-struct StirredDrive {
-  Vec2 operator()(const Vec2& x, double /*time*/) const {
-    constexpr double turn = 2 * std::numbers::pi;
-    const double wave = std::sin(turn * (5 * x.x() / L + 11 * x.y() / H));
-    return Vec2(F, 0) + 1e-4 * F * wave * Vec2(1, 1);
-  }
-};
+const Scene<Newtonian, ForceField> scene = driven_by(perturbed_drive(1e-4));
 
-const Scene<Newtonian, ForceField> scene{
-    .domain = {.box = gap, .periodic_x = true},
-    .fluid = water,
-    .filled = gap,
-    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
-    .body_force = {StirredDrive{}},
-};
+const reference::Poiseuille exact{.H = H, .F = drive, .nu = water.kinematic_viscosity()};
 
-const reference::Poiseuille exact{.H = H, .F = F, .nu = water.kinematic_viscosity()};
-
-/// The steady flow reaches 1 mm/s; at ten times that the run counts as diverged.
-const StepSearch search{.low = 0.5 * us, .high = 1000 * us, .speed_limit = 10 * mm};
-
-/// A variant of a method, by how a solver is made for a level and a time step [s].
-template <class Factory>
-Variant variant(std::string name, double time_step, Factory solver) {
-  return {std::move(name), [=](const Level& level, const Schedule& when) {
-            return run_and_search([&](double step) { return solver(level, step); }, time_step, when, search);
-          }};
-}
+const StepSearch search{.low = 0.5 * us, .high = 1000 * us, .speed_limit = too_fast};
 
 template <class WallTreatment>
 Variant mpm_variant(std::string name) {
-  return variant(std::move(name), 4 * dt,
+  return variant(std::move(name), 4 * dt, search,
                  [](const Level& level, double step) { return mpm_solver<WallTreatment>(scene, level, step); });
 }
 
@@ -75,7 +44,7 @@ const auto artificial = [](double h) {
 /// The printed method with these terms, each a function of the smoothing length, and without what `Left` names.
 template <class Left = sph::Without<>, class... Terms>
 Variant printed_variant(std::string name, Terms... terms) {
-  return variant(std::move(name), 4 * dt, [=](const Level& level, double step) {
+  return variant(std::move(name), 4 * dt, search, [=](const Level& level, double step) {
     const double h = 1.2 * level.spacing;
     return sph::printed<sph::CubicSpline, PredictorCorrector, double, Left>(
         scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = step}, sph::momentum(terms(h)...));
@@ -85,7 +54,7 @@ Variant printed_variant(std::string name, Terms... terms) {
 /// The regularised method with these terms, and without what `Left` names.
 template <class Left = sph::Without<sph::MomentumOfDrift>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
-  return variant(std::move(name), 4 * dt, [=](const Level& level, double step) {
+  return variant(std::move(name), 4 * dt, search, [=](const Level& level, double step) {
     return sph::transport_velocity<sph::QuinticSpline, KickDriftKick, double, Left>(
         scene, {.spacing = level.spacing, .smoothing_length = level.spacing, .time_step = step},
         sph::momentum(terms...));

@@ -25,6 +25,7 @@ double middle_velocity(const Samples& samples) {
 /// Kept to show that the suite detects it.
 Method mpm_unfelt() {
   return {.name = "mpm_unfelt",
+          .family = Family::mpm,
           .description = mpm_words +
                          "Here the held node transmits no wall acceleration: particles next to a wall that starts "
                          "impulsively never feel it. Kept to show that the suite detects it.",

@@ -1,13 +1,9 @@
 /// The largest stable time step of each method in periodic flows, compared with linear theory for fluid at rest.
 
 #include "vnv/stability/critical_step.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
-
-#include <fmt/format.h>
-
-#include <numbers>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -31,15 +27,16 @@ const std::vector<Flow> flows = {
 };
 
 RestingLattice lattice_for(const LatticeMethod& method) {
-  if (method.family == Family::sph) return {.cells = 12, .reynolds = 1e3};
-  return {.cells = 8, .points = 2, .reynolds = 1e3};
+  RestingLattice lattice = method.usual_lattice(12);
+  lattice.reynolds = 1e3;
+  return lattice;
 }
 
 Start start_of(const Flow& flow, const RestingLattice& lattice) {
   Start start = noisy(lattice, flow.noise);
   start.velocity = [flow, lattice, stir = start.velocity](const Vec2& x) -> Vec2 {
-    const double wave = std::sin(2 * std::numbers::pi * x.y() / lattice.side());
-    return stir(x) + RestingLattice::sound_speed * (flow.carried + Vec2(flow.shear * wave, 0));
+    return stir(x) +
+           RestingLattice::sound_speed * (flow.carried + Vec2(flow.shear * wave_at(x.y(), lattice.side()), 0));
   };
   return start;
 }
@@ -61,23 +58,15 @@ Run search_in(const Flow& flow, const LatticeMethod& method) {
 Method limits_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
   method.tolerance = moved_limit;
-  for (const Flow& flow : flows) {
-    Level level = lattice_for(on_lattice).level();
-    level.name = flow.name;
-    level.acceptance = flow.in_acceptance;
-    level.nightly = 1;
-    method.levels.push_back(level);
-  }
   method.claims = {chosen_is_stable.on("shear wave")};
   if (on_lattice.claims_to_be_galilean)
     method.claims.push_back(
         between(over_theory, 0.95, 1.05, theory("Galilean invariance: the limit is that at rest")).on("uniform flow"));
-  method.run = [on_lattice](const Level& level, const Schedule&) {
-    for (const Flow& flow : flows)
-      if (flow.name == level.name) return search_in(flow, on_lattice);
-    return search_in(flows.front(), on_lattice);
-  };
-  return method;
+  std::vector<NamedRun> runs;
+  for (const Flow& flow : flows)
+    runs.push_back({lattice_for(on_lattice).level(flow.name, flow.in_acceptance),
+                    [=](const Level&, const Schedule&) { return search_in(flow, on_lattice); }});
+  return with_runs(std::move(method), std::move(runs));
 }
 
 }  // namespace

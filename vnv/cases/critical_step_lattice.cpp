@@ -1,11 +1,9 @@
 /// The largest stable time step of each method on a lattice at rest, compared with its own linear stability theory.
 
 #include "vnv/stability/critical_step.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/parts_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
-
-#include <fmt/format.h>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -31,7 +29,7 @@ struct Arrangement {
 std::vector<Arrangement> arrangements(const LatticeMethod& method) {
   const bool is_daily = !method.at_night_only;
   std::vector<Arrangement> all;
-  if (method.family == Family::sph) {
+  if (!method.has_grid()) {
     all.push_back({"h of the method", {.cells = 12}, is_daily});
     if (method.one_kernel || method.at_night_only) return all;
     all.push_back({"h = 1.3 spacings", {.cells = 12, .smoothing = 1.3}});
@@ -48,19 +46,14 @@ std::vector<Arrangement> arrangements(const LatticeMethod& method) {
   return all;
 }
 
-/// Steps in which sound travels so many lengths of a unit cell.
-SolverWith simulations(const OnLattice& method, const RestingLattice& lattice) {
-  return [=](double time_step) {
-    return simulate(method, lattice, noisy(lattice, 1e-8), time_step * RestingLattice::sound_speed / lattice.unit());
-  };
-}
-
 Run compare(const LatticeMethod& method, const RestingLattice& lattice) {
   const CostMeter meter;
   const double c = RestingLattice::sound_speed, a_length = lattice.unit() / c;
   // Between speeds of a hundred-millionth and of a ten-thousandth of that of sound all is linear.
   const StepSearch search{.low = 0.1 * a_length, .high = 8 * a_length, .speed_limit = 1e-4 * c};
-  const SolverWith solver_with = simulations(method.on, lattice);
+  const SolverWith solver_with = [&](double time_step) {
+    return simulate(method.on, lattice, noisy(lattice, 1e-8), time_step * c / lattice.unit());
+  };
   const CriticalStep found = critical_step(solver_with, search);
   const double own = method.on(lattice, {}).time_step(lattice.level()) / a_length,
                limit = std::sqrt(found.low * found.high) / a_length,
@@ -91,24 +84,15 @@ Method limits_of(const LatticeMethod& on_lattice) {
   if (!on_lattice.linear && !on_lattice.at_night_only)
     method.claims.push_back(between(growth_over_theory, 0.9, 1.1,
                                     theory("the same; measured from noise in which other modes grow as well")));
-  for (const Arrangement& a : arrangements(on_lattice)) {
-    Level level = a.lattice.level();
-    level.name = a.name;
-    level.acceptance = a.in_acceptance;
-    level.nightly = 1;
-    method.levels.push_back(level);
-  }
-  method.run = [on_lattice](const Level& level, const Schedule&) {
-    for (const Arrangement& a : arrangements(on_lattice))
-      if (a.name == level.name) return compare(on_lattice, a.lattice);
-    return compare(on_lattice, {.cells = 8, .points = static_cast<int>(std::lround(level.cell / level.spacing))});
-  };
-  return method;
+  std::vector<NamedRun> runs;
+  for (const Arrangement& a : arrangements(on_lattice))
+    runs.push_back({a.lattice.level(a.name, a.in_acceptance),
+                    [=](const Level&, const Schedule&) { return compare(on_lattice, a.lattice); }});
+  return with_runs(std::move(method), std::move(runs));
 }
 
 std::vector<LatticeMethod> methods_and_parts() {
-  std::vector<LatticeMethod> all = methods_on_lattice();
-  std::ranges::copy(methods_in_single_precision(), std::back_inserter(all));
+  std::vector<LatticeMethod> all = methods_of_any_precision();
   std::ranges::copy(parts_on_lattice(), std::back_inserter(all));
   return all;
 }

@@ -16,9 +16,8 @@ const double speed_limit = 0.05 * std::sqrt(g * depth);
 Method limits_of(Method method) {
   const auto solver = method.solver;
   const auto own_step = method.time_step;
-  const bool has_cells = method.name.starts_with("mpm");
-  method.run = [=](const Level& level, const Schedule&) {
-    const double length = has_cells ? level.cell : level.spacing, a_length = length / c;
+  method.run = [=, family = method.family](const Level& level, const Schedule&) {
+    const double length = family == Family::mpm ? level.cell : level.spacing, a_length = length / c;
     Run run =
         search_critical_step([&](double time_step) { return solver(level, time_step); },
                              {.low = 0.05 * a_length, .high = 8 * a_length, .speed_limit = speed_limit}, length, c);

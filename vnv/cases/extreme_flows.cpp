@@ -1,7 +1,7 @@
 /// Stiff and extreme periodic flows, each with its outcome declared in advance.
 
 #include "vnv/stability/extreme.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 
 #include <algorithm>
@@ -18,11 +18,6 @@ constexpr double c = RestingLattice::sound_speed;
 constexpr double base_reynolds = 100;  // of a shear wave, by its amplitude and wavelength
 constexpr double base_mach = 0.1;
 
-RestingLattice lattice_for(const LatticeMethod& method) {
-  if (method.family == Family::sph) return {.cells = 16};
-  return {.cells = 8, .points = 2};
-}
-
 /// A wave of velocity along x, one up the lattice, of an inviscid or viscous fluid.
 struct Wave {
   double mach, reynolds;
@@ -32,20 +27,16 @@ struct Wave {
     return lattice;
   }
   Start start(const RestingLattice& lattice) const {
-    return {.velocity = [u = mach * c, side = lattice.side()](const Vec2& x) {
-      return Vec2(u * std::sin(2 * std::numbers::pi * x.y() / side), 0);
-    }};
+    return {
+        .velocity = [u = mach * c, side = lattice.side()](const Vec2& x) { return Vec2(u * wave_at(x.y(), side), 0); }};
   }
 };
 
 /// How far its height is from what viscosity leaves of it, over that at the start [%].
 std::function<double(const Samples&)> error_of(const Wave& wave, const RestingLattice& lattice) {
-  const double side = lattice.side(), nu = c * RestingLattice::spacing / lattice.reynolds,
-               decay = nu * std::pow(2 * std::numbers::pi / side, 2);
+  const double side = lattice.side(), decay = decay_of_wave(lattice.kinematic_viscosity(), side);
   return [=](const Samples& s) {
-    const Scalars shape = (2 * std::numbers::pi / side * s.x.row(1).transpose().array()).sin();
-    const double height = (s.v.row(0).transpose().array() * shape).sum() / shape.square().sum();
-    return 100 * std::abs(height / (wave.mach * c) - std::exp(-decay * s.time));
+    return 100 * std::abs(amplitude_of_wave(s, side) / (wave.mach * c) - std::exp(-decay * s.time));
   };
 }
 
@@ -53,16 +44,15 @@ std::function<double(const Samples&)> error_of(const Wave& wave, const RestingLa
 /// fluids that are too thin or too stiff for that to be little they stay stable but not accurate. So does least squares
 /// in eight cells, each time it puts particles back on their lattice.
 Ending as_damped(const LatticeMethod& method, Ending usual) {
-  return method.family == Family::mpm && method.name() != "mpm" && method.name() != "mpm_float" ? Ending::stable
-                                                                                                : usual;
+  return method.has_grid() && method.name() != "mpm" && method.name() != "mpm_float" ? Ending::stable : usual;
 }
 
 /// The wave until it has lost half of its height, for at least 100 and at most 1000 steps of the method's own choice.
 Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& wave, Ending usual) {
-  const RestingLattice lattice = wave.on(lattice_for(method));
+  const RestingLattice lattice = wave.on(method.usual_lattice());
   const Method here = method.on(lattice, wave.start(lattice));
-  const double dt = here.time_step(lattice.level()), nu = c * RestingLattice::spacing / lattice.reynolds,
-               half_time = std::numbers::ln2 / (nu * std::pow(2 * std::numbers::pi / lattice.side(), 2));
+  const double dt = here.time_step(lattice.level()),
+               half_time = std::numbers::ln2 / decay_of_wave(lattice.kinematic_viscosity(), lattice.side());
   return {.name = name,
           .make = [=] { return here.solver(lattice.level(), dt); },
           .end = std::clamp(half_time, 100 * dt, 1000 * dt),
@@ -72,8 +62,8 @@ Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& 
 }
 
 /// Carried along so fast, and with such a step, that sound and flow together cross 0.99 lengths in it.
-Extreme across_the_seam(const LatticeMethod& method) {
-  const RestingLattice lattice = lattice_for(method);
+Extreme across_the_periodic_boundaries(const LatticeMethod& method) {
+  const RestingLattice lattice = method.usual_lattice();
   const Vec2 flow = 0.495 * c / 0.495 * Vec2(0.8, 0.6);
   const double dt = 0.495 * lattice.unit() / c;
   const std::string name = "through both seams at (c + v) dt = 0.99";
@@ -99,7 +89,7 @@ Ending borne_by(const std::string& method) {
 
 /// Particles anywhere, as many as there would be, with the density of rest.
 Extreme at_random(const LatticeMethod& method) {
-  const RestingLattice lattice = lattice_for(method);
+  const RestingLattice lattice = method.usual_lattice();
   Start start = noisy(lattice, 1e-3);
   start.places = [side = lattice.side()](const Vectors& places) {
     Vectors random = places;
@@ -117,7 +107,7 @@ Extreme at_random(const LatticeMethod& method) {
 
 /// Noise of 1e-6 times the speed of sound must not grow tenfold in about a million steps.
 Extreme at_rest_for_long(const LatticeMethod& method) {
-  RestingLattice lattice = lattice_for(method);
+  RestingLattice lattice = method.usual_lattice();
   lattice.cells /= 2;
   const Method here = method.on(lattice, noisy(lattice, 1e-6));
   const double dt = here.time_step(lattice.level());
@@ -139,14 +129,8 @@ Method method_meeting_extremes(const LatticeMethod& method) {
       {shear("viscosity x 1e4", method, {base_mach, 1e-4 * base_reynolds}, Ending::accurate),
        shear("viscosity x 1e-4", method, {base_mach, 1e4 * base_reynolds}, as_damped(method, Ending::accurate)),
        shear("K x 1e4, Mach 1e-5", method, {1e-4 * base_mach, base_reynolds}, as_damped(method, Ending::accurate)),
-       shear("K so soft that Mach is 0.7", method, {0.7, base_reynolds}, Ending::stable), across_the_seam(method),
-       at_random(method), at_rest_for_long(method)});
-}
-
-std::vector<LatticeMethod> all_methods() {
-  std::vector<LatticeMethod> all = methods_on_lattice();
-  std::ranges::copy(methods_in_single_precision(), std::back_inserter(all));
-  return all;
+       shear("K so soft that Mach is 0.7", method, {0.7, base_reynolds}, Ending::stable),
+       across_the_periodic_boundaries(method), at_random(method), at_rest_for_long(method)});
 }
 
 }  // namespace
@@ -161,7 +145,7 @@ Case vnv::the_case() {
           "and fluid stays at rest for a million steps, a tenth as many with the most expensive methods. The outcome of each is declared in advance.",
       .times = {1},
       .measurements = {},
-      .methods = each_of(all_methods(), method_meeting_extremes),
+      .methods = each_of(methods_of_any_precision(), method_meeting_extremes),
       .plots = {endings({"particles at random"})},
       .label = "stability",
   };

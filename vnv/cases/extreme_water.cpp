@@ -3,7 +3,7 @@
 #include "solvers/walls/free_slip.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/stability/extreme.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,25 @@ constexpr double output_interval = 0.01;                                // s  of
 constexpr Newtonian water{{.density = 1000, .bulk_modulus = 1000 * c * c / 7}, 1e-3};
 
 Box box(double width, double height) { return {.high = {width, height}}; }
+Box around(const Vec2& centre, double x, double y) { return {.low = centre - Vec2(x, y), .high = centre + Vec2(x, y)}; }
+
+/// Water far from all walls, under a body force along y [m/s²].
+Water falling(const Box& domain, const Box& filled, const Start& start, double force = -g) {
+  return {.domain = {.box = domain}, .fluid = water, .filled = filled, .body_force = {{0, force}}, .start = start};
+}
+/// Water in a tank.
+Water in_tank(const Box& tank, const Box& filled, const Start& start = {}) {
+  Water scene = falling(tank, filled, start);
+  scene.walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank.high.x(), free_slip())};
+  return scene;
+}
+/// Water on a floor without end.
+Water on_floor(const Box& period, const Box& filled, const Start& start = {}, double force = -g) {
+  Water scene = falling(period, filled, start, force);
+  scene.domain.periodic_x = true;
+  scene.walls = {floor_at(0, free_slip())};
+  return scene;
+}
 
 /// The middle of all particles [m].
 Vec2 middle(const Samples& s) { return s.x.rowwise().mean(); }
@@ -49,29 +68,19 @@ struct Setting {
 
 Setting one_particle() {
   const Vec2 start(0.5 + spacing / 2, 1.5 + spacing / 2);
-  constexpr double end = 0.4;
+  constexpr double end = 0.4, fall = g / 2 * end * end;
   return {.name = "one particle",
-          .scene = {.domain = {.box = box(1, 2)},
-                    .fluid = water,
-                    .filled = box(1, 2),
-                    .body_force = {{0, -g}},
-                    .start = {.places = within(0.01, {start})}},
+          .scene = falling(box(1, 2), box(1, 2), {.places = within(0.01, {start})}),
           .end = end,
           .declared = Ending::accurate,
-          .error =
-              [=](const Samples& s) {
-                return 100 * (middle(s) - start + Vec2(0, g / 2 * end * end)).norm() / (g / 2 * end * end);
-              },
+          .error = [=](const Samples& s) { return 100 * (middle(s) - start + Vec2(0, fall)).norm() / fall; },
           .accurate_within = 1};
 }
 
 Setting one_cell() {
+  const Box cell_of_water = box(4 * spacing, 4 * spacing);
   return {.name = "one cell",
-          .scene = {.domain = {.box = box(4 * spacing, 4 * spacing)},
-                    .fluid = water,
-                    .filled = box(4 * spacing, 4 * spacing),
-                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(4 * spacing, free_slip())},
-                    .body_force = {{0, -g}}},
+          .scene = in_tank(cell_of_water, cell_of_water),
           .end = 0.5,
           .declared = Ending::stable,
           .cell_size = 4 * spacing};
@@ -79,11 +88,7 @@ Setting one_cell() {
 
 Setting single_row() {
   return {.name = "a single row",
-          .scene = {.domain = {.box = box(0.4, 0.2), .periodic_x = true},
-                    .fluid = water,
-                    .filled = box(0.4, spacing),
-                    .walls = {floor_at(0, free_slip())},
-                    .body_force = {{0, -g}}},
+          .scene = on_floor(box(0.4, 0.2), box(0.4, spacing)),
           .end = 0.5,
           .declared = Ending::stable};
 }
@@ -95,12 +100,7 @@ Setting on_edges() {
     return ((lattice.array() - side / 2) * (side / (side - spacing)) + side / 2).min(side).max(0);
   };
   return {.name = "particles on edges and in corners",
-          .scene = {.domain = {.box = box(side, 0.6)},
-                    .fluid = water,
-                    .filled = box(side, side),
-                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(side, free_slip())},
-                    .body_force = {{0, -g}},
-                    .start = {.places = to_the_edges}},
+          .scene = in_tank(box(side, 0.6), box(side, side), {.places = to_the_edges}),
           .end = 0.3,
           .declared = Ending::stable};
 }
@@ -115,92 +115,67 @@ Setting heavy() {
     return places;
   };
   return {.name = "gravity x 100",
-          .scene = {.domain = {.box = box(0.3, 0.6), .periodic_x = true},
-                    .fluid = water,
-                    .filled = box(0.3, 0.3),
-                    .walls = {floor_at(0, free_slip())},
-                    .body_force = {{0, -100 * g}},
-                    .start = {.places = uneven}},
+          .scene = on_floor(box(0.3, 0.6), box(0.3, 0.3), {.places = uneven}, -100 * g),
           .end = 0.2,
           .declared = Ending::stable};
 }
 
 Setting empty_background() {
   constexpr double radius = 0.06, side = 3.4;  // of a drop of a thousandth of the domain
-  const Vec2 start(side / 2, side / 2);
-  return {
-      .name = "a thousand times as much nothing",
-      .scene = {.domain = {.box = box(side, side)},
-                .fluid = water,
-                .filled = {.low = start - Vec2(0.1, 0.1), .high = start + Vec2(0.1, 0.1)},
-                .body_force = {{0, 0}},
-                .start = {.velocity = [](const Vec2&) { return Vec2(1, 0.5); }, .places = within(radius, {start})}},
-      .end = 1,
-      .declared = Ending::accurate,
-      .error = [=](const Samples& s) { return 100 * (middle(s) - start - Vec2(1, 0.5)).norm() / Vec2(1, 0.5).norm(); },
-      .accurate_within = 0.1};
+  const Vec2 start(side / 2, side / 2), v(1, 0.5);
+  return {.name = "a thousand times as much nothing",
+          .scene = falling(box(side, side), around(start, 0.1, 0.1),
+                           {.velocity = [=](const Vec2&) { return v; }, .places = within(radius, {start})}, 0),
+          .end = 1,
+          .declared = Ending::accurate,
+          .error = [=](const Samples& s) { return 100 * (middle(s) - start - v).norm() / v.norm(); },
+          .accurate_within = 0.1};
 }
 
 Setting falling_drop() {
-  constexpr double radius = 0.1, end = 1.5;
+  constexpr double radius = 0.1, end = 1.5, fall = g / 2 * end * end;
   const Vec2 start(0.25, 12);
+  // Its centre of mass is in free fall, and its width is constant.
+  const auto error = [=](const Samples& s) {
+    const double width = s.x.row(0).maxCoeff() - s.x.row(0).minCoeff();
+    return 100 * std::max((middle(s) - start + Vec2(0, fall)).norm() / fall, std::abs(width / (2 * radius) - 1) - 0.1);
+  };
   return {.name = "a drop in free fall",
-          .scene = {.domain = {.box = box(0.5, 12.5)},
-                    .fluid = water,
-                    .filled = {.low = start - Vec2(0.12, 0.12), .high = start + Vec2(0.12, 0.12)},
-                    .body_force = {{0, -g}},
-                    .start = {.places = within(radius, {start})}},
+          .scene = falling(box(0.5, 12.5), around(start, 0.12, 0.12), {.places = within(radius, {start})}),
           .end = end,
           .declared = Ending::accurate,
-          .error =
-              [=](const Samples& s) {
-                // Its centre of mass is in free fall, and its width is constant.
-                const double fall = g / 2 * end * end, width = s.x.row(0).maxCoeff() - s.x.row(0).minCoeff();
-                return 100 * std::max((middle(s) - start + Vec2(0, fall)).norm() / fall,
-                                      std::abs(width / (2 * radius) - 1) - 0.1);
-              },
+          .error = error,
           .accurate_within = 1};
 }
 
 Setting jet() {
+  const auto every_third = [](const Vectors& lattice) -> Vectors {
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index p = 0; p < lattice.cols(); p += 3) kept.push_back(p);
+    return lattice(Eigen::all, kept);
+  };
   return {.name = "a jet of single particles",
-          .scene = {.domain = {.box = box(1, 6)},  // printed MPM throws some up by 2.6 m
-                    .fluid = water,
-                    .filled = {.low = {0, 0.4}, .high = {0.8, 0.42}},
-                    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
-                    .body_force = {{0, -g}},
-                    .start = {.velocity = [](const Vec2&) { return Vec2(5, 1); },
-                              .places = [](const Vectors& lattice) -> Vectors {
-                                std::vector<Eigen::Index> every_third;
-                                for (Eigen::Index p = 0; p < lattice.cols(); p += 3) every_third.push_back(p);
-                                return lattice(Eigen::all, every_third);
-                              }}},
+          .scene = in_tank(box(1, 6), {.low = {0, 0.4}, .high = {0.8, 0.42}},  // printed MPM throws some up by 2.6 m
+                           {.velocity = [](const Vec2&) { return Vec2(5, 1); }, .places = every_third}),
           .end = 0.4,
           .declared = Ending::stable};
 }
 
 Setting colliding_drops() {
-  const Vec2 left(0.35, 0.5), right(0.65, 0.52);
+  const Start approaching{.velocity = [](const Vec2& x) { return Vec2(x.x() < 0.5 ? 2 : -2, 0); },
+                          .places = within(0.1, {{0.35, 0.5}, {0.65, 0.52}})};
   return {.name = "colliding drops",
-          .scene = {.domain = {.box = box(1, 1)},
-                    .fluid = water,
-                    .filled = {.low = {0.2, 0.3}, .high = {0.8, 0.7}},
-                    .body_force = {{0, 0}},
-                    .start = {.velocity = [](const Vec2& x) { return Vec2(x.x() < 0.5 ? 2 : -2, 0); },
-                              .places = within(0.1, {left, right})}},
+          .scene = falling(box(1, 1), {.low = {0.2, 0.3}, .high = {0.8, 0.7}}, approaching, 0),
           .end = 0.1,
           .declared = Ending::stable};
 }
 
 Setting tension() {
-  const Vec2 start(0.5, 0.5);
+  const Vec2 centre(0.5, 0.5);
+  const Start parting{.velocity = [=](const Vec2& x) { return Vec2(20 * (x - centre)); },
+                      .places = within(0.15, {centre})};
   return {.name = "a drop torn apart",
-          .scene = {.domain = {.box = box(1, 1)},
-                    .fluid = water,
-                    .filled = {.low = {0.3, 0.3}, .high = {0.7, 0.7}},
-                    .body_force = {{0, 0}},
-                    .start = {.velocity = [=](const Vec2& x) { return Vec2(20 * (x - start)); },
-                              .places = within(0.15, {start})}},
+          .scene = falling(box(1, 1), {.low = {0.3, 0.3}, .high = {0.7, 0.7}}, parting, 0),
           .end = 0.05,
           .declared = Ending::stable};
 }
@@ -211,7 +186,8 @@ std::vector<Setting> settings() {
 }
 
 /// Exceptions by method, and why.
-Ending declared_of(const Setting& setting, const std::string& method) {
+Ending declared_of(const Setting& setting, const Method& of_method) {
+  const std::string& method = of_method.name;
   // Where a particle has too few neighbours for it, the correction of gradients has no limit.
   if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
     return Ending::diverged;
@@ -220,7 +196,7 @@ Ending declared_of(const Setting& setting, const std::string& method) {
   // Alone on its nodes a particle carries its slope on: it expands at a steady rate, past any density.
   if (method == "mpm_apic" && setting.name == "a jet of single particles") return Ending::diverged;
   // Walls of SPH are made of particles, and do not take fluid that stands on them.
-  if (method.starts_with("sph") && setting.name == "particles on edges and in corners") return Ending::refused;
+  if (of_method.family == Family::sph && setting.name == "particles on edges and in corners") return Ending::refused;
   return setting.declared;
 }
 
@@ -235,10 +211,10 @@ Method method_meeting_extremes(Make make) {
                         .end = setting.end,
                         .error = setting.error,
                         .accurate_within = setting.accurate_within,
-                        .declared = declared_of(setting, here.name),
+                        .declared = declared_of(setting, here),
                         .in_acceptance = setting.in_acceptance});
   }
-  return meeting(make(settings().front().scene), std::move(extremes));
+  return meeting(make(settings().front().scene), extremes);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/stability/critical_step.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
 
@@ -24,8 +24,9 @@ constexpr std::array in_acceptance = {-0.02, 0.05};
 std::string name_of_pressure(double p) { return fmt::format("p = {:g} rho c²", p); }
 
 RestingLattice lattice_for(const LatticeMethod& method, double pressure) {
-  if (method.family == Family::sph) return {.cells = 12, .pressure = pressure};
-  return {.cells = 8, .points = 2, .pressure = pressure};
+  RestingLattice lattice = method.usual_lattice(12);
+  lattice.pressure = pressure;
+  return lattice;
 }
 
 constexpr long steps = 4000;
@@ -46,29 +47,19 @@ Run under(const LatticeMethod& method, double pressure) {
   run.add(rate_by_theory, by_theory);
   run.add(rate_seen, seen);
   run.add(theory_holds, (radius > growing) == !std::isnan(growth) ? 1 : 0);
-  const std::string figure = "growth";
-  run.curves = {{figure, method.name(), Role::ours, {pressure}, {by_theory}, false},
-                {figure, method.name() + ", measured", Role::ours, {pressure}, {seen}, true}};
   return run;
 }
 
 Method under_pressures(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
-  for (const double p : pressures) {
-    Level level = lattice_for(on_lattice, p).level();
-    level.name = name_of_pressure(p);
-    level.acceptance = std::ranges::find(in_acceptance, p) != in_acceptance.end();
-    level.nightly = 1;
-    method.levels.push_back(level);
-  }
-  method.run = [on_lattice](const Level& level, const Schedule&) {
-    for (const double p : pressures)
-      if (name_of_pressure(p) == level.name) return under(on_lattice, p);
-    return under(on_lattice, 0);
-  };
   method.tolerance = {0.1, "the growth rate is fitted to noise"};
   method.claims = {at_least(theory_holds, 1, theory("the spectral radius of its own linearised step"))};
-  return method;
+  std::vector<NamedRun> runs;
+  for (const double p : pressures)
+    runs.push_back({lattice_for(on_lattice, p)
+                        .level(name_of_pressure(p), std::ranges::find(in_acceptance, p) != in_acceptance.end()),
+                    [=](const Level&, const Schedule&) { return under(on_lattice, p); }});
+  return with_runs(std::move(method), std::move(runs));
 }
 
 std::vector<LatticeMethod> methods_that_feel_it() {
@@ -77,8 +68,7 @@ std::vector<LatticeMethod> methods_that_feel_it() {
   return methods;
 }
 
-/// Each run has drawn a point of each curve.
-void join_curves(const Results&, Record& record) {
+void draw_growth(const Results& results, Record& record) {
   record.figures.push_back(
       {"growth",
        "Growth rate of noise against background pressure",
@@ -86,17 +76,16 @@ void join_curves(const Results&, Record& record) {
        "chooses. Negative pressures are tension.",
        {"pressure / (rho c^2)"},
        {"growth rate, spacing / c"}});
-  std::vector<Curve> joined;
-  for (const Curve& piece : record.curves) {
-    const auto same = std::ranges::find(joined, piece.label, &Curve::label);
-    if (same == joined.end()) {
-      joined.push_back(piece);
-    } else {
-      same->x.insert(same->x.end(), piece.x.begin(), piece.x.end());
-      same->y.insert(same->y.end(), piece.y.begin(), piece.y.end());
+  Curve theory{"growth", results.method.name, Role::ours, {}, {}, false},
+      seen{"growth", results.method.name + ", measured", Role::ours, {}, {}, true};
+  for (const double p : pressures)
+    if (const Run* run = results.run(name_of_pressure(p))) {
+      theory.x.push_back(p);
+      theory.y.push_back(run->value_of(rate_by_theory));
+      seen.x.push_back(p);
+      seen.y.push_back(run->value_of(rate_seen));
     }
-  }
-  record.curves = std::move(joined);
+  record.curves = {theory, seen};
 }
 
 }  // namespace
@@ -114,7 +103,7 @@ Case vnv::the_case() {
       .times = {1},
       .measurements = {},
       .methods = each_of(methods_that_feel_it(), under_pressures),
-      .plots = {join_curves},
+      .plots = {draw_growth},
       .label = "stability",
   };
 }

@@ -23,7 +23,6 @@ const Author goal = baseline("performance goal");
 const Author two_reads_and_a_write = theory("a step reads the particles twice and writes them once");
 
 constexpr double spacing = channel_cell / 2;
-const std::string ladder = "particles at equal spacing";
 
 /// So many particles, but for rounding to whole cells, in a channel twice as high as it is long.
 Scene<Newtonian, Uniform> channel_of(double particles) {
@@ -81,27 +80,14 @@ std::vector<Value> find_memory(const Results& results, const Record&) {
   return all;
 }
 
-/// 10^3 to 10^7; report stops at 10^6.
-std::vector<Level> levels() {
-  std::vector<Level> all;
-  for (const char* name : {"1e3", "1e4", "1e5", "1e6", "1e7"}) {
-    const bool largest = std::string_view(name) == "1e7";
-    all.push_back(
-        {.name = name, .spacing = spacing, .cell = channel_cell, .report = largest ? 0.0 : 1.0, .nightly = 1});
-  }
-  return all;
-}
-const std::vector<Ladder> ladders{{ladder, {"1e3", "1e4", "1e5", "1e6", "1e7"}}};
-
-/// Moving bytes is all that many particles may cost more: a ratio of times would rise where arithmetic is fast and
-/// memory slow, from 2.4 to 4 between two machines.
-std::vector<Claim> claims_of_mpm() {
-  return {at_most(passes, 3, two_reads_and_a_write).on("1e6"), at_most(passes, 3, two_reads_and_a_write).on("1e7"),
-          at_most(memory, 3, goal).on("1e7")};
-}
-std::vector<Claim> claims_of_sph() {
-  return {at_most(dearer, 2.5, goal).on("1e6"), at_most(dearer, 2.5, goal).on("1e7"),
-          at_most(memory, 6, goal).on("1e7")};
+/// 10^3 to 10^7, of which report leaves out the last, as one ladder.
+Method scaling(Method method) {
+  Ladder ladder{"particles at equal spacing", {"1e3", "1e4", "1e5", "1e6", "1e7"}};
+  for (const std::string& name : ladder.levels)
+    method.levels.push_back(
+        {.name = name, .spacing = spacing, .cell = channel_cell, .report = name == "1e7" ? 0.0 : 1.0, .nightly = 1});
+  method.ladders = {std::move(ladder)};
+  return method;
 }
 
 Pick per_particle_step() {
@@ -126,18 +112,19 @@ Case vnv::the_case() {
       .times = {1},
       .measurements = {},
       .findings = {find_memory},
-      .methods = {{.name = "mpm",
-                   .description = channel::mpm_words + channel::moving_words,
-                   .run = scale(mpm_of),
-                   .levels = levels(),
-                   .ladders = ladders,
-                   .claims = claims_of_mpm()},
-                  {.name = "sph",
-                   .description = channel::sph_printed_words + channel::conservative_words,
-                   .run = scale(sph_of),
-                   .levels = levels(),
-                   .ladders = ladders,
-                   .claims = claims_of_sph()}},
+      .methods = {scaling({.name = "mpm",
+                           .description = channel::mpm_words + channel::moving_words,
+                           .run = scale(mpm_of),
+                           // Moving bytes is all that many particles may cost more: a ratio of times would rise where
+                           // arithmetic is fast and memory slow, from 2.4 to 4 between two machines.
+                           .claims = {at_most(passes, 3, two_reads_and_a_write).on("1e6"),
+                                      at_most(passes, 3, two_reads_and_a_write).on("1e7"),
+                                      at_most(memory, 3, goal).on("1e7")}}),
+                  scaling({.name = "sph",
+                           .description = channel::sph_printed_words + channel::conservative_words,
+                           .run = scale(sph_of),
+                           .claims = {at_most(dearer, 2.5, goal).on("1e6"), at_most(dearer, 2.5, goal).on("1e7"),
+                                      at_most(memory, 6, goal).on("1e7")}})},
       .plots = {along_ladders({"cost_per_particle",
                                "CPU time per particle-step",
                                "One core. The channel grows at equal spacing.",

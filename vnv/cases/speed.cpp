@@ -34,9 +34,19 @@ Level timed(std::string name, double spacing, double cell = not_a_number) {
   return {.name = std::move(name), .spacing = spacing, .cell = cell, .report = 1, .nightly = 1};
 }
 
-sph::Settings sph_settings(double spacing, double time_step, int threads = 1) {
-  return {.spacing = spacing, .smoothing_length = 1.2 * spacing, .time_step = time_step, .threads = threads};
+mpm::Settings mpm_settings(const Level& level, double time_step, int threads = 1) {
+  return {.cell = level.cell, .spacing = level.spacing, .time_step = time_step, .threads = threads};
 }
+sph::Settings sph_settings(const Level& level, double time_step, int threads = 1) {
+  return {
+      .spacing = level.spacing, .smoothing_length = 1.2 * level.spacing, .time_step = time_step, .threads = threads};
+}
+
+// Viscous terms, by the smoothing length [m].
+constexpr auto laminar = [](double h) { return sph::LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h}; };
+const auto artificial = [](double h) {
+  return sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = dam().fluid.sound_speed(), .h = h};
+};
 
 /// Right-hand sides in a step.
 template <class Integrator>
@@ -44,78 +54,52 @@ constexpr int evaluations = 1;
 template <>
 constexpr int evaluations<PredictorCorrector> = 2;
 
-Run race_mpm_in_channel(const Level& level, const Schedule&) {
-  return race(mpm::solver<mpm::PrescribedMotion>(
-                  bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
-              PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
-}
-
-const Quantity watch_cost{"time of a monitor sample over that of the steps between two", "%", Kind::cost};
-
-/// What the run loop takes to look at all particles, in turn with the steps that it lets pass between two looks.
-Run time_the_watch(Simulation simulation) {
-  const Soundness soundness(simulation.medium(), simulation.samples());
-  const auto step = [&] {
-    for (long k = 0; k < steps_between_looks; ++k) simulation.step();
+/// Printed MPM against the plain loop, after so many steps of both.
+template <class Number = double, class AnyScene>
+auto race_mpm(const AnyScene& scene, double time_step, long lead = 0) {
+  return [=](const Level& level, const Schedule&) {
+    return race(mpm::solver<mpm::PrescribedMotion, Number>(scene, mpm_settings(level, time_step)),
+                PlainMusl(plain(scene), level.cell, level.spacing, time_step), lead);
   };
-  const auto look = [&] { soundness.require(simulation.samples(), simulation.steps()); };
-  const Times times = time_in_turn({look, step});
-  Run run = run_of(simulation, times.of(1) / steps_between_looks);
-  run.add(watch_cost, 100 * times.ratio(0, 1));
-  run.add(spread, 100 * times.spread(0, 1));
-  return run;
-}
-Run watch_mpm(const Level& level, const Schedule&) {
-  return time_the_watch(mpm_solver<>(bench::channel(), level, channel_step));
-}
-Run watch_sph(const Level& level, const Schedule&) {
-  return time_the_watch(sph_printed_solver<>(bench::channel(), level, channel_step));
-}
-
-auto dam_mpm(const Vec2& tank, const Level& level) {
-  return mpm::solver<mpm::PrescribedMotion>(dam(tank),
-                                            {.cell = level.cell, .spacing = level.spacing, .time_step = dam_mpm_step});
-}
-
-/// From 0.1 s on, when a third of the column's top has sunk.
-Run race_mpm_in_dam(const Level& level, const Schedule&) {
-  return race(dam_mpm(dam_tank, level), PlainMusl(plain(dam()), level.cell, level.spacing, dam_mpm_step), 2000);
-}
-
-Run race_mpm_in_single_precision(const Level& level, const Schedule&) {
-  return race(mpm::solver<mpm::PrescribedMotion, float>(
-                  bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
-              PlainMusl(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
 Run race_affine_mpm(const Level& level, const Schedule&) {
-  return race(mpm::affine(bench::channel(), {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step}),
+  return race(mpm::affine(bench::channel(), mpm_settings(level, channel_step)),
               MlsMpm(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
-/// Terms as the plain loop has them: pressure and laminar viscosity.
-template <class Integrator>
-Run race_sph_in_channel(const Level& level, const Schedule&) {
-  const double h = 1.2 * level.spacing;
-  return race_with_rates(sph::printed<sph::CubicSpline, Integrator>(
-                             bench::channel(), sph_settings(level.spacing, channel_step),
-                             sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h})),
-                         PlainSph(plain(bench::channel()), level.spacing, channel_step), evaluations<Integrator>);
+/// Printed SPH with pressure and one viscous term against the plain loop, which has laminar viscosity.
+template <class Integrator, class AnyScene, class Viscosity>
+auto race_sph(const AnyScene& scene, double time_step, Viscosity viscosity) {
+  return [=](const Level& level, const Schedule&) {
+    return race_with_rates(
+        sph::printed<sph::CubicSpline, Integrator>(scene, sph_settings(level, time_step),
+                                                   sph::momentum(sph::Pressure{}, viscosity(1.2 * level.spacing))),
+        PlainSph(plain(scene), level.spacing, time_step), evaluations<Integrator>);
+  };
 }
 
-template <class Integrator>
-Run race_sph_in_dam(const Level& level, const Schedule&) {
-  const double h = 1.2 * level.spacing;
-  return race_with_rates(
-      sph::printed<sph::CubicSpline, Integrator>(
-          dam(), sph_settings(level.spacing, dam_sph_step),
-          sph::momentum(sph::Pressure{},
-                        sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = dam().fluid.sound_speed(), .h = h})),
-      PlainSph(plain(dam()), level.spacing, dam_sph_step), evaluations<Integrator>);
+const Quantity monitor_cost{"time of a monitor sample over that of the steps between two", "%", Kind::cost};
+
+/// What the run loop takes to evaluate all particles, in turn with the steps that it lets pass between two samples.
+auto time_the_monitor(Simulation (*solver)(const Scene<Newtonian, Uniform>&, const Level&, double)) {
+  return [=](const Level& level, const Schedule&) {
+    Simulation simulation = solver(bench::channel(), level, channel_step);
+    const Soundness soundness(simulation.medium(), simulation.samples());
+    const auto step = [&] {
+      for (long k = 0; k < steps_between_looks; ++k) simulation.step();
+    };
+    const auto sample = [&] { soundness.require(simulation.samples(), simulation.steps()); };
+    const Times times = time_in_turn({sample, step});
+    Run run = run_of(simulation, times.of(1) / steps_between_looks);
+    run.add(monitor_cost, 100 * times.ratio(0, 1));
+    run.add(spread, 100 * times.spread(0, 1));
+    return run;
+  };
 }
 
 // The column in tanks as many times as large as the paper's as the level's name says.
-const Quantity empty_share{"empty fraction of the tank", "%"};
+const Quantity empty_fraction{"empty fraction of the tank", "%"};
 const Quantity slower{"time per step over that in the tank of the paper", "", Kind::cost};
 
 Vec2 tank_of(const Level& level) {
@@ -124,12 +108,15 @@ Vec2 tank_of(const Level& level) {
 }
 
 Run compare_tanks(const Level& level, const Schedule&) {
-  auto small = dam_mpm(dam_tank, level), large = dam_mpm(tank_of(level), level);
+  const auto in_tank = [&](const Vec2& tank) {
+    return mpm::solver<mpm::PrescribedMotion>(dam(tank), mpm_settings(level, dam_mpm_step));
+  };
+  auto small = in_tank(dam_tank), large = in_tank(tank_of(level));
   const Times times = time_in_turn({[&] { large.step(); }, [&] { small.step(); }});
   Run run = run_of(large, times.of(0));
   run.add(slower, times.ratio(0, 1));
   run.add(spread, 100 * times.spread(0, 1));
-  run.add(empty_share, 100 * (1 - dam().filled.size().prod() / tank_of(level).prod()));
+  run.add(empty_fraction, 100 * (1 - dam().filled.size().prod() / tank_of(level).prod()));
   return run;
 }
 
@@ -157,38 +144,32 @@ Run compare_threads(Make make) {
   return run;
 }
 
-/// Eight channels of the paper, one after the other.
-const auto long_channel = bench::channel(8 * channel_length);
-
-Run compare_threads_of_mpm(const Level& level, const Schedule&) {
-  return compare_threads([&](int threads) {
-    return mpm::solver<mpm::PrescribedMotion>(
-        long_channel, {.cell = level.cell, .spacing = level.spacing, .time_step = channel_step, .threads = threads});
-  });
-}
-
-Run compare_threads_of_sph(const Level& level, const Schedule&) {
-  const double h = 1.2 * level.spacing;
-  return compare_threads([&](int threads) {
-    return sph::printed<sph::CubicSpline>(
-        long_channel, sph_settings(level.spacing, channel_step, threads),
-        sph::momentum(sph::Pressure{}, sph::LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h}));
-  });
-}
-
-/// Of a machine with two processors.
+/// In eight channels of the paper, one after the other, on a machine with two processors.
 std::vector<Method> with_threads() {
+  const auto long_channel = bench::channel(8 * channel_length);
   const std::string words = "102400 particles, bitwise identical results for any number of threads.";
+  const Claim most_of_both = at_least(used, 0.9, baseline("performance goal: 1.8 of 2"));
+  const auto of_mpm = [=](const Level& level, const Schedule&) {
+    return compare_threads([&](int threads) {
+      return mpm::solver<mpm::PrescribedMotion>(long_channel, mpm_settings(level, channel_step, threads));
+    });
+  };
+  const auto of_sph = [=](const Level& level, const Schedule&) {
+    return compare_threads([&](int threads) {
+      return sph::printed<sph::CubicSpline>(long_channel, sph_settings(level, channel_step, threads),
+                                            sph::momentum(sph::Pressure{}, laminar(1.2 * level.spacing)));
+    });
+  };
   return {{.name = "mpm_threads",
            .description = "Material point method, linear hats, in eight of the paper's channels: " + words,
-           .run = compare_threads_of_mpm,
+           .run = of_mpm,
            .levels = {timed("M4", channel_cell / 4, channel_cell)},
-           .claims = {at_least(used, 0.9, baseline("performance goal: 1.8 of 2"))}},
+           .claims = {most_of_both}},
           {.name = "sph_threads",
            .description = "Smoothed particle hydrodynamics in eight of the paper's channels: " + words,
-           .run = compare_threads_of_sph,
+           .run = of_sph,
            .levels = {timed("S4", channel_cell / 4)},
-           .claims = {at_least(used, 0.9, baseline("performance goal: 1.8 of 2"))}}};
+           .claims = {most_of_both}}};
 }
 
 /// Where a step's time goes, for each level that was raced.
@@ -215,8 +196,8 @@ void tabulate_sub_steps(const Results& results, Record& record) {
 void draw_empty_background(const Results& results, Record& record) {
   Curve curve{"empty_background", results.method.name, Role::ours, {}, {}, false};
   for (const Run& run : results.runs)
-    if (const double share = run.value_of(empty_share); !std::isnan(share)) {
-      curve.x.push_back(share);
+    if (const double fraction = run.value_of(empty_fraction); !std::isnan(fraction)) {
+      curve.x.push_back(fraction);
       curve.y.push_back(run.summary.cost.per_step());
     }
   if (curve.x.empty()) return;
@@ -244,7 +225,7 @@ std::vector<Method> on_one_core() {
           .name = "mpm",
           .description = channel::mpm_words + channel::moving_words +
                          " Timed in Poiseuille flow against the same method as plain loops over particles and nodes.",
-          .run = race_mpm_in_channel,
+          .run = race_mpm(bench::channel(), channel_step),
           .levels = {timed("M1", channel_cell, channel_cell), timed("M2", channel_cell / 2, channel_cell),
                      timed("M3", channel_cell / 3, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
           .claims = {at_least(faster, 2, goal).on("M1"), at_least(faster, 2, goal).on("M2"),
@@ -256,21 +237,21 @@ std::vector<Method> on_one_core() {
       {
           .name = "mpm_watched",
           .description = "Cost of monitoring a run where steps are cheapest.",
-          .run = watch_mpm,
+          .run = time_the_monitor(mpm_solver<>),
           .levels = {timed("M1", channel_cell, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
-          .claims = {at_most(watch_cost, 1, set_goal)},
+          .claims = {at_most(monitor_cost, 1, set_goal)},
       },
       {
           .name = "sph_watched",
           .description = "The same for smoothed particle hydrodynamics.",
-          .run = watch_sph,
+          .run = time_the_monitor(sph_printed_solver<>),
           .levels = {timed("S1", channel_cell)},
-          .claims = {at_most(watch_cost, 1, set_goal)},
+          .claims = {at_most(monitor_cost, 1, set_goal)},
       },
       {
           .name = "mpm_single",
           .description = "The same with particles in single precision; the plain loop is in double precision.",
-          .run = race_mpm_in_single_precision,
+          .run = race_mpm<float>(bench::channel(), channel_step),
           .levels = {timed("M4", channel_cell / 4, channel_cell)},
           .claims = {at_least(faster, 4, goal)},
       },
@@ -284,9 +265,10 @@ std::vector<Method> on_one_core() {
           .claims = {at_least(faster, 2.5, goal).on("M4")},
       },
       {
+          // From 0.1 s on a third of the column's top has sunk.
           .name = "mpm_dam_break",
           .description = "The same in the dam break, from 0.1 s on. The reference loop stores the full stress tensor.",
-          .run = race_mpm_in_dam,
+          .run = race_mpm(dam(), dam_mpm_step, 2000),
           .levels = {timed("M4", dam_cell / 4, dam_cell)},
           .claims = {at_least(faster, 2.5, goal)},
       },
@@ -301,28 +283,28 @@ std::vector<Method> on_one_core() {
       {
           .name = "sph",
           .description = channel::sph_printed_words + plain_sph_words,
-          .run = race_sph_in_channel<PredictorCorrector>,
+          .run = race_sph<PredictorCorrector>(bench::channel(), channel_step, laminar),
           .levels = {timed("S2", channel_cell / 2)},
           .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 7, goal)},
       },
       {
           .name = "sph_dam_break",
           .description = column_words,
-          .run = race_sph_in_dam<PredictorCorrector>,
+          .run = race_sph<PredictorCorrector>(dam(), dam_sph_step, artificial),
           .levels = {timed("S4", dam_cell / 4)},
           .claims = {at_least(faster_rates, 2.5, goal)},
       },
       {
           .name = "sph_one_evaluation",
           .description = "The same by Adams-Bashforth, with one right-hand side per step.",
-          .run = race_sph_in_channel<AdamsBashforth>,
+          .run = race_sph<AdamsBashforth>(bench::channel(), channel_step, laminar),
           .levels = {timed("S2", channel_cell / 2)},
           .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 13, goal)},
       },
       {
           .name = "sph_one_evaluation_dam_break",
           .description = column_words + " With one right-hand side a step.",
-          .run = race_sph_in_dam<AdamsBashforth>,
+          .run = race_sph<AdamsBashforth>(dam(), dam_sph_step, artificial),
           .levels = {timed("S4", dam_cell / 4)},
           .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 8, goal)},
       }};

@@ -4,6 +4,7 @@
 #include "solvers/stepping/diverged.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
 
@@ -19,10 +20,10 @@ using namespace touchstone::vnv;
 namespace {
 
 const std::string over_courant_numbers = "Courant numbers", over_arrangements = "arrangements", over_fluids = "fluids";
-const Quantity share_stable{"stable fraction of the map", "%", Kind::stability_limit},
+const Quantity fraction_stable{"stable fraction of the map", "%", Kind::stability_limit},
     stable_as_theory{"fraction of the map where linear theory and simulation agree on stability", "%",
                      Kind::stability_limit},
-    share_right{"stable and accurate fraction of the map", "%", Kind::stability_limit},
+    fraction_right{"stable and accurate fraction of the map", "%", Kind::stability_limit},
     stable_where_made_for{"stable fraction of the map up to Ma = 0.32 and Re = 100", "%", Kind::stability_limit};
 
 constexpr double c = RestingLattice::sound_speed;
@@ -31,11 +32,6 @@ constexpr double inaccurate_from = 5;  // %  of the velocity at the end of a tri
 
 enum class Ending { right, unstable, inaccurate };
 constexpr std::array names{"stable", "unstable", "stable, but off by more than 5 %"};
-
-RestingLattice lattice_for(const LatticeMethod& method, double reynolds) {
-  if (method.family == Family::sph) return {.cells = 16, .reynolds = reynolds};
-  return {.cells = 8, .points = 2, .reynolds = reynolds};
-}
 
 /// A wave of velocity along x, one up the lattice, with noise in it.
 struct Wave {
@@ -47,22 +43,17 @@ struct Wave {
 Start wave_on(const RestingLattice& lattice, const Wave& wave) {
   Start start = noisy(lattice, wave.noise * wave.speed / c);
   start.velocity = [wave, side = lattice.side(), stir = start.velocity](const Vec2& x) -> Vec2 {
-    return stir(x) + Vec2(wave.speed * std::sin(2 * std::numbers::pi * x.y() / side), 0);
+    return stir(x) + Vec2(wave.speed * wave_at(x.y(), side), 0);
   };
   return start;
 }
 
-/// How large the wave is: its part of the particles' velocities [m/s].
-double amplitude(const Samples& s, double side) {
-  const Scalars wave = (2 * std::numbers::pi / side * s.x.row(1).transpose().array()).sin();
-  return (s.v.row(0).transpose().array() * wave).sum() / wave.square().sum();
-}
-
 /// The wave decays as the steps go, until it has lost half of its height, but no longer than `most` steps: stable if
 /// nothing moves as it never does, right if its height is as it should be at the end. Counts its steps.
-Ending tried(Simulation simulation, double side, double nu, const Wave& wave, long& steps) {
+Ending tried(Simulation simulation, const RestingLattice& lattice, const Wave& wave, long& steps) {
   constexpr long most = 1500;
-  const double decay = nu * std::pow(2 * std::numbers::pi / side, 2), dt = simulation.time_step();  // 1/s, s
+  const double side = lattice.side(), decay = decay_of_wave(lattice.kinematic_viscosity(), side),
+               dt = simulation.time_step();  // m, 1/s, s
   const long judged_at = std::clamp(std::lround(std::numbers::ln2 / (decay * dt)), 1l, most);
   double error = 0;
   try {
@@ -72,7 +63,7 @@ Ending tried(Simulation simulation, double side, double nu, const Wave& wave, lo
       if (k % 25 != 0 && k != judged_at) continue;
       const Samples s = simulation.samples();
       if (!(s.v.allFinite() && s.v.colwise().norm().maxCoeff() < 3 * wave.speed)) return Ending::unstable;
-      if (k == judged_at) error = 100 * std::abs(amplitude(s, side) / wave.speed - std::exp(-decay * s.time));
+      if (k == judged_at) error = 100 * std::abs(amplitude_of_wave(s, side) / wave.speed - std::exp(-decay * s.time));
     }
   } catch (const Diverged&) {
     return Ending::unstable;
@@ -91,12 +82,12 @@ class Map {
     curve.x.push_back(x);
     curve.y.push_back(y);
   }
-  double share(Ending ending) const {  // %
+  double fraction(Ending ending) const {  // %
     std::size_t all = 0;
     for (const Curve& curve : curves_) all += curve.x.size();
     return 100 * static_cast<double>(curves_[static_cast<std::size_t>(ending)].x.size()) / static_cast<double>(all);
   }
-  /// Verdicts that no point has, too: a verdict looks the same in all maps.
+  /// Verdicts that no point has, too: a verdict has the same mark in all maps.
   void give_to(Run& run) const { run.curves.insert(run.curves.end(), curves_.begin(), curves_.end()); }
 
  private:
@@ -116,7 +107,9 @@ std::vector<double> rising(double from, double to, int count) {
 /// The lattice on which sound travels `acoustic` unit cells in a step while momentum diffuses over sqrt(`viscous`) of
 /// them.
 RestingLattice lattice_at(const LatticeMethod& method, double acoustic, double viscous) {
-  return lattice_for(method, acoustic / viscous / lattice_for(method, 1).points);
+  RestingLattice lattice = method.usual_lattice();
+  lattice.reynolds = acoustic / viscous / lattice.points;
+  return lattice;
 }
 
 /// Where, between two numbers, something becomes true, to a fiftieth; nothing if it is at the lower or is not at the
@@ -134,16 +127,13 @@ class CourantMap {
   using LatticeAt = std::function<RestingLattice(double acoustic)>;
 
   CourantMap(const LatticeMethod& method, const std::string& figure, std::vector<double> acoustic, const Wave& wave)
-      : method_(method), acoustic_(std::move(acoustic)), wave_(wave), map_(figure), theory_{figure,
-                                                                                            "linear stability limit",
-                                                                                            Role::exact,
-                                                                                            {},
-                                                                                            {},
-                                                                                            false} {}
+      : method_(method), acoustic_(std::move(acoustic)), wave_(wave), map_(figure) {
+    theory_.figure = figure;
+  }
 
   /// Whether linear theory says that noise grows; on so many unit cells that no kernel meets itself.
   bool grows(RestingLattice lattice, double acoustic) const {
-    if (method_.family == Family::sph) lattice.cells = lattice.smoothing > 0 ? 14 : 10;
+    if (!method_.has_grid()) lattice.cells = lattice.smoothing > 0 ? 14 : 10;
     return spectrum(method_.for_theory(), lattice, acoustic, method_.every).radius > growing;
   }
 
@@ -155,9 +145,7 @@ class CourantMap {
     const double stable_to = limit.value_or(grows(lattice_at(acoustic_.front()), acoustic_.front()) ? 0 : INFINITY);
     for (const double a : acoustic_) {
       const RestingLattice lattice = lattice_at(a);
-      const double nu = c * RestingLattice::spacing / lattice.reynolds;
-      const Ending ending =
-          tried(simulate(method_.on, lattice, wave_on(lattice, wave_), a), lattice.side(), nu, wave_, steps_);
+      const Ending ending = tried(simulate(method_.on, lattice, wave_on(lattice, wave_), a), lattice, wave_, steps_);
       map_.add(a, at, ending);
       ++trials_;
       agree_ += (ending == Ending::unstable) == (a > stable_to);
@@ -170,10 +158,10 @@ class CourantMap {
   const Curve& theory() const { return theory_; }
 
   Run run(const CostMeter& meter) const {
-    Run run = run_of_trials(meter, lattice_for(method_, 1).particles(), 0, steps_);
+    Run run = run_of_trials(meter, method_.usual_lattice().particles(), 0, steps_);
     map_.give_to(run);
     run.curves.push_back(theory_);
-    run.add(share_stable, 100 - map_.share(Ending::unstable));
+    run.add(fraction_stable, 100 - map_.fraction(Ending::unstable));
     run.add(stable_as_theory, 100.0 * agree_ / trials_);
     return run;
   }
@@ -183,7 +171,7 @@ class CourantMap {
   std::vector<double> acoustic_;
   Wave wave_;
   Map map_;
-  Curve theory_;
+  Curve theory_{"", "linear stability limit", Role::exact, {}, {}, false};
   int trials_ = 0, agree_ = 0;
   long steps_ = 0;
 };
@@ -209,7 +197,7 @@ Run map_of_arrangements(const LatticeMethod& method) {
   const CostMeter meter;
   CourantMap map(method, figure_of(over_arrangements, method), rising(0.3, 5, 9),
                  {.speed = 1e-4 * c, .noise = 0.03, .least = 1000});
-  if (method.family == Family::sph)
+  if (!method.has_grid())
     for (const double h : {1.2, 1.3, 1.45, 1.6, 1.8, 2.0})
       map.add_row(h, [&](double a) {
         RestingLattice lattice = lattice_at(method, a, 0.01);
@@ -235,22 +223,20 @@ Run map_of_fluids(const LatticeMethod& method) {
     for (const double reynolds : rising(1e-3, 1e5, 9)) {
       // The lattice has a speed of sound of its own: it is the wave that is slower in a stiffer fluid.
       const Wave wave{.speed = 0.1 * c / std::sqrt(stiffness)};
-      RestingLattice lattice = lattice_for(method, 1);
+      RestingLattice lattice = method.usual_lattice();
       lattice.reynolds = reynolds * (c / wave.speed) * (RestingLattice::spacing / lattice.side());
       const Method here = method.on(lattice, wave_on(lattice, wave));
-      const double nu = c * RestingLattice::spacing / lattice.reynolds;
-      const Ending ending =
-          tried(here.solver(lattice.level(), here.time_step(lattice.level())), lattice.side(), nu, wave, steps);
+      const Ending ending = tried(here.solver(lattice.level(), here.time_step(lattice.level())), lattice, wave, steps);
       map.add(reynolds, stiffness, ending);
       if (stiffness < 0.099 || reynolds > 101) continue;
       ++made_for;
       stable_there += ending != Ending::unstable;
     }
-  Run run = run_of_trials(meter, lattice_for(method, 1).particles(), 0, steps);
+  Run run = run_of_trials(meter, method.usual_lattice().particles(), 0, steps);
   map.give_to(run);
-  run.add(share_stable, 100 - map.share(Ending::unstable));
+  run.add(fraction_stable, 100 - map.fraction(Ending::unstable));
   run.add(stable_where_made_for, 100.0 * stable_there / made_for);
-  run.add(share_right, map.share(Ending::right));
+  run.add(fraction_right, map.fraction(Ending::right));
   return run;
 }
 
@@ -259,27 +245,23 @@ bool can_be_arranged(const LatticeMethod& method) { return !method.fits && !meth
 
 Method maps_of(const LatticeMethod& on_lattice) {
   Method method = on_lattice.on({}, {});
-  Level level = lattice_for(on_lattice, 1).level();
-  level.nightly = 1;
-  for (const std::string& name : {over_courant_numbers, over_arrangements, over_fluids}) {
-    if (name == over_arrangements && !can_be_arranged(on_lattice)) continue;
-    level.name = name;
-    method.levels.push_back(level);
-  }
-  method.run = [on_lattice](const Level& which, const Schedule&) {
-    return which.name == over_fluids         ? map_of_fluids(on_lattice)
-           : which.name == over_arrangements ? map_of_arrangements(on_lattice)
-                                             : map_of_courant_numbers(on_lattice);
-  };
   method.claims = {
       at_least(stable_as_theory, 95, theory("except on the boundary, simulation and linear theory agree")),
       at_least(stable_where_made_for, 100, theory("the time step that a method chooses is stable")).on(over_fluids)};
-  return method;
+  std::vector<NamedRun> runs;
+  const auto add = [&](const std::string& name, Run (*map)(const LatticeMethod&)) {
+    runs.push_back(
+        {on_lattice.usual_lattice().level(name), [=](const Level&, const Schedule&) { return map(on_lattice); }});
+  };
+  add(over_courant_numbers, map_of_courant_numbers);
+  if (can_be_arranged(on_lattice)) add(over_arrangements, map_of_arrangements);
+  add(over_fluids, map_of_fluids);
+  return with_runs(std::move(method), std::move(runs));
 }
 
 void declare_figures(const Results& results, Record& record) {
   const LatticeMethod method = method_on_lattice(results.method.name);
-  const std::string length = method.family == Family::mpm ? "cell" : "spacing";
+  const std::string length = method.has_grid() ? "cell" : "spacing";
   record.figures.push_back(
       {figure_of(over_courant_numbers, method),
        method.name() + ": stability over acoustic and viscous Courant number",
@@ -294,7 +276,7 @@ void declare_figures(const Results& results, Record& record) {
          "The same for a wave of a ten-thousandth, over the smoothing length or the number of particles in a cell, with nu dt = 0.01 " +
              length + "^2.",
          {.label = "c dt / " + length, .logarithmic = true},
-         {.label = method.family == Family::mpm ? "particles in a cell" : "h / spacing", .low = 0}});
+         {.label = method.has_grid() ? "particles in a cell" : "h / spacing", .low = 0}});
   record.figures.push_back(
       {figure_of(over_fluids, method),
        method.name() + ": stability over stiffness and Reynolds number",

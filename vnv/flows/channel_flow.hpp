@@ -23,6 +23,7 @@ std::vector<Method> methods_along(const SceneOfChannel& scene) {
           vnv::mpm_least_squares(scene, output_interval),
           vnv::sph_as_printed(scene, output_interval),
           {.name = "sph_regularised",
+           .family = Family::sph,
            .description = sph_regularised_words,
            .run = sph_with_transport_velocity(scene),
            .tolerance = stretched,

@@ -52,30 +52,31 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
                            printed = sph_run_time_levels(across, 1.2, {.acoustic = 0.73, .fraction = 0.4}, of_sph),
                            regularised = sph_run_time_levels(across, 1, {.acoustic = 2.22}, of_sph),
                            one_evaluation = sph_run_time_levels(across, 1, {.acoustic = 0.8}, of_sph);
-  const auto method = [&](const std::string& name, const std::string& description, auto run,
+  const auto method = [&](Family family, const std::string& name, const std::string& description, auto run,
                           const std::vector<Level>& levels) -> Method {
+    const auto of_it = claims.find(name);
     return {.name = name,
+            .family = family,
             .description = description,
             .run = std::move(run),
             .levels = levels,
-            .claims = claims.at(claims.contains(name)     ? name
-                                : name.starts_with("mpm") ? "MPM"
-                                                          : "SPH"),
+            .claims = of_it == claims.end() ? claims.at(family == Family::mpm ? "MPM" : "SPH") : of_it->second,
             .relative_cost = 30};
   };
   return {
-      method("mpm", mpm_words + moving_words, mpm_with<mpm::PrescribedMotion>(scene), mpm),
-      method("mpm_reset", mpm_words + reset_words, mpm_with<mpm::VelocityReset>(scene), mpm),
-      method("mpm_float", mpm_words + moving_words + float_words, mpm_with<mpm::PrescribedMotion, float>(scene), mpm),
-      method("mpm_affine", affine_words, mpm_affine(scene), affine),
-      method("sph", sph_printed_words + conservative_words, sph_as_printed(scene), printed),
-      method("sph_difference", sph_printed_words + difference_words, sph_as_printed<sph::PressureDifference>(scene),
-             printed),
-      method("sph_regularised_float", sph_regularised_words + " Sums over pairs in single precision.",
+      method(Family::mpm, "mpm", mpm_words + moving_words, mpm_with<mpm::PrescribedMotion>(scene), mpm),
+      method(Family::mpm, "mpm_reset", mpm_words + reset_words, mpm_with<mpm::VelocityReset>(scene), mpm),
+      method(Family::mpm, "mpm_float", mpm_words + moving_words + float_words,
+             mpm_with<mpm::PrescribedMotion, float>(scene), mpm),
+      method(Family::mpm, "mpm_affine", affine_words, mpm_affine(scene), affine),
+      method(Family::sph, "sph", sph_printed_words + conservative_words, sph_as_printed(scene), printed),
+      method(Family::sph, "sph_difference", sph_printed_words + difference_words,
+             sph_as_printed<sph::PressureDifference>(scene), printed),
+      method(Family::sph, "sph_regularised_float", sph_regularised_words + " Sums over pairs in single precision.",
              sph_with_transport_velocity<KickDriftKick, float>(scene), regularised),
-      method("sph_one_evaluation", sph_regularised_words + one_evaluation_words,
+      method(Family::sph, "sph_one_evaluation", sph_regularised_words + one_evaluation_words,
              sph_with_transport_velocity<AdamsBashforth>(scene), one_evaluation),
-      method("sph_regularised", sph_regularised_words, sph_with_transport_velocity(scene), regularised)};
+      method(Family::sph, "sph_regularised", sph_regularised_words, sph_with_transport_velocity(scene), regularised)};
 }
 
 /// The case of a flow: `exact` is its truth, `elsewhere` what others measured of it.

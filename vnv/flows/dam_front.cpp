@@ -53,7 +53,7 @@ double largest_departure(const Run& run, Column column) {
 
 }  // namespace
 
-std::vector<double> DamFront::look(const Samples& samples) const {
+std::vector<double> DamFront::monitored(const Samples& samples) const {
   const Scalars x = samples.x.row(0), y = samples.x.row(1);
   const auto in_tank = (x >= 0 && x <= tank_length && y >= 0 && y <= tank_height).count();
   return {half_full_slab(samples, slab) / column_length, percentile_front(samples) / column_length,
@@ -133,7 +133,7 @@ Plot DamFront::models() const {
         {"method", "model", "particles paper", "particles ours", "ratio", "boundary particles paper",
          "boundary particles ours", "ratio", "T_p ours [ms]", "memory ours [MB]"},
         {}};
-    const std::string method = results.method.name == "mpm" ? "MPM" : "SPH";
+    const std::string method = results.method.family == Family::mpm ? "MPM" : "SPH";
     const DataTable paper = published.only("method", method);
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       const Run* run = results.run(paper.words("model")[k]);

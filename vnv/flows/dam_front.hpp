@@ -28,14 +28,14 @@ struct DamFront {
 
   /// The three fronts as L (38), half-full slab first, then 99.5th percentile, then farthest particle; then the mass
   /// [kg/m] and the number of particles in the tank.
-  std::vector<double> look(const Samples& samples) const;
-  inline static const std::vector<Quantity> monitored{{"front L, half-full slab"},
-                                                      {"front L, 99.5th percentile"},
-                                                      {"front L, farthest particle"},
-                                                      {"mass", "kg/m"},
-                                                      {"particles in the tank"}};
+  std::vector<double> monitored(const Samples& samples) const;
+  inline static const std::vector<Quantity> quantities{{"front L, half-full slab"},
+                                                       {"front L, 99.5th percentile"},
+                                                       {"front L, farthest particle"},
+                                                       {"mass", "kg/m"},
+                                                       {"particles in the tank"}};
 
-  /// Fronts against the measured one, mass and number of particles, of a run that was watched by `look`.
+  /// Fronts against the measured one, mass and number of particles, of a run with `monitored`.
   std::vector<Value> compare(const Level& level, const Run& run) const;
 
   /// L over T for the levels named, with Lobovský et al., Martin & Moyce and Ritter's bound.

@@ -13,6 +13,7 @@ Method mpm_affine(const AnyScene& scene, double output_interval, double courant)
   return keeping_courant_number(
       courant, &Level::cell, output_interval, scene, mpm_affine_solver<AnyScene>,
       {.name = "mpm_affine",
+       .family = Family::mpm,
        .description =
            "Material point method with quadratic B-splines and affine particle velocities (APIC), four particles in a "
            "cell. Each step adds dissipation, so that larger steps are more accurate."});

@@ -17,6 +17,7 @@ Method mpm_as_printed(const AnyScene& scene, double output_interval, double cour
   return keeping_courant_number(
       courant, &Level::cell, output_interval, scene, mpm_solver<mpm::PrescribedMotion, double, AnyScene>,
       {.name = "mpm",
+       .family = Family::mpm,
        .description =
            "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, "
            "MUSL; four particles per cell."});

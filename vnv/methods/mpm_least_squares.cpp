@@ -13,6 +13,7 @@ Method mpm_least_squares(const AnyScene& scene, double output_interval, double c
   return keeping_courant_number(
       courant, &Level::cell, output_interval, scene, mpm_least_squares_solver<AnyScene>,
       {.name = "mpm_least_squares",
+       .family = Family::mpm,
        .description =
            "Material point method by least squares: nodal values from quadratic fits to the particles, the equations "
            "are solved by central differences on the nodes, particles are remeshed onto their lattice before its "

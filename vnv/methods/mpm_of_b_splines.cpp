@@ -22,6 +22,7 @@ Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std
   return keeping_courant_number(
       0.5, &Level::cell, output_interval, scene, mpm_of_b_splines_solver<Transfer, AnyScene>,
       {.name = name,
+       .family = Family::mpm,
        .description = fmt::format(
            "Material point method with quadratic B-splines modified at walls, MUSL, {}, and densities that are "
            "smoothed over the nodes while preserving hydrostatic gradients; four particles per cell.",

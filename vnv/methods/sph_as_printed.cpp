@@ -32,6 +32,7 @@ Method sph_as_printed(const AnyScene& scene, double output_interval, double cour
   return keeping_courant_number(
       courant, &Level::spacing, output_interval, scene, sph_printed_solver<sph::Pressure, PredictorCorrector, AnyScene>,
       {.name = "sph",
+       .family = Family::sph,
        .description =
            "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure "
            "term and an artificial viscosity of 0.01.",

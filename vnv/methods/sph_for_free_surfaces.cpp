@@ -34,6 +34,7 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
       Viscous<decltype(scene.fluid)> ? "" : fmt::format("artificial viscosity {:g}, ", choice.alpha);
   return simulating(
       {.name = name,
+       .family = Family::sph,
        .description = fmt::format(
            "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), "
            "Wendland's C2 kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, by h.",

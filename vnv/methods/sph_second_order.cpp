@@ -16,6 +16,7 @@ Method sph_second_order(const AnyScene& scene, double output_interval, double co
   return keeping_courant_number(
       courant, &Level::spacing, output_interval, scene, sph_second_order_solver<AnyScene>,
       {.name = "sph_second_order",
+       .family = Family::sph,
        .description =
            "Smoothed particle hydrodynamics of second order: quadratic fits to velocity and pressure around each "
            "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 "

@@ -28,6 +28,7 @@ Method sph_transport_velocity(const AnyScene& scene, double output_interval, dou
   return keeping_courant_number(
       courant, &Level::spacing, output_interval, scene, sph_transport_velocity_solver<AnyScene>,
       {.name = "sph_transport_velocity",
+       .family = Family::sph,
        .description =
            "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h "
            "= 1 spacing, density by continuity, conservative pressure.",

@@ -1,5 +1,7 @@
 #include "vnv/run/cost.hpp"
 
+#include "vnv/record/median.hpp"
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace touchstone::vnv {
 namespace {
 
-/// Seconds. The system's share is left out: it is mostly other people's.
+/// Seconds. System time is left out: it is mostly other people's.
 double user_time() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -17,8 +19,7 @@ double user_time() {
 double median_of(const std::vector<Cost>& repeats, double Cost::*value) {
   std::vector<double> values;
   for (const Cost& cost : repeats) values.push_back(cost.*value);
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+  return median(values);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ namespace {
 // How a calculation ended, as the status of its process.
 enum Status { returned = 0, refused = 10, failed = 11, unwritten = 12 };
 
-/// Each look at a run takes and leaves megabytes; a system that is given them back every time spends as long on
-/// clearing them anew as the look itself.
+/// Each sample of a run takes and leaves megabytes; a system that is given them back every time spends as long on
+/// clearing them anew as on the sample itself.
 void keep_memory_that_is_freed() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the most that is allowed

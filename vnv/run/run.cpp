@@ -13,10 +13,10 @@
 namespace touchstone::vnv {
 namespace {
 
-/// A simulation that is watched as it goes.
-class Watched {
+/// A simulation that is monitored as it goes.
+class Monitored {
  public:
-  Watched(Simulation simulation, const std::string& name, double end, Stepping stepping)
+  Monitored(Simulation simulation, const std::string& name, double end, Stepping stepping)
       : simulation_(std::move(simulation)),
         stepping_(stepping),
         pace_(simulation_),
@@ -25,7 +25,7 @@ class Watched {
 
   /// Steps until its time is nearest to a target [s], in steps that may be longer than those before. Throws Diverged.
   void step_to(double target) {
-    constexpr long batch = 50;  // the watch is read, and the pace kept, once in so many steps
+    constexpr long batch = 50;  // the clock is read, and the pace kept, once in so many steps
     bool may_lengthen = true;
     for (long left = steps_to(target); left > 0; left = steps_to(target)) {
       if (stepping_ == Stepping::adaptive) {
@@ -37,22 +37,22 @@ class Watched {
       for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
       seconds_ += watch.seconds();
       progress_.show(simulation_.time());
-      if (simulation_.steps() - last_look_ >= steps_between_looks) sound_samples();
+      if (simulation_.steps() - last_sound_ >= steps_between_looks) sound_samples();
     }
   }
 
-  /// Throws Diverged for what is no flow any more.
+  /// Throws Diverged for what has left the weakly compressible range.
   Samples sound_samples() {
     Samples samples = simulation_.samples();
     soundness_.require(samples, simulation_.steps());
-    last_look_ = simulation_.steps();
+    last_sound_ = simulation_.steps();
     return samples;
   }
 
   const Simulation& simulation() const { return simulation_; }
   const std::vector<StepChange>& changes() const { return changes_; }
-  long last_look() const { return last_look_; }  // the step of the last look that found it sound
-  double stepping() const { return seconds_; }   // s  wall time of all steps
+  long last_sound() const { return last_sound_; }  // the step after which it was last found sound
+  double stepping() const { return seconds_; }     // s  wall time of all steps
 
  private:
   long steps_to(double target) const {
@@ -77,21 +77,21 @@ class Watched {
   std::vector<StepChange> changes_;
   Soundness soundness_;
   Progress progress_;
-  long last_look_ = 0;
+  long last_sound_ = 0;
   double seconds_ = 0;
 };
 
-/// How the run ends when it is made again and looked at after each step from the last look on, which was sound; `seen`
+/// How the run ends when it is made again and evaluated after each step from the last sound sample on; `seen`
 /// is how it ended before.
-std::string run_closely(Simulation simulation, const Watched& watched, const std::string& seen) {
+std::string run_closely(Simulation simulation, const Monitored& monitored, const std::string& seen) {
   try {
     const Soundness soundness(simulation.medium(), simulation.samples());
-    auto change = watched.changes().begin();
-    while (simulation.steps() <= watched.last_look() + steps_between_looks) {
-      for (; change != watched.changes().end() && change->after == simulation.steps(); ++change)
+    auto change = monitored.changes().begin();
+    while (simulation.steps() <= monitored.last_sound() + steps_between_looks) {
+      for (; change != monitored.changes().end() && change->after == simulation.steps(); ++change)
         simulation.change_time_step(change->time_step);
       simulation.step();
-      if (simulation.steps() > watched.last_look()) soundness.require(simulation.samples(), simulation.steps());
+      if (simulation.steps() > monitored.last_sound()) soundness.require(simulation.samples(), simulation.steps());
     }
   } catch (const Diverged& diverged) {
     return diverged.what();
@@ -99,20 +99,20 @@ std::string run_closely(Simulation simulation, const Watched& watched, const std
   return seen;  // a solver that is not the same each time
 }
 
-/// Samples at the times of the schedule, and what its watch sees, into the run.
-void sample(Watched& watched, const Schedule& when, Run& run) {
+/// Samples at the times of the schedule, and what is monitored, into the run.
+void sample(Monitored& monitored, const Schedule& when, Run& run) {
   const double dt = run.summary.time_step;
   std::size_t kept = 0;
-  for (long looks = 0; kept < when.times.size();) {
-    const double next_look = when.watch.see ? static_cast<double>(looks) * when.watch.every : when.times.back();
-    const double target = std::min(next_look, when.times[kept]);
-    watched.step_to(target);
-    Samples samples = watched.sound_samples();
+  for (long seen = 0; kept < when.times.size();) {
+    const double next_monitored = when.watch.see ? static_cast<double>(seen) * when.watch.every : when.times.back();
+    const double target = std::min(next_monitored, when.times[kept]);
+    monitored.step_to(target);
+    Samples samples = monitored.sound_samples();
     if (std::abs(samples.time - target) < 1e-9 * target) samples.time = target;  // but for rounding
-    if (when.watch.see && next_look <= target + dt / 2) {
+    if (when.watch.see && next_monitored <= target + dt / 2) {
       run.history.time.push_back(samples.time);
       run.history.seen.push_back(when.watch.see(samples));
-      ++looks;
+      ++seen;
     }
     if (when.times[kept] <= target + dt / 2) {
       run.samples.push_back(std::move(samples));
@@ -141,13 +141,13 @@ Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping
     throw std::invalid_argument(
         fmt::format("{}: watch every {} s, expected a positive time", when.name, when.watch.every));
   Run run;
-  Watched watched(make(), when.name, when.times.back(), stepping);
-  const Simulation& simulation = watched.simulation();
+  Monitored monitored(make(), when.name, when.times.back(), stepping);
+  const Simulation& simulation = monitored.simulation();
   run.summary.time_step = simulation.time_step();
   const CostMeter meter;
   std::string fault;
   try {
-    sample(watched, when, run);
+    sample(monitored, when, run);
     run.summary.finished = true;
     run.summary.outcome = "finished";
   } catch (const Diverged& diverged) {
@@ -155,16 +155,16 @@ Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping
   }
   Cost& cost = run.summary.cost;
   cost = meter.read();
-  cost.stepping = watched.stepping();
+  cost.stepping = monitored.stepping();
   cost.harness = cost.wall - cost.stepping;
   cost.particles = simulation.particles();
   cost.boundary_particles = simulation.boundary_particles();
   cost.steps = simulation.steps();
   run.summary.end_time = run.summary.finished ? when.times.back() : simulation.time();
-  if (!run.summary.finished) run.summary.outcome = run_closely(make(), watched, fault);
-  if (!watched.changes().empty())
+  if (!run.summary.finished) run.summary.outcome = run_closely(make(), monitored, fault);
+  if (!monitored.changes().empty())
     run.add(shortest_step_taken,
-            std::ranges::min(watched.changes(), {}, &StepChange::time_step).time_step / run.summary.time_step);
+            std::ranges::min(monitored.changes(), {}, &StepChange::time_step).time_step / run.summary.time_step);
   return run;
 }
 

@@ -24,14 +24,14 @@ struct Watch {
   std::vector<Quantity> quantities{};  // what they are, one of each, for the record
 };
 
-/// When to look at a run.
+/// When a run is sampled.
 struct Schedule {
   std::vector<double> times;  // s  rising; all particles are kept at these, and the run ends at the last
   Watch watch{};
   std::string name{};  // for the progress line
 };
 
-/// What the watch saw.
+/// What was monitored.
 struct History {
   std::vector<double> time;               // s
   std::vector<std::vector<double>> seen;  // one row a time
@@ -61,8 +61,8 @@ struct Run {
   }
 };
 
-/// Runs a simulation to the last time of the schedule. Divergence is a result, not an error: the watch looks at all
-/// particles every few hundred steps, and a run that is no flow any more is made again up to the last look, and on
+/// Runs a simulation to the last time of the schedule. Divergence is a result, not an error: all particles are
+/// evaluated every few hundred steps, and a run that has diverged is made again up to the last sound sample, and on
 /// step by step, so that what it ends with names the first step and the particle.
 Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping = Stepping::as_given);
 
@@ -73,7 +73,7 @@ inline const Quantity shortest_step_taken{"shortest time step over the nominal o
 /// of their particles and the steps of all.
 Run run_of_trials(const CostMeter& meter, long particles, long boundary_particles, long steps);
 
-/// How often the watch looks [steps]: each look costs about as much as a step or two.
+/// How often a run is evaluated [steps]: each time costs about as much as a step or two.
 inline constexpr long steps_between_looks = 500;
 
 }  // namespace touchstone::vnv

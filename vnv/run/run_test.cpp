@@ -41,7 +41,7 @@ struct Straight : Clock {
   }
 };
 
-TEST(Record, SamplesAtTheAskedTimesAndWatchesInBetween) {
+TEST(ARun, IsSampledAtTheAskedTimesAndMonitoredInBetween) {
   const auto run = simulate(
       [] { return Straight(); },
       {.times = {0.5, 2}, .watch = {.every = 0.2, .see = [](const Samples& s) { return std::vector{s.x(0, 0)}; }}});
@@ -56,7 +56,7 @@ TEST(Record, SamplesAtTheAskedTimesAndWatchesInBetween) {
   EXPECT_EQ(run.at(1), nullptr);
 }
 
-TEST(Record, KeepsWhatWasSampledBeforeARunDiverged) {
+TEST(ARun, KeepsWhatWasSampledBeforeItDiverged) {
   const auto run = simulate([] { return Straight({.blow_up_at = 1}); }, {.times = {0.5, 2}});
   EXPECT_FALSE(run.summary.finished);
   EXPECT_EQ(run.samples.size(), 1u);
@@ -78,10 +78,10 @@ TEST(AdaptiveStep, FollowsTheFlowAndTakesItsOwnLengthAgainAtTheNextAskedTime) {
   EXPECT_NEAR(run.samples[1].time, 2.0005, 1e-12);  // whole steps lead there, though none of 1 ms do
   EXPECT_NEAR(run.samples[2].time, 3, 1e-12);
   EXPECT_NEAR(run.samples[3].time, 5, 1e-12);
-  const double share = std::pow(Pace::factor, 2);  // the first below 1.4 / 2
+  const double shortened = std::pow(Pace::factor, 2);  // the first below 1.4 / 2
   EXPECT_EQ(run.summary.cost.steps,
-            1000 + std::ceil(1.0005 / (0.001 * share)) + std::ceil(0.9995 / (0.001 * share)) + 2000);
-  EXPECT_NEAR(run.value_of(shortest_step_taken), share, 1e-3 * share);
+            1000 + std::ceil(1.0005 / (0.001 * shortened)) + std::ceil(0.9995 / (0.001 * shortened)) + 2000);
+  EXPECT_NEAR(run.value_of(shortest_step_taken), shortened, 1e-3 * shortened);
   EXPECT_EQ(run.summary.time_step, 0.001);
 }
 

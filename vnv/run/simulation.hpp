@@ -38,8 +38,8 @@ class Simulation {
   Medium medium() const { return solver_->medium(); }
   /// No signal is faster [m/s]. Cheap.
   double fastest_signal() const { return solver_->fastest_signal(); }
-  /// Signals, sound with the flow that carries it, are faster than this [m/s] at a share of the particles only. As dear
-  /// as samples.
+  /// Signals, sound with the flow that carries it, are faster than this [m/s] at a fraction of the particles only. As
+  /// dear as samples.
   double signal_speed(double share) const { return solver_->signal_speed(share); }
   /// The length [s] of the steps to come.
   void change_time_step(double time_step) { solver_->change_time_step(time_step); }

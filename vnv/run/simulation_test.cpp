@@ -13,14 +13,14 @@ namespace {
 const RestingLattice lattice{.cells = 10, .points = 2, .reynolds = 25};
 constexpr double courant = 0.1;
 
-/// A simulation of vortices a tenth as fast as sound, in steps of a share of `courant`.
-Simulation vortices(const LatticeMethod& method, double share = 1) {
+/// A simulation of vortices a tenth as fast as sound, in steps of a fraction of `courant`.
+Simulation vortices(const LatticeMethod& method, double fraction = 1) {
   const Start start{.velocity = [](const Vec2& x) -> Vec2 {
     const Vec2 k = 2 * std::numbers::pi / lattice.side() * x;
     return RestingLattice::sound_speed / 10 *
            Vec2(std::cos(k.x()) * std::sin(k.y()), -std::sin(k.x()) * std::cos(k.y()));
   }};
-  return simulate(method.on, lattice, start, share * courant);
+  return simulate(method.on, lattice, start, fraction * courant);
 }
 
 void run(Simulation& simulation, int steps) {

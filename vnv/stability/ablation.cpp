@@ -1,6 +1,7 @@
 #include "vnv/stability/ablation.hpp"
 
 #include "vnv/plots/along_ladders.hpp"
+#include "vnv/stability/named_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -10,20 +11,11 @@
 namespace touchstone::vnv {
 namespace {
 
-double found_step(const Run& run) {
-  const auto step = std::ranges::find(run.found, critical_step_found, &Value::quantity);
-  return step == run.found.end() ? not_a_number : step->value * us;
-}
-
 Outcomes outcomes_of(const Run& run, const Record& record, const Pick& error) {
   return {.finished = run.summary.finished,
           .error = error(record, run).value_or(not_a_number),
-          .critical_step = found_step(run),
+          .critical_step = run.value_of(critical_step_found) * us,
           .per_particle_step = run.summary.cost.per_particle_step()};
-}
-
-bool is_one_of(const std::vector<std::string>& names, const std::string& name) {
-  return std::ranges::find(names, name) != names.end();
 }
 
 double change_in_percent(double of_whole, double without) { return 100 * (without / of_whole - 1); }
@@ -52,18 +44,16 @@ std::string needed_for(const Outcomes& whole_method, const Outcomes& without) {
   return accuracy ? "accuracy" : stability ? "stability" : "neither";
 }
 
-Method ablation(Method method, const Level& level, std::vector<Variant> variants) {
+Method ablation(Method method, const Level& level, const std::vector<Variant>& variants) {
   if (variants.empty() || variants.front().name != unabridged)
     throw std::invalid_argument(fmt::format("{}: expected the {} method as first variant", method.name, unabridged));
+  std::vector<NamedRun> runs;
   for (const Variant& variant : variants) {
-    method.levels.push_back(level);
-    method.levels.back().name = variant.name;
-    method.levels.back().may_diverge = variant.name != unabridged;
+    runs.push_back({level, variant.run});
+    runs.back().level.name = variant.name;
+    runs.back().level.may_diverge = variant.name != unabridged;
   }
-  method.run = [variants](const Level& one, const Schedule& when) {
-    return std::ranges::find(variants, one.name, &Variant::name)->run(one, when);
-  };
-  return method;
+  return with_runs(std::move(method), std::move(runs));
 }
 
 Plot ablation_table(Quantity quantity, std::vector<std::string> with_more) {
@@ -79,7 +69,8 @@ Plot ablation_table(Quantity quantity, std::vector<std::string> with_more) {
     const Pick error = error_of(quantity, results.runs.front().summary.end_time);
     for (const Run& run : results.runs)
       table.rows.push_back(row_of(results, run, outcomes_of(results.runs.front(), record, error),
-                                  outcomes_of(run, record, error), is_one_of(with_more, run.summary.level)));
+                                  outcomes_of(run, record, error),
+                                  std::ranges::count(with_more, run.summary.level) > 0));
     record.tables.push_back(std::move(table));
   };
 }

@@ -11,12 +11,14 @@
 
 namespace touchstone::vnv {
 
+/// The name of the whole method among its variants, which are called "without artificial viscosity" and the like.
+inline const std::string unabridged = "whole";
+
 /// A method, whole or without one ingredient.
 struct Variant {
-  std::string name;  // "without artificial viscosity"; that of the whole method is `unabridged`
+  std::string name;
   std::function<Run(const Level&, const Schedule&)> run;
 };
-inline const std::string unabridged = "whole";
 
 /// What a variant came to.
 struct Outcomes {
@@ -33,16 +35,20 @@ std::string needed_for(const Outcomes& whole_method, const Outcomes& without);
 
 inline const Quantity critical_step_found{"largest stable time step", "us", Kind::stability_limit};
 
-/// A run of a variant and, in the same process but not on its account, its critical step.
-inline Run run_and_search(const SolverWith& solver_with, double time_step, const Schedule& when,
-                          const StepSearch& search) {
-  Run run = simulate([&] { return solver_with(time_step); }, when);
-  run.add(critical_step_found, largest_step(solver_with, search) / us);
-  return run;
+/// A variant whose solver is made for a level and a time step [s]: a run of it and, in the same process but not on its
+/// account, its critical step.
+template <class MakeSolver>
+Variant variant(std::string name, double time_step, const StepSearch& search, MakeSolver solver) {
+  return {std::move(name), [=](const Level& level, const Schedule& when) {
+            const SolverWith solver_with = [&](double step) { return solver(level, step); };
+            Run run = simulate([&] { return solver_with(time_step); }, when);
+            run.add(critical_step_found, largest_step(solver_with, search) / us);
+            return run;
+          }};
 }
 
 /// A method whose levels are its variants, all at the resolution of `level`.
-Method ablation(Method method, const Level& level, std::vector<Variant> variants);
+Method ablation(Method method, const Level& level, const std::vector<Variant>& variants);
 
 /// A row for each variant: error at the end of the whole method's run, critical step and cost, their changes, and what
 /// that which is missing is needed for. The variants `with_more` have an ingredient that the whole method has not:

@@ -25,7 +25,7 @@ TEST(AnIngredient, WhoseLackLeavesNoNumberIsNeeded) {
   EXPECT_EQ(needed_for(all, with(not_a_number, not_a_number)), "accuracy and stability");
 }
 
-TEST(Ablation, RunsTheVariantThatTheRungNames) {
+TEST(Ablation, RunsTheVariantThatALevelNames) {
   const auto ends_at = [](double time) {
     return [time](const Level&, const Schedule&) { return vnv::Run{.summary = {.end_time = time}}; };
   };

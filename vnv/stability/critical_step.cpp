@@ -11,7 +11,7 @@
 namespace touchstone::vnv {
 namespace {
 
-/// The highest speed of all particles [m/s], told from the search's frame; infinite if one is no number.
+/// The highest speed of all particles [m/s], in the frame of the search; infinite if one is no number.
 double highest_speed(const Simulation& simulation, const StepSearch& search) {
   const Vectors v = simulation.samples().v.colwise() - search.carried;
   return v.allFinite() ? v.colwise().norm().maxCoeff() : INFINITY;
@@ -107,7 +107,7 @@ Plot limits_table(std::string title, std::string caption, std::string levels, st
       std::vector<Cell> row = {results.method.name, run.summary.level};
       for (const LimitColumn& column : columns) {
         const double value = run.value_of(column.quantity);
-        row.push_back(std::isnan(value) ? Cell("–") : Cell(value));  // a growth too fast to be told, say
+        row.push_back(std::isnan(value) ? Cell("–") : Cell(value));  // a growth too fast to be measured, say
       }
       table.rows.push_back(std::move(row));
     }

@@ -8,13 +8,13 @@ namespace touchstone::vnv {
 /// Makes a simulation with a time step [s].
 using SolverWith = std::function<Simulation(double)>;
 
-/// Where to look, and what counts as unstable.
+/// Where to search, and what counts as unstable.
 struct StepSearch {
   double low, high;             // s  a stable and an unstable time step to begin with
   double tolerance = 0.01;      // of the critical step
   long steps = 2000;            // in each trial
   double speed_limit;           // m/s  the flow never comes near this; what exceeds it has blown up
-  Vec2 carried = Vec2::Zero();  // m/s  from which speeds are told
+  Vec2 carried = Vec2::Zero();  // m/s  relative to which speeds are taken
 };
 
 /// Whether a simulation keeps below the speed limit; one that diverges does not. Counts the steps it takes.

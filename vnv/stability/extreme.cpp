@@ -1,6 +1,7 @@
 #include "vnv/stability/extreme.hpp"
 
 #include "vnv/record/record.hpp"
+#include "vnv/stability/named_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -48,21 +49,18 @@ std::string_view name_of(Ending ending) {
   return names[static_cast<std::size_t>(ending)];
 }
 
-Method meeting(Method method, std::vector<Extreme> extremes) {
+Method meeting(Method method, const std::vector<Extreme>& extremes) {
   method.claims = {at_least(ends_as_declared, 1, theory("the outcome follows from what a method is designed for"))};
   method.tolerance = {1.0, "the error of a run that need not be accurate"};
+  std::vector<NamedRun> runs;
   for (const Extreme& extreme : extremes)
-    method.levels.push_back({.name = extreme.name,
-                             .spacing = 1,
-                             .acceptance = extreme.in_acceptance ? extreme.end : 0,
-                             .nightly = extreme.end,
-                             .may_diverge = true});
-  method.run = [extremes = std::move(extremes)](const Level& level, const Schedule& when) {
-    const auto named = std::ranges::find(extremes, level.name, &Extreme::name);
-    if (named == extremes.end()) throw std::invalid_argument(fmt::format("no scene '{}'", level.name));
-    return meet(*named, when);
-  };
-  return method;
+    runs.push_back({{.name = extreme.name,
+                     .spacing = 1,
+                     .acceptance = extreme.in_acceptance ? extreme.end : 0,
+                     .nightly = extreme.end,
+                     .may_diverge = true},
+                    [=](const Level&, const Schedule& when) { return meet(extreme, when); }});
+  return with_runs(std::move(method), std::move(runs));
 }
 
 Plot endings(std::vector<std::string> drawn) {

@@ -3,8 +3,6 @@
 
 #include "vnv/case.hpp"
 
-#include <map>
-
 namespace touchstone::vnv {
 
 /// How a run ends: refused when it is set up, with one line; diverged, and said so; stable to its end; or accurate,
@@ -21,7 +19,6 @@ struct Extreme {
   double accurate_within = 0;                     // %
   Ending declared = Ending::stable;
   bool in_acceptance = true;
-  bool is_drawn = false;  // its particles at the end
   Stepping stepping = Stepping::adaptive;
 };
 
@@ -29,9 +26,9 @@ inline const Quantity ends_as_declared{"outcome as declared", "", Kind::value, B
 
 /// A method and what it is to meet: each scene a level, the claim that it ends as declared, a table of endings and
 /// pictures of those that are drawn.
-Method meeting(Method method, std::vector<Extreme> extremes);
+Method meeting(Method method, const std::vector<Extreme>& extremes);
 
-/// The table and the pictures; all methods of a case share them.
+/// The table and the pictures; they are the same for all methods of a case.
 Plot endings(std::vector<std::string> drawn);
 
 }  // namespace touchstone::vnv

@@ -30,15 +30,15 @@ OnLattice forced(Make make) {
   };
 }
 
-/// A method of the channels, in steps of a share of a spacing.
+/// A method of the channels, in steps in which sound travels a fraction of a spacing.
 template <class MakeSolver>
-OnLattice of_channel(const std::string& name, const std::string& words, double share, MakeSolver solver) {
+OnLattice of_channel(const std::string& name, const std::string& words, double courant, MakeSolver solver) {
   return [=](const RestingLattice& lattice, const Start& start) {
     const Scene<Newtonian> scene = lattice.scene(start);
     return simulating(
-        {.name = name, .description = words, .tolerance = stretched, .relative_cost = 2},
+        {.name = name, .family = Family::sph, .description = words, .tolerance = stretched, .relative_cost = 2},
         [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
-        by_spacings(scene, share, output_interval));
+        by_spacings(scene, courant, output_interval));
   };
 }
 
@@ -81,69 +81,69 @@ std::vector<LatticeMethod> methods_on_lattice() {
   using Still = Scene<Newtonian>;
   using Forced = Scene<Newtonian, Uniform>;
   std::vector<LatticeMethod> all = {
-      {Family::mpm, plain([](const Still& s) { return mpm_as_printed(s, output_interval); })},
-      {Family::mpm, plain([](const Still& s) { return mpm_affine(s, output_interval); })},
-      {Family::mpm, forced([](const Forced& s) { return mpm_apic(s, output_interval); })},
-      {Family::mpm, forced([](const Forced& s) { return mpm_xpic(s, output_interval); })},
-      {Family::mpm, plain([](const Still& s) { return mpm_least_squares(s, output_interval); }), true},
-      {Family::sph, plain([](const Still& s) { return sph_as_printed(s, output_interval); }), false, restores,
+      {plain([](const Still& s) { return mpm_as_printed(s, output_interval); })},
+      {plain([](const Still& s) { return mpm_affine(s, output_interval); })},
+      {forced([](const Forced& s) { return mpm_apic(s, output_interval); })},
+      {forced([](const Forced& s) { return mpm_xpic(s, output_interval); })},
+      {plain([](const Still& s) { return mpm_least_squares(s, output_interval); }), true},
+      {plain([](const Still& s) { return sph_as_printed(s, output_interval); }), false, restores,
        linear_printed<sph::Pressure>()},
-      {Family::sph,
-       printed_with<sph::PressureDifference, WholeArtificialViscosity>(
+      {printed_with<sph::PressureDifference, WholeArtificialViscosity>(
            "sph_difference", channel::sph_printed_words + channel::difference_words),
        false, restores, linear_printed<sph::PressureDifference>()},
-      {.family = Family::sph,
-       .on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
+      {.on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
                         [](const Still& s, const Level& level, double time_step) {
                           return sph_regularised_solver<>(s, level, time_step);
                         }),
        .one_kernel = true},
-      {.family = Family::sph,
-       .on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
+      {.on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
                         [](const Still& s, const Level& level, double time_step) {
                           return sph_regularised_solver<AdamsBashforth>(s, level, time_step);
                         }),
        .one_kernel = true},
-      {Family::sph, plain([](const Still& s) { return sph_transport_velocity(s, output_interval); })},
-      {Family::sph, plain([](const Still& s) { return sph_second_order(s, output_interval); })},
-      {Family::sph, forced([](const Forced& s) { return sph_delta(s, output_interval); })},
-      {Family::sph, forced([](const Forced& s) { return sph_corrected(s, output_interval); })},
-      {Family::sph, plain([](const Still& s) { return sph_shifted(s, output_interval); })},
+      {plain([](const Still& s) { return sph_transport_velocity(s, output_interval); })},
+      {plain([](const Still& s) { return sph_second_order(s, output_interval); })},
+      {forced([](const Forced& s) { return sph_delta(s, output_interval); })},
+      {forced([](const Forced& s) { return sph_corrected(s, output_interval); })},
+      {plain([](const Still& s) { return sph_shifted(s, output_interval); })},
   };
   // A grid is at rest, and so is what the drift of the transport velocity carries.
   for (LatticeMethod& method : all) {
     const std::string name = method.name();
     method.keeps_volume = method.one_kernel || name == "sph_transport_velocity";
     method.claims_to_be_galilean =
-        name == "mpm_least_squares" || (method.family == Family::sph && name != "sph_transport_velocity");
+        name == "mpm_least_squares" || (!method.has_grid() && name != "sph_transport_velocity");
   }
   return all;
 }
 
-std::vector<LatticeMethod> methods_in_single_precision() {
+std::vector<LatticeMethod> methods_of_any_precision() {
   using Still = Scene<Newtonian>;
   const OnLattice mpm = [](const RestingLattice& lattice, const Start& start) {
     const Still scene = lattice.scene(start);
     return simulating(
-        {.name = "mpm_float", .description = channel::mpm_words + channel::float_words, .tolerance = stretched},
+        {.name = "mpm_float",
+         .family = Family::mpm,
+         .description = channel::mpm_words + channel::float_words,
+         .tolerance = stretched},
         [=](const Level& level, double time_step) {
           return mpm_solver<mpm::PrescribedMotion, float>(scene, level, time_step);
         },
         by_cells(scene, 0.5, output_interval));
   };
-  return {{.family = Family::mpm,
-           .on = mpm,
-           .linear = plain([](const Still& s) { return mpm_as_printed(s, output_interval); }),
-           .at_night_only = true},
-          {.family = Family::sph,
-           .on = of_channel("sph_regularised_float",
-                            channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
-                            [](const Still& s, const Level& level, double time_step) {
-                              return sph_regularised_solver<KickDriftKick, float>(s, level, time_step);
-                            }),
-           .linear = method_on_lattice("sph_regularised").on,
-           .one_kernel = true,
-           .at_night_only = true}};
+  std::vector<LatticeMethod> all = methods_on_lattice();
+  all.push_back({.on = mpm,
+                 .linear = plain([](const Still& s) { return mpm_as_printed(s, output_interval); }),
+                 .at_night_only = true});
+  all.push_back({.on = of_channel("sph_regularised_float",
+                                  channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
+                                  [](const Still& s, const Level& level, double time_step) {
+                                    return sph_regularised_solver<KickDriftKick, float>(s, level, time_step);
+                                  }),
+                 .linear = method_on_lattice("sph_regularised").on,
+                 .one_kernel = true,
+                 .at_night_only = true});
+  return all;
 }
 
 std::vector<Method> each_of(const std::vector<LatticeMethod>& all, Method (*make)(const LatticeMethod&)) {

@@ -1,15 +1,13 @@
 #pragma once
 /// All methods of the project on a resting lattice.
 
+#include "vnv/stability/named_runs.hpp"
 #include "vnv/stability/resting_lattice.hpp"
 
 namespace touchstone::vnv {
 
-enum class Family { mpm, sph };
-
 /// A method, and which lattices it is asked for: of MPM so many particles across a cell.
 struct LatticeMethod {
-  Family family;
   OnLattice on;
   bool fits = false;   // needs several particles in a cell
   int every = 1;       // steps  after which it does again what it does in turn, as to restore densities
@@ -23,13 +21,21 @@ struct LatticeMethod {
   const OnLattice& for_theory() const { return linear ? linear : on; }
 
   std::string name() const { return on({}, {}).name; }
+  bool has_grid() const { return on({}, {}).family == Family::mpm; }
+
+  /// The lattice that it is run on where nothing else is said: 16 particles across with four in each cell of its grid,
+  /// or `particles_across` without a grid.
+  RestingLattice usual_lattice(int particles_across = 16) const {
+    if (has_grid()) return {.cells = 8, .points = 2};
+    return {.cells = particles_across};
+  }
 };
 
 std::vector<LatticeMethod> methods_on_lattice();
 
-/// Those whose particles, or sums over pairs, are in single precision. Rounding hides what linear theory asks for: that
-/// is asked of the same methods in double precision.
-std::vector<LatticeMethod> methods_in_single_precision();
+/// The same, and those whose particles, or sums over pairs, are in single precision. Rounding hides what linear theory
+/// asks for: that is asked of the same methods in double precision.
+std::vector<LatticeMethod> methods_of_any_precision();
 
 /// What a case makes of each.
 std::vector<Method> each_of(const std::vector<LatticeMethod>& all, Method (*make)(const LatticeMethod&));

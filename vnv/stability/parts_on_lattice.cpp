@@ -34,6 +34,7 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
     const Scene<Newtonian> scene = lattice.scene(start);
     return simulating(
         {.name = name,
+         .family = Family::mpm,
          .description =
              "Material point method with linear shape functions, FLIP, MUSL and densities stored on particles, except for " +
              part + ".",
@@ -44,7 +45,7 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
         },
         by_cells(scene, 0.4, output_interval));
   };
-  return {.family = Family::mpm, .on = method, .at_night_only = true};
+  return {.on = method, .at_night_only = true};
 }
 
 /// `ratio` is that of h to the spacing.
@@ -54,6 +55,7 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
     const Scene<Newtonian> scene = lattice.scene(start);
     return simulating(
         {.name = name,
+         .family = Family::sph,
          .description = fmt::format("delta-SPH with sums of pressures, Wendland's C2 kernel and kick-drift-kick, "
                                     "except for {}; h = {:g} spacings.",
                                     part, ratio),
@@ -66,7 +68,7 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
         },
         by_spacings(scene, 0.3, output_interval));
   };
-  return {.family = Family::sph, .on = method, .at_night_only = true};
+  return {.on = method, .at_night_only = true};
 }
 
 constexpr auto usual_parts = [](const Newtonian& fluid, double h) {

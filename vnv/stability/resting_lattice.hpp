@@ -19,13 +19,19 @@ struct RestingLattice {
 
   static constexpr double spacing = 0.01, density = 1000, sound_speed = 10;  // m, kg/m³, m/s
 
-  double unit() const { return points * spacing; }  // m  side of a unit cell
-  double side() const { return cells * unit(); }    // m
-  int across() const { return cells * points; }     // particles along a side
+  double unit() const { return points * spacing; }                                 // m  side of a unit cell
+  double side() const { return cells * unit(); }                                   // m
+  int across() const { return cells * points; }                                    // particles along a side
+  double kinematic_viscosity() const { return sound_speed * spacing / reynolds; }  // m²/s
   long particles() const { return static_cast<long>(across()) * across(); }
-  /// As a level: its spacing and its cell or smoothing length [m].
-  Level level() const {
-    return {.spacing = spacing, .cell = unit(), .smoothing_length = smoothing > 0 ? smoothing * spacing : not_a_number};
+  /// As a level of the nightly suite: its spacing and its cell or smoothing length [m].
+  Level level(std::string name = {}, bool in_acceptance = false) const {
+    return {.name = std::move(name),
+            .spacing = spacing,
+            .cell = unit(),
+            .smoothing_length = smoothing > 0 ? smoothing * spacing : not_a_number,
+            .acceptance = in_acceptance ? 1.0 : 0.0,
+            .nightly = 1};
   }
   /// The scene that starts so; `start.places` moves particles from their lattice, shifted already.
   template <class Force = NoForce>

@@ -2,7 +2,7 @@
 
 #include "solvers/mpm/printed/mpm.hpp"
 #include "vnv/stability/critical_step.hpp"
-#include "vnv/stability/lattice_noise.hpp"
+#include "vnv/stability/lattice_starts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ struct Diffusing {
   Scalars last = Scalars();
   long count = 0;
 
-  Diffusing(const RestingLattice& lattice, const Start& start, double share)
-      : of(lattice.scene(start)), across(lattice.across()), rate(share) {
+  Diffusing(const RestingLattice& lattice, const Start& start, double rate_of_step)
+      : of(lattice.scene(start)), across(lattice.across()), rate(rate_of_step) {
     const Vectors places = touchstone::lattice(of.filled, RestingLattice::spacing).places();
     now = {0, of.start.places_on(places), Vectors::Zero(2, places.cols())};
     for (Eigen::Index p = 0; p < places.cols(); ++p) now.v.col(p) = of.start.velocity_at(now.x.col(p));

@@ -1,4 +1,5 @@
 #pragma once
+#include "vnv/record/median.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/studies/ensemble.hpp"
 
@@ -12,14 +13,14 @@
 
 namespace touchstone::vnv {
 
-/// Where the members of an ensemble are, over time: the median of what the watch saw in its `column`, and the two
+/// Where the members of an ensemble are, over time: the median of what was monitored in a `column`, and the two
 /// curves between which eight of ten lie.
 inline Plot bands(Figure frame, std::size_t column) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
     if (results.runs.empty()) return;
     const std::string& name = results.method.name;
-    const std::array shares{0.5, 0.1, 0.9};
+    const std::array levels{0.5, 0.1, 0.9};
     std::array curves{Curve{frame.id, name, Role::ours, {}, {}, false},
                       Curve{frame.id, name + ", 10 %", Role::guide, {}, {}, false},
                       Curve{frame.id, name + ", 90 %", Role::guide, {}, {}, false}};
@@ -32,7 +33,7 @@ inline Plot bands(Figure frame, std::size_t column) {
       if (seen.empty()) continue;
       for (std::size_t c = 0; c < curves.size(); ++c) {
         curves[c].x.push_back(times[k]);
-        curves[c].y.push_back(quantile(seen, shares[c]));
+        curves[c].y.push_back(quantile(seen, levels[c]));
       }
     }
     for (Curve& curve : curves) record.curves.push_back(std::move(curve));
@@ -50,8 +51,8 @@ inline Plot ensemble_table() {
                 {"method", "number", "t [s]", "median", "10 to 90 %", "accepted median", "accepted 10 to 90 %",
                  "distance", "chance"},
                 {}};
-    const auto median = [](const std::vector<double>& members) {
-      return members.empty() ? Cell("–") : Cell(quantile(members, 0.5));
+    const auto middle = [](const std::vector<double>& members) {
+      return members.empty() ? Cell("–") : Cell(median(members));
     };
     const auto band = [](const std::vector<double>& members) {
       if (members.empty()) return Cell("–");
@@ -60,8 +61,8 @@ inline Plot ensemble_table() {
     const Baselines accepted =
         read_baselines(data_folder() / "baselines" / (record.case_name + ".csv")).value_or(Baselines{});
     for (const EnsembleComparison& one : compare_with_accepted(record, accepted))
-      table.rows.push_back({results.method.name, one.quantity.heading(), one.time, median(one.members),
-                            band(one.members), median(one.accepted), band(one.accepted), one.distance, one.p_value});
+      table.rows.push_back({results.method.name, one.quantity.heading(), one.time, middle(one.members),
+                            band(one.members), middle(one.accepted), band(one.accepted), one.distance, one.p_value});
     record.tables.push_back(std::move(table));
   };
 }

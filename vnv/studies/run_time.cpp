@@ -5,8 +5,18 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace touchstone::vnv {
-std::string family_of(const std::string& method) { return method.starts_with("mpm") ? "MPM" : "SPH"; }
+namespace {
+
+std::string family_of(const Method& method) {
+  if (method.family == Family::undeclared)
+    throw std::invalid_argument(fmt::format("{}: no family is declared, expected one of mpm, sph", method.name));
+  return method.family == Family::mpm ? "MPM" : "SPH";
+}
+
+}  // namespace
 
 std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, const Results& results,
                                    const Record& record) {
@@ -15,17 +25,18 @@ std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, cons
     if (!run.summary.finished) continue;
     const Cost& cost = run.summary.cost;
     const std::optional<double> error = error_of(diagram.quantity, time)(record, run);
-    const double share = error ? time / run.summary.end_time : not_a_number;  // a shorter run tells the cost of a step
+    const double fraction =
+        error ? time / run.summary.end_time : not_a_number;  // a shorter run tells the cost of a step
     points.push_back({.diagram = diagram.id,
                       .series = results.method.name,
-                      .family = family_of(results.method.name),
+                      .family = family_of(results.method),
                       .run = run.summary.level,
                       .particles = static_cast<double>(cost.particles),
                       .per_step = cost.per_step(),
                       .error = error.value_or(not_a_number),
-                      .cpu = share * cost.cpu,
-                      .cpu_lowest = share * cost.cpu_lowest,
-                      .cpu_highest = share * cost.cpu_highest});
+                      .cpu = fraction * cost.cpu,
+                      .cpu_lowest = fraction * cost.cpu_lowest,
+                      .cpu_highest = fraction * cost.cpu_highest});
   }
   return points;
 }

@@ -9,9 +9,6 @@
 
 namespace touchstone::vnv {
 
-/// "MPM" or "SPH", by the name of a method.
-std::string family_of(const std::string& method);
-
 /// The finished runs of a method as points of a diagram: its quantity at a time [s], and the CPU time until then.
 std::vector<WorkPoint> work_points(const WorkDiagram& diagram, double time, const Results& results,
                                    const Record& record);

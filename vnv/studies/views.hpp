@@ -89,7 +89,7 @@ inline View numbered_anew() {
 struct SeveralViews {
   std::vector<View> views;  // the first is the plain flow
   double spacing, cell;     // m
-  double end;               // s
+  double end;               // s  when all are evaluated
   Quantity error;
 
   /// The view of a level; the plain flow for a run at any resolution.

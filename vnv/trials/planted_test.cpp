@@ -102,7 +102,7 @@ TEST(Watch, EndsARunWhoseStepIsTooLongAtTheFirstStepThatIsNoFlow) {
     return mpm::solver<mpm::PrescribedMotion>(stirred, {.cell = 0.1, .spacing = 0.05, .time_step = 0.02});
   };
   const auto run = simulate(too_long, {.times = {20}});
-  // The same without the watch, looking after each step.
+  // The same without the run loop, evaluated after each step.
   auto solver = too_long();
   const Soundness soundness(Simulation(too_long()).medium(), solver.samples());
   std::string first;

@@ -1,4 +1,4 @@
-"""What all trials share: complaints of one line, programs that are run to their end, and how a trial itself ends."""
+"""What all trials have in common: complaints of one line, programs that are run to their end, and how a trial itself ends."""
 
 import argparse
 import os
@@ -21,13 +21,13 @@ class Parser(argparse.ArgumentParser):
         raise BadInput(f"try.py: {message}")
 
 
-def run(words, **more):
-    """Runs a program to its end; whoever breaks off here ends all that it started, so that nothing is written later."""
+def run(words, timeout=None, **more):
+    """Runs a program to its end, of so many seconds at most; whoever breaks off here ends all that it started, so that nothing is written later."""
     words = [str(word) for word in words]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                           start_new_session=True, **more) as process:
         try:
-            output = process.communicate()[0]
+            output = process.communicate(timeout=timeout)[0]
         except BaseException:
             os.killpg(process.pid, signal.SIGTERM)
             raise
@@ -35,7 +35,7 @@ def run(words, **more):
 
 
 def exit_with(main):
-    """Exit status 3 for bad input, with one line that says what; ends in order when it is told to."""
+    """Exit status 3 for bad input, with one line that says what; ends in order when it is terminated."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(3))
     try:
         sys.exit(main(sys.argv[1:]))

@@ -59,9 +59,9 @@ class AFaultFile(InAFolder):
         self.assertEqual((fault.configure, fault.environment), (("-DA=B",), ("C=D",)))
 
     def test_may_say_why_it_survives_and_is_the_same_fault(self):
-        told = self.fault(TEXT.replace("in law", "survives because no flow\nsurvives because is seen there\nin law"))
-        self.assertEqual(told.why, "no flow is seen there")
-        self.assertEqual(told.text, self.fault().text)
+        given = self.fault(TEXT.replace("in law", "survives because no flow\nsurvives because is seen there\nin law"))
+        self.assertEqual(given.why, "no flow is seen there")
+        self.assertEqual(given.text, self.fault().text)
         self.assert_refused(":4: 'survives", lambda: self.fault("A\n\nunnoticed by x\nsurvives because y\n",
                                                                 "harmless/a.fault"))
 
@@ -189,26 +189,26 @@ class Results(InAFolder):
         lines = [self.line("far", matrix.NOTICED, -9.0), self.line("nan", matrix.NOTICED, float("-inf")),
                  self.line("unit", matrix.SURVIVED, None, False)]
         matrix.write(lines, self.folder / "results.csv", {"machine": "m: 2", "tests": "all"})
-        told = lambda line: line["tests"]["flow.mpm"] | {"sentence": 'flow.mpm: L2 = 5, "x": FAILS'}
-        expected = [line | {"tests": {"flow.mpm": told(line)}} for line in lines]
+        given = lambda line: line["tests"]["flow.mpm"] | {"sentence": 'flow.mpm: L2 = 5, "x": FAILS'}
+        expected = [line | {"tests": {"flow.mpm": given(line)}} for line in lines]
         self.assertEqual(matrix.read(self.folder / "results.csv"), ({"machine": "m: 2", "tests": "all"}, expected))
         self.assert_refused("r.csv:2: other columns", lambda: matrix.read(self.write("r.csv", "# a: b\nfault,title\n")))
 
-    def test_of_a_part_of_the_tests_are_not_recorded(self):
-        self.assert_refused("expected a trial of all tests", lambda: runner.options_of(["--record", "--tests", "sph"]))
+    def test_of_a_part_of_the_tests_are_not_kept(self):
+        self.assert_refused("expected a trial of all tests", lambda: runner.options_of(["--keep", "--tests", "sph"]))
 
 
-class TheRecord(InAFolder):
+class WhatIsKept(InAFolder):
     def setUp(self):
         super().setUp()
-        in_the_folder = unittest.mock.patch.multiple(runner, FOLDER=self.folder, RECORDED=self.folder / "trials.csv")
+        in_the_folder = unittest.mock.patch.multiple(runner, FOLDER=self.folder, KEPT=self.folder / "trials.csv")
         in_the_folder.start()
         self.addCleanup(in_the_folder.stop)
         self.thick = self.fault()
         self.thin = self.fault(TEXT.replace("2 *", "0 *").replace("viscous", "thin"), "thin.fault")
 
-    def record(self, *arguments):
-        return runner.Record(runner.options_of(["--record", *arguments]))
+    def kept(self, *arguments):
+        return runner.LastTrials(runner.options_of(["--keep", *arguments]))
 
     def line(self, fault, finished_at):
         return {"fault": fault.name, "title": fault.title, "harmless": False, "files": ["law.hpp"],
@@ -217,31 +217,31 @@ class TheRecord(InAFolder):
                 "tests": {"flow.mpm": {"failed": True, "margin": -1.0, "sentence": ""}}}
 
     def test_keeps_of_each_fault_the_last_trial(self):
-        self.record().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
-        self.record().renew([self.line(self.thick, "3")])
-        record = self.record()
-        self.assertEqual((record.tried_at(self.thick), record.tried_at(self.thin)), ("3", "2"))
+        self.kept().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
+        self.kept().renew([self.line(self.thick, "3")])
+        last = self.kept()
+        self.assertEqual((last.tried_at(self.thick), last.tried_at(self.thin)), ("3", "2"))
 
     def test_forgets_a_fault_that_is_gone_or_is_another_now(self):
-        self.record().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
+        self.kept().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
         self.fault(TEXT.replace("2 *", "3 *"))
         (self.folder / "thin.fault").unlink()
-        self.assertEqual(self.record().lines, {})
+        self.assertEqual(self.kept().lines, {})
 
     def test_is_begun_anew_where_other_tests_are_run(self):
-        self.record().renew([self.line(self.thick, "1")])
-        self.assertEqual(self.record("--suite", "nightly").lines, {})
+        self.kept().renew([self.line(self.thick, "1")])
+        self.assertEqual(self.kept("--suite", "nightly").lines, {})
 
     def test_is_not_written_unless_that_is_asked_for(self):
-        runner.Record(runner.options_of([])).renew([self.line(self.thick, "1")])
-        self.assertFalse(runner.RECORDED.exists())
+        runner.LastTrials(runner.options_of([])).renew([self.line(self.thick, "1")])
+        self.assertFalse(runner.KEPT.exists())
 
 
 class AMargin(InAFolder):
     def test_is_the_smallest_but_for_counts_that_are_met(self):
         (self.folder / "acceptance").mkdir()
-        told = (("holds", 0), ("holds", 0.3), ("holds", 0.2), ("fails", -2), ("fails", "nan"))
-        verdicts = [{"outcome": outcome, "margin": margin, "sentence": ""} for outcome, margin in told]
+        given = (("holds", 0), ("holds", 0.3), ("holds", 0.2), ("fails", -2), ("fails", "nan"))
+        verdicts = [{"outcome": outcome, "margin": margin, "sentence": ""} for outcome, margin in given]
         for failed, some, expected in ((False, verdicts[:3], 0.2), (False, verdicts[:1], 0), (True, verdicts[:4], -2),
                                      (True, verdicts, float("-inf"))):
             self.write("acceptance/flow.mpm.json", runner.json.dumps({"verdicts": some}))

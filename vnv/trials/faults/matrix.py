@@ -35,8 +35,8 @@ def summary(lines):
     all_in_all = alone + sum(line["conclusion"] == AT_NIGHT for line in faults)
     words = []
     if faults:
-        share = 100 * alone / len(faults)
-        words.append(f"{len(faults)} faults: {alone} noticed by day ({share:.1f} %), {all_in_all} in all")
+        rate = 100 * alone / len(faults)
+        words.append(f"{len(faults)} faults: {alone} noticed by day ({rate:.1f} %), {all_in_all} in all")
     if harmless:
         alarms = sum(line["conclusion"] == FALSE_ALARM for line in harmless)
         words.append(f"{len(harmless)} harmless changes: {alarms} false alarms")

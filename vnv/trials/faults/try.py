@@ -26,7 +26,7 @@ from scratch import ROOT, UNREAD, Scratch, digest
 from shared import BadInput, Parser, exit_with, run
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-RECORDED = FOLDER / "trials.csv"
+KEPT = FOLDER / "trials.csv"
 SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 
@@ -184,12 +184,12 @@ def write(lines, faults, file, options):
     return rows
 
 
-class Record:
+class LastTrials:
     """What the project keeps: of each of today's faults the last trial, whenever it was made."""
 
     def __init__(self, options):
         self.faults, self.options = seeded.read_all(FOLDER), options
-        provenance, lines = matrix.read(RECORDED) if RECORDED.is_file() else ({}, [])
+        provenance, lines = matrix.read(KEPT) if KEPT.is_file() else ({}, [])
         if provenance.get("tests") != what_is_run(options):
             lines = []
         today = {fault.name: own_digest(fault) for fault in self.faults}
@@ -200,14 +200,14 @@ class Record:
 
     def renew(self, lines):
         self.lines |= {line["fault"]: line for line in lines}
-        if self.options.record:
-            write(self.lines.values(), self.faults, RECORDED, self.options)
+        if self.options.keep:
+            write(self.lines.values(), self.faults, KEPT, self.options)
 
 
 def try_all(faults, options):
-    """Tries those first that the record does not have, then those that were tried longest ago."""
+    """Tries those first that were never tried, then those that were tried longest ago."""
     began = time.monotonic()
-    scratch, record = Scratch(options.scratch.resolve(), options.jobs), Record(options)
+    scratch, last = Scratch(options.scratch.resolve(), options.jobs), LastTrials(options)
     results = read_results(options.results)
     keys = {fault.name: digest(scratch.digest, own_digest(fault), options.suite or "") for fault in faults}
 
@@ -219,7 +219,7 @@ def try_all(faults, options):
     green, known = set(), {line["key"]: line for line in results}
     lines = [known[key] for key in keys.values() if key in known]
     fresh = [fault for fault in faults if keys[fault.name] not in known]
-    fresh.sort(key=lambda fault: (record.tried_at(fault), fault.tests))  # one after the other what the same tests notice
+    fresh.sort(key=lambda fault: (last.tried_at(fault), fault.tests))  # one after the other what the same tests notice
     for k, fault in enumerate(fresh):
         if time.monotonic() - began > 60 * options.minutes:
             print(f"{len(fresh) - k} of {len(fresh)} left: the same command goes on with them")
@@ -227,10 +227,10 @@ def try_all(faults, options):
         require_green(scratch, ("all",) if options.suite else fault.tests, options, green)
         provenance = {"key": keys[fault.name], "digest": own_digest(fault), "revision": revision()}
         lines.append(keep(tried(scratch, fault, options) | provenance))
-        record.renew(lines)
+        last.renew(lines)
         print(f"{k + 1}/{len(fresh)} {fault.name}: {lines[-1]['conclusion']}{matrix.by_whom(lines[-1])}, "
               f"{lines[-1]['seconds']} s", flush=True)
-    record.renew(lines)
+    last.renew(lines)
     rows = write(lines, faults, options.results.with_suffix(".csv"), options)
     print(matrix.summary(rows))
     return 1 if any(line["conclusion"] in matrix.BAD for line in rows) else 0
@@ -246,14 +246,14 @@ def options_of(arguments):
     parser.add_argument("--suite", choices=SUITES, help="build and run all of a suite, not only the named tests")
     parser.add_argument("--scratch", type=pathlib.Path, default=ROOT / "build-faults", help="folder of copy and builds")
     parser.add_argument("--results", type=pathlib.Path, help="lines of JSON; a table, .csv, stands beside")
-    parser.add_argument("--record", action="store_true", help="keep what they came to in vnv/trials/faults/trials.csv")
+    parser.add_argument("--keep", action="store_true", help="keep what they came to in vnv/trials/faults/trials.csv")
     parser.add_argument("--minutes", type=float, default=math.inf, help="begin no further trial after so long")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at once, of compiler and of ctest")
     parser.add_argument("--timeout", type=int, default=900, help="of a test [s]")
     options = parser.parse_args(arguments)
     options.results = options.results or options.scratch / "results.jsonl"
-    if options.record and options.tests:
-        raise BadInput("--record: with --tests, expected a trial of all tests that a fault names")
+    if options.keep and options.tests:
+        raise BadInput("--keep: with --tests, expected a trial of all tests that a fault names")
     return options
 
 

@@ -23,6 +23,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import left  # noqa: E402
+import shared  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
 WHOM = ("all of it", "the command alone", "one of its programs")
@@ -59,17 +60,10 @@ class Programs:
         return [self.vnv, "run", *(methods or self.methods), "-j", "2", "--records", records]
 
 
-def start(words, output, **more):
-    return subprocess.Popen([str(word) for word in words], stdout=output, stderr=subprocess.STDOUT,
-                            start_new_session=True, **more)
-
-
 def run(words, **more):
     """Exit status and what was said."""
-    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
-        status = start(words, output, **more).wait(LONGEST)
-        output.seek(0)
-        return status, output.read()
+    done = shared.run(words, timeout=LONGEST, **more)
+    return done.returncode, done.stdout
 
 
 def wait_for_orphans(session):
@@ -81,18 +75,18 @@ def wait_for_orphans(session):
 def kill_at(words, moment, whom, choose):
     """Starts a program, kills it or a part of it after so many seconds, and waits for what then ends by itself. After a
     kill of the command alone what it has started goes on; its session is returned."""
-    with tempfile.TemporaryFile() as output:
-        process = start(words, output)
-        time.sleep(moment)
-        parts = left.members(process.pid)
-        others = [part for part in parts if part != process.pid]
-        victims = {WHOM[0]: parts, WHOM[1]: [process.pid]}.get(whom) or [choose.choice(others or [process.pid])]
-        while victims:
-            for victim in victims:
-                with contextlib.suppress(ProcessLookupError):
-                    os.kill(victim, signal.SIGKILL)
-            victims = left.members(process.pid) if whom == WHOM[0] else []  # some were started while others were killed
-        process.wait(LONGEST)
+    process = subprocess.Popen([str(word) for word in words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               start_new_session=True)
+    time.sleep(moment)
+    parts = left.members(process.pid)
+    others = [part for part in parts if part != process.pid]
+    victims = {WHOM[0]: parts, WHOM[1]: [process.pid]}.get(whom) or [choose.choice(others or [process.pid])]
+    while victims:
+        for victim in victims:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(victim, signal.SIGKILL)
+        victims = left.members(process.pid) if whom == WHOM[0] else []  # some were started while others were killed
+    process.wait(LONGEST)
     return process.pid
 
 
@@ -242,23 +236,23 @@ def may_mount(folder):
         return False
 
 
-def leave_room(disk, room):
+def fill(disk, but_for):
     """Fills a disk but for so many bytes."""
     free = os.statvfs(disk)
-    (disk / "ballast").write_bytes(bytes(max(0, free.f_bavail * free.f_bsize - room)))
+    (disk / "ballast").write_bytes(bytes(max(0, free.f_bavail * free.f_bsize - but_for)))
 
 
 def fill_disks(programs, folder, trials, choose, records):
-    """Records and pages where little room is left; afterwards there is enough, and the work goes on."""
+    """Records and pages where little space is left; afterwards there is enough, and the work goes on."""
     sizes = {name: (records / f"{name}.json").stat().st_size for name in left.verdicts(records)}
     first, second = min(sizes, key=sizes.get), max(sizes, key=sizes.get)
     expected = {name: judged for name, judged in left.verdicts(records).items() if name in (first, second)}
 
-    def of_records(disk, room):
+    def of_records(disk, space):
         here = disk / "records"
-        require(run(programs.run(here, [first]))[0] == 0, f"{first} fails with room enough")
+        require(run(programs.run(here, [first]))[0] == 0, f"{first} fails with space enough")
         earlier = left.tree(here)
-        leave_room(disk, room)
+        fill(disk, space)
         result = run(programs.run(here, [second]))
         if result[0] != 0:
             line = said_once(result, here)
@@ -266,29 +260,29 @@ def fill_disks(programs, folder, trials, choose, records):
             require(all(now.get(file) == text for file, text in earlier.items()), "an earlier record has changed")
             require_none(left.torn(here) + left.half_written(here))
         (disk / "ballast").unlink()
-        require(run(programs.run(here, [first, second]))[0] == 0, "with room again it fails")
-        require(left.verdicts(here) == expected, "with room again other verdicts")
-        return line if result[0] != 0 else "room enough"
+        require(run(programs.run(here, [first, second]))[0] == 0, "with space again it fails")
+        require(left.verdicts(here) == expected, "with space again other verdicts")
+        return line if result[0] != 0 else "space enough"
 
-    def of_pages(disk, room):
+    def of_pages(disk, space):
         site, nights = disk / "site", disk / "nights"
         words = [programs.report, records, site, "--history", nights]
-        require(run(words)[0] == 0, "fails with room enough")
+        require(run(words)[0] == 0, "fails with space enough")
         earlier = left.tree(site)
-        leave_room(disk, room)
+        fill(disk, space)
         result = run(words)
-        line = said_once(result, disk) if result[0] != 0 else "room enough"
+        line = said_once(result, disk) if result[0] != 0 else "space enough"
         require(left.tree(site) == earlier, "the former site has changed")
         require_none(left.torn(nights) + left.half_written(disk) + left.half_written(nights))
         return line
 
     whole = sizes[second] + 4096 - sizes[second] % 4096  # the record goes in, and nothing beside it
-    for k, room in enumerate([0, 4096, *(choose.randrange(whole) for _ in range(3)), whole]):
+    for k, space in enumerate([0, 4096, *(choose.randrange(whole) for _ in range(3)), whole]):
         with small_disk(folder / f"disk{k}", "8m") as disk:
-            trials.attempt(f"vnv run on a full tmpfs, {room} bytes left", lambda: of_records(disk, room))
-    for k, room in enumerate([0, *(choose.randrange(1 << 19) for _ in range(3))]):
+            trials.attempt(f"vnv run on a full tmpfs, {space} bytes left", lambda: of_records(disk, space))
+    for k, space in enumerate([0, *(choose.randrange(1 << 19) for _ in range(3))]):
         with small_disk(folder / f"site{k}", "64m") as disk:
-            trials.attempt(f"touchstone_report on a full tmpfs, {room} bytes left", lambda: of_pages(disk, room))
+            trials.attempt(f"touchstone_report on a full tmpfs, {space} bytes left", lambda: of_pages(disk, space))
 
 
 def limit_files(programs, folder, trials, records):

@@ -1,8 +1,11 @@
 #pragma once
+/// How fluid on a lattice may start: with noise, with a shear wave.
+
 #include "vnv/stability/resting_lattice.hpp"
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace touchstone::vnv {
 
@@ -25,6 +28,20 @@ inline Start noisy(const RestingLattice& lattice, double amplitude) {
     return amplitude * RestingLattice::sound_speed * Vec2(noise(column, row, 0), noise(column, row, 1));
   };
   return start;
+}
+
+/// A wave along y, one over the side [m] of a lattice.
+inline double wave_at(double y, double side) { return std::sin(2 * std::numbers::pi * y / side); }
+
+/// The amplitude [m/s] of that wave in the particles' velocities along x.
+inline double amplitude_of_wave(const Samples& s, double side) {
+  const Scalars wave = (2 * std::numbers::pi / side * s.x.row(1).transpose().array()).sin();
+  return (s.v.row(0).transpose().array() * wave).sum() / wave.square().sum();
+}
+
+/// The rate [1/s] at which viscosity takes the wave away.
+inline double decay_of_wave(double kinematic_viscosity, double side) {
+  return kinematic_viscosity * std::pow(2 * std::numbers::pi / side, 2);
 }
 
 }  // namespace touchstone::vnv
