@@ -3,7 +3,6 @@
 
 #include "solvers/stepping/diverged.hpp"
 #include "vnv/record/record.hpp"
-#include "vnv/stability/lattice_noise.hpp"
 #include "vnv/stability/lattice_starts.hpp"
 #include "vnv/stability/methods_on_lattice.hpp"
 #include "vnv/stability/spectrum.hpp"
