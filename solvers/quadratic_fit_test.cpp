@@ -31,8 +31,8 @@ auto sums_of(const std::vector<Neighbour>& neighbours, const Field& field) {
   using Fit = QuadraticFit<Real, fields>;
   typename Fit::Sums sums{};
   for (const auto& [x, y, weight] : neighbours) {
-    const auto share = Fit::terms(Real{} + weight, Real{} + x, Real{} + y, field(x, y));
-    for (std::size_t k = 0; k < Fit::count; ++k) sums[k] += share[k];
+    const auto added = Fit::terms(Real{} + weight, Real{} + x, Real{} + y, field(x, y));
+    for (std::size_t k = 0; k < Fit::count; ++k) sums[k] += added[k];
   }
   return sums;
 }

@@ -2,6 +2,7 @@
 /// What the tests of both methods share: a fluid without bounds, how it starts, and what must come of it.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/forces/force_field.hpp"
 #include "solvers/samples.hpp"
 #include "solvers/scene.hpp"
 #include "solvers/walls/no_slip.hpp"
@@ -22,6 +23,17 @@ inline Scene<Newtonian> endless(const Start& start, const Vec2& size = {1, 1}) {
           .fluid = oil,
           .filled = {.high = size},
           .start = start};
+}
+
+/// Any scene as one of a viscous fluid in a field of forces, if only of 0: each kind of scene takes seconds to compile
+/// for each method.
+template <class FluidLaw, class Force>
+Scene<Newtonian, ForceField> as_one_kind(const Scene<FluidLaw, Force>& scene) {
+  Newtonian fluid{scene.fluid, 0};
+  if constexpr (Viscous<FluidLaw>) fluid.viscosity = scene.fluid.viscosity;
+  ForceField force{[](const Vec2&, double) -> Vec2 { return {0, 0}; }};
+  if constexpr (is_present<Force>) force.at = scene.body_force;
+  return {scene.domain, fluid, scene.filled, scene.walls, force, scene.start};
 }
 
 /// What a method, made by `Method::solver(scene, settings)`, has after some steps.

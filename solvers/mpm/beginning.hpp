@@ -15,20 +15,28 @@ struct Beginning {
   Slopes<double> of;  // 1/s  of the velocity
 };
 
-/// Slopes by central differences over a thousandth of a cell, within the box.
+/// How a field changes along an axis, by central differences over a thousandth of a cell, within the box.
+template <class Field>
+auto slope_along(int axis, const Vec2& x, const Grid& grid, const Field& field) -> decltype(field(x)) {
+  const double reach = 1e-3 * grid.cell[axis];
+  Vec2 from = x, to = x;
+  from[axis] = std::max(x[axis] - reach, grid.box.low[axis]);
+  to[axis] = std::min(x[axis] + reach, grid.box.high[axis]);
+  return (field(to) - field(from)) / (to[axis] - from[axis]);
+}
+
+template <class FluidLaw>
+double expansion_at(const Vec2& x, const Start& start, const FluidLaw& fluid) {
+  return fluid.density / fluid.density_at(start.pressure_at(x)) - 1;
+}
+
 template <class FluidLaw>
 Beginning beginning_at(const Vec2& x, const Start& start, const Grid& grid, const FluidLaw& fluid) {
-  Vec2 along[2];
-  for (const int axis : {0, 1}) {
-    const double reach = 1e-3 * grid.cell[axis];
-    Vec2 from = x, to = x;
-    from[axis] = std::max(x[axis] - reach, grid.box.low[axis]);
-    to[axis] = std::min(x[axis] + reach, grid.box.high[axis]);
-    along[axis] = (start.velocity_at(to) - start.velocity_at(from)) / (to[axis] - from[axis]);
-  }
+  const auto velocity = [&](const Vec2& at) { return start.velocity_at(at); };
+  const Vec2 along_x = slope_along(0, x, grid, velocity), along_y = slope_along(1, x, grid, velocity);
   return {.v = start.velocity_at(x),
-          .expansion = fluid.density / fluid.density_at(start.pressure_at(x)) - 1,
-          .of = {.xx = along[0].x(), .yx = along[0].y(), .xy = along[1].x(), .yy = along[1].y()}};
+          .expansion = expansion_at(x, start, fluid),
+          .of = {.xx = along_x.x(), .yx = along_x.y(), .xy = along_y.x(), .yy = along_y.y()}};
 }
 
 /// `begin` belongs to the kind of particles; `dt` is the step that follows.

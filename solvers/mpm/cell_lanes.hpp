@@ -78,10 +78,11 @@ Real converted(const int* from) {
   return __builtin_convertvector(numbers, Real);
 }
 
-/// One lane to the right: the last of `before`, then all but the last of `these`.
-inline Lanes shifted(const Lanes& before, const Lanes& these) {
+/// So many lanes to the right: the last of `before`, then all but the last of `these`.
+template <int by>
+Lanes shifted(const Lanes& before, const Lanes& these) {
   return with_indices<lanes>(
-      [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - 1 + decltype(i)::value...); });
+      [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - by + decltype(i)::value...); });
 }
 
 /// Registers of doubles that the lanes of a `Real` fill, one after the other.

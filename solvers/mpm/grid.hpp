@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -38,11 +37,6 @@ class Grid {
   int node_columns() const { return periodic_x ? columns : columns + 1; }
   int cell_at(int column, int row) const { return row * columns + column; }
   int node_at(int column, int row) const { return row * node_columns() + column % node_columns(); }
-  /// Nodes of a cell, in the order of `LinearHat`.
-  std::array<int, 4> corners(int the_cell) const {
-    const int column = the_cell % columns, row = the_cell / columns;
-    return {node_at(column, row), node_at(column + 1, row), node_at(column, row + 1), node_at(column + 1, row + 1)};
-  }
   /// Of a place within a cell [m].
   Vec2 place(int the_cell, double X, double Y) const {
     return box.low + Vec2((the_cell % columns + X) * cell.x(), (the_cell / columns + Y) * cell.y());

@@ -2,6 +2,7 @@
 /// Scenes that the tests of all material point methods share, and what all of them must notice.
 
 #include "solvers/fluids/tait.hpp"
+#include "solvers/forces/force_field.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "solvers/stepping/diverged.hpp"
@@ -17,15 +18,22 @@ namespace touchstone::mpm {
 
 inline constexpr Tait soft_water{.density = 1000, .bulk_modulus = 143};  // sound travels at 1 m/s
 
-/// A force that acts in the first step only.
-template <class Field>
-struct Blow {
-  Field acceleration;
+// Tests name few kinds of scenes, as each of them takes a second to compile for each method: forces that differ from
+// place to place are all `ForceField`s.
 
-  Vec2 operator()(const Vec2& x, double time) const { return time == 0 ? acceleration(x) : Vec2(0, 0); }
-};
-template <class Field>
-Blow(Field) -> Blow<Field>;
+/// A force that acts in the first step only [m/s²].
+template <class Acceleration>
+ForceField blow(const Acceleration& at) {
+  return {[=](const Vec2& x, double time) -> Vec2 { return time == 0 ? Vec2(at(x)) : Vec2(0, 0); }};
+}
+
+/// Vortices of a size [m] that stir, so that no term of the step is idle, of a strength [m/s²].
+inline ForceField stirring(const Vec2& size, double strength) {
+  return {[=](const Vec2& x, double) -> Vec2 {
+    const Eigen::Array2d angle = 2 * 3.14159 * x.array() / size.array();
+    return strength * Vec2(std::sin(angle.x()) * std::cos(angle.y()) + 0.3, -std::cos(angle.x()) * std::sin(angle.y()));
+  }};
+}
 
 /// A square of fluid in the middle of nowhere.
 template <class Force>
@@ -37,12 +45,12 @@ Scene<Tait, Force> drop(const Force& force) {
 }
 
 /// A force that is not a number from the eighth step of 10 ms on, near the last of a hundred particles of the drop.
-struct Spoilt {
-  Vec2 operator()(const Vec2& x, double time) const {
+inline ForceField spoilt() {
+  return {[](const Vec2& x, double time) -> Vec2 {
     const bool is_there = time > 0.065 && (x - Vec2(0.95, 0.95)).norm() < 0.01;
     return {is_there ? std::numeric_limits<double>::quiet_NaN() : 0.0, 0};
-  }
-};
+  }};
+}
 
 /// Expects a drop of a hundred particles, which falls by 10 m/s², to be stopped as it leaves its domain.
 template <class Solver>
@@ -59,7 +67,7 @@ void expect_stop_of_a_fall(Solver falling) {
   }
 }
 
-/// Expects a drop under the force `Spoilt` to be stopped in the step that spoils it; the particle that is named, if
+/// Expects a drop under the force `spoilt` to be stopped in the step that spoils it; the particle that is named, if
 /// any.
 template <class Solver>
 void expect_stop_of_spoilt(Solver poisoned, std::optional<long> particle = {}) {

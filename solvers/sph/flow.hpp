@@ -38,10 +38,10 @@ void add_force(const Force& body_force, Particles& all, double time, int threads
 /// Calls give(ghost, sums, seen) for each ghost that fluid is near, with sums of terms(g, j) over that fluid, of which
 /// the first is a weight, to write what is seen of it; then its images follow. A ghost out of the kernel's reach, which
 /// lists may hold, is at rest at a density without pressure.
-template <std::size_t K, class Record, class Terms, class Give>
-void give_to_ghosts(Neighbourhood<Record>& near, double density, const Terms& terms, const Give& give) {
+template <std::size_t K, class Packed, class Terms, class Give>
+void give_to_ghosts(Neighbourhood<Packed>& near, double density, const Terms& terms, const Give& give) {
   sum_over_neighbours<K>(near.fluid_near_ghost, near.seen, terms, [&](Index g, const std::array<double, K>& sums) {
-    Record& seen = near.seen[g];
+    Packed& seen = near.seen[g];
     if (sums[0] > 0) return give(near.boundary.ghosts[g - near.all.fluid], sums, seen);
     seen.move(0, 0);
     seen.set_state(density, 0);
@@ -50,8 +50,8 @@ void give_to_ghosts(Neighbourhood<Record>& near, double density, const Terms& te
 }
 
 /// The rate of density by continuity (23), alone.
-template <class Kernel, class Record>
-void find_continuity(Neighbourhood<Record>& near, double h) {
+template <class Kernel, class Packed>
+void find_continuity(Neighbourhood<Packed>& near, double h) {
   Particles& all = near.all;
   sum_over_neighbours<1>(
       near.fluid_near_fluid, near.seen,
@@ -60,6 +60,25 @@ void find_continuity(Neighbourhood<Record>& near, double h) {
         return std::array{ij.continuity()};
       },
       [drho = all.drho.data()](Index i, const std::array<double, 1>& sums) { drho[i] = sums[0]; });
+}
+
+/// The rates of velocity by the listed terms (28) and, if asked for, of density by continuity (23), in one pass over
+/// the pairs.
+template <class Kernel, bool of_density, class Packed, class Terms>
+void find_rates_by(const Terms& terms_of_method, Neighbourhood<Packed>& near, double h) {
+  Particles& all = near.all;
+  sum_over_neighbours<3>(
+      near.fluid_near_fluid, near.seen,
+      [terms = terms_of_method, mass = all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
+        auto ij = pair_of(i, j, mass);
+        const auto pull = terms.on(ij, slope);
+        return std::array{ij.continuity(), pull.x, pull.y};
+      },
+      [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
+        if constexpr (of_density) drho[i] = sums[0];
+        ax[i] = sums[1];
+        ay[i] = sums[2];
+      });
 }
 
 }  // namespace touchstone::sph

@@ -84,20 +84,20 @@ Momentum<Terms...> momentum(const Terms&... terms) {
 template <class I, class J>
 auto pair_of(const I& i, const J& j, double mass) {
   using Real = typename J::Real;
-  using Record = std::remove_cvref_t<decltype(*j.all)>;
+  using Packed = std::remove_cvref_t<decltype(*j.all)>;
   Pair<Real> ij;
   const auto sides = apart(i, j);
   ij.x = sides[0];
   ij.y = sides[1];
   ij.r2 = ij.x * ij.x + ij.y * ij.y;
   ij.r = square_root(ij.r2);
-  const auto v_i = i.two(&Record::vx), v_j = j.two(&Record::vx);
+  const auto v_i = i.two(&Packed::vx), v_j = j.two(&Packed::vx);
   ij.vx = v_i[0] - v_j[0];
   ij.vy = v_i[1] - v_j[1];
-  const auto rho_push_i = i.two(&Record::rho), rho_push_j = j.two(&Record::rho);
+  const auto rho_push_i = i.two(&Packed::rho), rho_push_j = j.two(&Packed::rho);
   ij.rho_i = rho_push_i[0], ij.push_i = rho_push_i[1];
   ij.rho_j = rho_push_j[0], ij.push_j = rho_push_j[1];
-  const auto volume_p_i = i.two(&Record::volume), volume_p_j = j.two(&Record::volume);
+  const auto volume_p_i = i.two(&Packed::volume), volume_p_j = j.two(&Packed::volume);
   ij.volume_i = volume_p_i[0], ij.p_i = volume_p_i[1];
   ij.volume_j = volume_p_j[0], ij.p_j = volume_p_j[1];
   ij.mass = static_cast<Number<Real>>(mass);

@@ -29,15 +29,15 @@ inline void require_off_walls(const Vectors& places, const std::vector<Wall>& wa
                         places(0, p), places(1, p), wall.distance(places.col(p)), least));
 }
 
-template <class Record_>
+template <class Packed_>
 class Neighbourhood {
  public:
-  using Record = Record_;
-  static constexpr int width = lanes<typename Record::Number>;
+  using Packed = Packed_;
+  static constexpr int width = lanes<typename Packed::Number>;
   using Lists = NeighbourLists<width>;
 
   Particles all;
-  std::vector<Record> seen;  // of all, what sums over pairs read
+  std::vector<Packed> seen;  // of all, what sums over pairs read
   BoundaryLayout boundary;
   Images images;
   Lists fluid_near_fluid;                // of each fluid particle: fluid and ghosts
@@ -102,17 +102,17 @@ class Neighbourhood {
     }
   }
 
-  /// Writes the records of the fluid and of its images, with the pressure of its density (33).
+  /// Packs the fluid and its images, with the pressure of its density (33).
   template <class FluidLaw>
   void see_fluid(const FluidLaw& fluid) {
     share_out_fields(threads_, all.fluid, [&, law = fluid](Index begin, Index end) {
       const double *const x = all.x.data(), *const y = all.y.data(), *const vx = all.vx.data(),
                           *const vy = all.vy.data(), *const rho = all.rho.data();
-      Record* const record = seen.data();
+      Packed* const packed = seen.data();
       for (Index i = begin; i < end; ++i) {
-        record[i].stand_at(x[i], y[i]);
-        record[i].move(vx[i], vy[i]);
-        record[i].set_state(rho[i], law.pressure(rho[i]));
+        packed[i].stand_at(x[i], y[i]);
+        packed[i].move(vx[i], vy[i]);
+        packed[i].set_state(rho[i], law.pressure(rho[i]));
       }
     });
     images.refresh_fluid(all, seen);
@@ -232,7 +232,7 @@ class Neighbourhood {
     all.y[all.nowhere()] = far.y();
     seen.resize(all.nowhere() + 1);
     for (Index k = all.fluid; k <= all.nowhere(); ++k) {
-      seen[k] = Record{};
+      seen[k] = Packed{};
       seen[k].stand_at(all.x[k], all.y[k]);
       seen[k].set_state(density_, 0);
     }

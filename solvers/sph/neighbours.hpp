@@ -87,14 +87,14 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
 }
 
 /// The sums of one block. Everything is inlined here, or vectors would travel through memory.
-template <std::size_t K, int width, class Record, class Term>
-[[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Record* all, const Term& term) {
-  using Sum = Lanes<typename Record::Number, width>;
+template <std::size_t K, int width, class Packed, class Term>
+[[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Packed* all, const Term& term) {
+  using Sum = Lanes<typename Packed::Number, width>;
   std::array<Sum, K> total;
   for (Sum& sum : total) sum = Sum{};
-  const Row<Record, width> i{all, rows.data()};
+  const Row<Packed, width> i{all, rows.data()};
   for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
-    const auto added = term(i, Row<Record, width>{all, row});
+    const auto added = term(i, Row<Packed, width>{all, row});
     for (std::size_t k = 0; k < K; ++k) total[k] += added[k];
   }
   return total;
@@ -103,8 +103,8 @@ template <std::size_t K, int width, class Record, class Term>
 /// For each particle i that has a list: give(i, made), with made = finish(sums), as many numbers as it makes of
 /// sums[k] = sum over its neighbours j of term(i, j)[k], in the order of the list; for the term i and j are Rows, and
 /// sums are Lanes of as many particles.
-template <std::size_t K, int width, class Record, class Term, class Finish, class Give>
-void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Record>& all, const Term& term,
+template <std::size_t K, int width, class Packed, class Term, class Finish, class Give>
+void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Packed>& all, const Term& term,
                          const Finish& finish, const Give& give) {
   const int parts = static_cast<int>(lists.parts.size());
   share_out(parts, parts, [&](Index first, Index last) {
@@ -123,8 +123,8 @@ void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<R
 }
 
 /// The same with the sums as they are.
-template <std::size_t K, int width, class Record, class Term, class Give>
-void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Record>& all, const Term& term,
+template <std::size_t K, int width, class Packed, class Term, class Give>
+void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Packed>& all, const Term& term,
                          const Give& give) {
   sum_over_neighbours<K>(
       lists, all, term, [](const auto& sums) -> const auto& { return sums; }, give);

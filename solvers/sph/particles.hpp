@@ -4,7 +4,7 @@
 
 #include "solvers/integrators/fluid_state.hpp"
 #include "solvers/scene.hpp"
-#include "solvers/sph/record.hpp"
+#include "solvers/sph/packed.hpp"
 #include "solvers/stepping/diverged.hpp"
 
 #include <vector>
@@ -50,12 +50,12 @@ class Images {
       all.y[first(all) + k] = all.y[images_[k].source] + images_[k].shift.y();
     }
   }
-  template <class Record>
-  void refresh_fluid(const Particles& all, std::vector<Record>& seen) const {
+  template <class Packed>
+  void refresh_fluid(const Particles& all, std::vector<Packed>& seen) const {
     refresh(all, seen, 0, of_fluid_);
   }
-  template <class Record>
-  void refresh_boundary(const Particles& all, std::vector<Record>& seen) const {
+  template <class Packed>
+  void refresh_boundary(const Particles& all, std::vector<Packed>& seen) const {
     refresh(all, seen, of_fluid_, images_.size());
   }
 
@@ -85,11 +85,11 @@ class Images {
         images_.push_back({i, Vec2(along_x.by[k % along_x.count], along_y.by[k / along_x.count])});
     }
   }
-  template <class Record>
-  void refresh(const Particles& all, std::vector<Record>& seen, std::size_t begin, std::size_t end) const {
+  template <class Packed>
+  void refresh(const Particles& all, std::vector<Packed>& seen, std::size_t begin, std::size_t end) const {
     for (std::size_t k = begin; k < end; ++k) {
       const auto [source, shift] = images_[k];
-      Record& image = seen[first(all) + static_cast<Index>(k)];
+      Packed& image = seen[first(all) + static_cast<Index>(k)];
       image = seen[source];
       image.stand_at(all.x[source] + shift.x(), all.y[source] + shift.y());
     }

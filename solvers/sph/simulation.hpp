@@ -10,9 +10,9 @@
 
 namespace touchstone::sph {
 
-/// A method derives from it as `Method`, sums over pairs of `Record`s, and offers find<of_density, of_velocity>(time,
+/// A method derives from it as `Method`, sums over pairs of `Packed`s, and offers find<of_density, of_velocity>(time,
 /// lap), which finds the rates of change that an integrator asks for.
-template <class Method, class Kernel, class Integrator, class Record, class FluidLaw, class Force>
+template <class Method, class Kernel, class Integrator, class Packed, class FluidLaw, class Force>
 class Simulation : public Clock {
  public:
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
@@ -66,13 +66,12 @@ class Simulation : public Clock {
     if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
     lap(SubStep::rates);
   }
-  Slope<Kernel> slope() const { return Slope<Kernel>(smoothing_length()); }
   double smoothing_length() const { return settings_.smoothing_length; }  // m  h
   int threads() const { return settings_.threads; }
 
   Scene<FluidLaw, Force> scene_;
   Settings settings_;
-  Neighbourhood<Record> near_;
+  Neighbourhood<Packed> near_;
 
  private:
   friend Integrator;

@@ -1,13 +1,11 @@
-#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/free_surface/surroundings.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
-#include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
-#include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
 
@@ -24,17 +22,16 @@ constexpr Newtonian water{{.density = 1000, .bulk_modulus = 143}, 1e-3};
 const Box box{.high = {width, height}};
 const Domain channel{.box = box, .periodic_x = true};
 const std::vector<Wall> plates = {floor_at(0, no_slip()), ceiling_at(height, no_slip({1, 0}))};
-const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 5 * us};
 
 auto terms() {
   return momentum(Pressure{}, LaminarViscosity{.nu = 1e-6, .eta = 0.1 * h},
                   ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h});
 }
 
-using Near = Neighbourhood<Record<double>>;
-using Single = One<Record<double>>;
+using Near = Neighbourhood<Packed<double>>;
+using Single = One<Packed<double>>;
 
-/// Writes the records of the fluid from its fields and the pressures [Pa] given.
+/// Packs the fluid from its fields and the pressures [Pa] given.
 void see(Near& near, const Scalars& pressure) {
   for (Index i = 0; i < near.all.fluid; ++i) {
     near.seen[i].stand_at(near.all.x[i], near.all.y[i]);
@@ -89,7 +86,7 @@ Pair<double> pair_at(const Near& near, Index i, Index j) {
   return pair_of(Single{near.seen.data(), i}, Single{near.seen.data(), j}, near.all.mass, Slope<CubicSpline>(h));
 }
 
-TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondTheSeam) {
+TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondThePeriodicBoundary) {
   const Near near = disordered(channel, plates);
   const Particles& all = near.all;
   ASSERT_GT(all.images, 0);
@@ -225,115 +222,6 @@ TEST(Ghosts, CountIsThatOfThePaperInTheChannel) {
   EXPECT_EQ(layout.ghosts.size() + layout.on_walls.size(), 120u);  // Sun et al., table 2, S1
 }
 
-const Scene<Newtonian, Uniform> falling{.domain = channel,
-                                        .fluid = water,
-                                        .filled = box,
-                                        .walls = {floor_at(0, free_slip()), ceiling_at(height, free_slip())},
-                                        .body_force = {{8e-3, 0}}};
-
-TEST(Printed, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
-  auto solver = printed<CubicSpline>(falling, settings, terms());
-  for (int k = 0; k < 400; ++k) solver.step();
-  const Samples samples = solver.samples();
-  EXPECT_NEAR(samples.v.row(0).minCoeff(), 8e-3 * solver.time(), 1e-12);
-  EXPECT_NEAR(samples.v.row(0).maxCoeff(), 8e-3 * solver.time(), 1e-12);
-}
-
-TEST(TransportVelocity, FluidBetweenSlippingWallsFallsFreelyAcrossTheSeam) {
-  auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us},
-                                                  momentum(PressureDifference{}, MorrisViscosity{1e-3}));
-  for (int k = 0; k < 100; ++k) solver.step();  // before the square lattice turns into a denser one
-  const Samples samples = solver.samples();
-  EXPECT_NEAR(samples.v.row(0).minCoeff(), 8e-3 * solver.time(), 1e-9);
-  EXPECT_NEAR(samples.v.row(0).maxCoeff(), 8e-3 * solver.time(), 1e-9);
-}
-
-TEST(Printed, StillWaterStaysStill) {
-  const Scene<Newtonian> still{.domain = channel,
-                               .fluid = water,
-                               .filled = box,
-                               .walls = {floor_at(0, no_slip()), ceiling_at(height, no_slip())}};
-  auto solver = printed<CubicSpline>(still, settings, terms());
-  for (int k = 0; k < 200; ++k) solver.step();
-  EXPECT_LT(solver.samples().v.cwiseAbs().maxCoeff(), 1e-12);
-}
-
-TEST(TransportVelocity, TwoRunsAreBitEqual) {
-  const Scene<Newtonian, Uniform> scene{
-      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {{8e-3, 0}}};
-  const auto run = [&] {
-    auto solver = transport_velocity<QuinticSpline>(scene, {spacing, spacing, 5 * us},
-                                                    momentum(PressureDifference{}, MorrisViscosity{1e-3}));
-    for (int k = 0; k < 300; ++k) solver.step();
-    return solver.samples();
-  };
-  const Samples first = run(), second = run();
-  EXPECT_EQ(first.x, second.x);
-  EXPECT_EQ(first.v, second.v);
-}
-
-TEST(TransportVelocity, KeepsTheVolumeOfItsFluid) {
-  auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us},
-                                                  momentum(PressureDifference{}, MorrisViscosity{1e-3}));
-  for (int k = 0; k < 300; ++k) solver.step();
-  EXPECT_NEAR(solver.samples().volumes().sum(), width * height, 1e-12 * width * height);
-}
-
-TEST(Printed, RefusesAPeriodShorterThanItsListsAndWallsOffTheDomain) {
-  Scene<Newtonian, Uniform> narrow = falling;
-  narrow.domain.box.high.x() = narrow.filled.high.x() = 2 * spacing;
-  EXPECT_THROW(printed<CubicSpline>(narrow, settings, terms()), std::invalid_argument);
-  Scene<Newtonian, Uniform> raised = falling;
-  raised.walls[0].position = 0.1 * height;
-  EXPECT_THROW(printed<CubicSpline>(raised, settings, terms()), std::invalid_argument);
-}
-
-TEST(Printed, TwoRunsAreBitEqual) {
-  const Scene<Newtonian, Uniform> scene{
-      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {{8e-3, 0}}};
-  const auto run = [&] {
-    auto solver = printed<CubicSpline>(scene, settings, terms());
-    for (int k = 0; k < 300; ++k) solver.step();
-    return solver.samples();
-  };
-  const Samples first = run(), second = run();
-  EXPECT_EQ(first.x, second.x);
-  EXPECT_EQ(first.v, second.v);
-  EXPECT_TRUE((first.density == second.density).all());
-}
-
-/// A force that is no number for one particle from a time on.
-struct Poison {
-  Vec2 at;
-  double from;  // s
-  Vec2 operator()(const Vec2& x, double time) const {
-    return time >= from && (x - at).norm() < 0.2 * spacing ? Vec2(0, std::nan("")) : Vec2(0, 0);
-  }
-};
-
-TEST(Printed, AParticleThatIsNoNumberIsNamedWithItsStep) {
-  const Vec2 at(3.5 * spacing, 4.5 * spacing);  // column 3 of row 4: number 4 * 16 + 3
-  const Scene<Newtonian, Poison> scene{
-      .domain = channel, .fluid = water, .filled = box, .walls = plates, .body_force = {at, 20 * us}};
-  auto solver = printed<CubicSpline>(scene, settings, terms());
-  try {
-    for (int k = 0; k < 100; ++k) solver.step();
-    FAIL() << "expected Diverged";
-  } catch (const Diverged& diverged) {
-    EXPECT_EQ(diverged.fault.particle, 67);
-    EXPECT_EQ(diverged.fault.step, 5);  // poisoned in the step from 20 us on, which is the fifth
-    EXPECT_TRUE(std::isnan(diverged.fault.value));
-  }
-}
-
-TEST(Printed, RefusesSettingsThatAreNoNumbersOfTheirKind) {
-  const auto make = [](Settings bad) { return printed<CubicSpline>(falling, bad, terms()); };
-  EXPECT_THROW(make({-spacing, h, 5 * us}), std::invalid_argument);
-  EXPECT_THROW(make({spacing, 0, 5 * us}), std::invalid_argument);
-  EXPECT_THROW(make({spacing, h, std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(make({10 * mm, h, 5 * us}), std::invalid_argument);  // larger than the box
-}
-
 TEST(Repulsion, PushesOnlyFluidThatCameCloserAndEvenlyAlongTheWall) {
   const SoftRepulsion<1> term{.sound_speed = 1, .spacing = spacing};
   const auto push_at = [&](double x, double y) {
@@ -360,6 +248,125 @@ TEST(RestoreDensity, KeepsAConstantDensityAlsoAtASurface) {
   restore_density<CubicSpline>(near, h);
   EXPECT_NEAR(near.all.rho.minCoeff(), 1000, 1e-9);
   EXPECT_NEAR(near.all.rho.maxCoeff(), 1000, 1e-9);
+}
+
+TEST(Walls, RefuseFluidThatStartsOnThem) {
+  const Vectors places{{0.5, 0.3}, {0.2, 0.004}};
+  const std::vector<Wall> walls = {floor_at(0, [](const NearWall& near) { return near.v; })};
+  EXPECT_NO_THROW(require_off_walls(places, walls, 0.04));
+  try {
+    require_off_walls(places, walls, 0.05);
+    FAIL();
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "sph: particle 1 starts at (0.3, 0.004) m, 0.004 m from a wall, expected at least 0.005 m");
+  }
+}
+
+TEST(Images, StandBeyondBothPeriodicBoundariesAndBeyondTheCorner) {
+  Particles all;
+  all.fluid = 3;
+  all.x = Scalars{{0.1, 0.5, 0.9, 0}};
+  all.y = Scalars{{0.1, 0.5, 0.5, 0}};
+  Images images;
+  images.choose(all, {.box = {.high = {1, 1}}, .periodic_x = true, .periodic_y = true}, 0.2);
+  ASSERT_EQ(all.images, 4);  // three of the one in the corner, one of that near the right edge
+  std::vector<std::pair<double, double>> places;
+  for (Index k = 0; k < 4; ++k) places.emplace_back(all.x[3 + k], all.y[3 + k]);
+  EXPECT_EQ(places, (std::vector<std::pair<double, double>>{{1.1, 0.1}, {0.1, 1.1}, {1.1, 1.1}, {0.9 - 1, 0.5}}));
+}
+
+TEST(Precision, SinglePrecisionKeepsItsDigitsFarFromTheOrigin) {
+  const auto distance_at = [](double x) {
+    std::array<Packed<float>, 2> seen{};
+    seen[0].stand_at(x, -x);
+    seen[1].stand_at(x + spacing, -x);
+    return double{distance(One<Packed<float>>{seen.data(), 0}, One<Packed<float>>{seen.data(), 1})};
+  };
+  for (const double x : {0.0, 0.1, 10.0}) EXPECT_NEAR(distance_at(x), spacing, 2e-7 * spacing) << x << " m";
+}
+
+/// Sums of all terms for fluid in disorder, `width` particles side by side.
+template <int width>
+Vectors accelerations() {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-1, 1);
+  Particles all;
+  all.fluid = 400;
+  all.mass = 1000 * spacing * spacing;
+  all.x.resize(401);
+  all.y.resize(401);
+  std::vector<Packed<double>> seen(401);
+  for (Index i = 0; i <= 400; ++i) {
+    const double far = i < 400 ? 0 : 1;  // m  the last is nowhere
+    all.x[i] = far + (static_cast<double>(i % 20) + 0.2 * jitter(random)) * spacing;
+    all.y[i] = far + (static_cast<double>(i / 20) + 0.2 * jitter(random)) * spacing;
+    seen[i].stand_at(all.x[i], all.y[i]);
+    seen[i].move(jitter(random), jitter(random));
+    seen[i].set_state(1000 + jitter(random), jitter(random));
+  }
+  NeighbourLists<width> lists;
+  const Cells cells(all.x, all.y, all.fluid, 2 * h, [](Index) { return true; });
+  fill(lists, all, cells, 0, all.fluid, 2 * h, true, 1, [](int) { return true; });
+  Vectors a(2, all.fluid);
+  sum_over_neighbours<2>(
+      lists, seen,
+      [&, terms = terms()](const auto& i, const auto& j) {
+        auto ij = pair_of(i, j, all.mass);
+        const auto pull = terms.on(ij, Slope<CubicSpline>(h));
+        return std::array{pull.x, pull.y};
+      },
+      [&](Index i, const std::array<double, 2>& sums) { a.col(i) = Vec2(sums[0], sums[1]); });
+  return a;
+}
+
+TEST(Lanes, HowManyThereAreDoesNotChangeTheSums) {
+  const Vectors two = accelerations<2>();
+  const double rounding = 1e-13 * two.norm();  // compilers fuse products and sums of long registers otherwise
+  EXPECT_GT(two.norm(), 0);
+  EXPECT_LT((accelerations<4>() - two).norm(), rounding);
+  EXPECT_LT((accelerations<8>() - two).norm(), rounding);
+}
+
+/// Any two fields that stand side by side, of `width` particles in disorder.
+template <class Number, int width>
+void expect_lanes_to_hold_fields() {
+  using Packed = Surroundings<Number>;
+  using Field = Number Packed::*;
+  std::vector<Packed> seen(2 * width);
+  Number next = 0;
+  const std::array<Field, 6> firsts{&Packed::vx,          &Packed::rho,  &Packed::volume,
+                                    &Packed::rho_along_x, &Packed::l_xx, &Packed::l_yy},
+      seconds{&Packed::vy, &Packed::push, &Packed::p, &Packed::rho_along_y, &Packed::l_xy, &Packed::fullness};
+  for (Packed& of : seen) {
+    of.stand_at(next, -next);
+    for (const auto& fields : {firsts, seconds})
+      for (const Field field : fields) of.*field = next += 1;
+  }
+  std::array<int, width> which;
+  for (int lane = 0; lane < width; ++lane) which[lane] = (5 * lane + 3) % (2 * width);
+  const Row<Packed, width> row{seen.data(), which.data()};
+  const auto places = row.two(&Packed::x);
+  for (int lane = 0; lane < width; ++lane) {
+    EXPECT_EQ(places[0][lane], seen[which[lane]].x) << "lane " << lane << " of " << width;
+    EXPECT_EQ(places[1][lane], seen[which[lane]].y) << "lane " << lane << " of " << width;
+  }
+  for (std::size_t k = 0; k < firsts.size(); ++k) {
+    const auto two = row.two(firsts[k]);
+    for (int lane = 0; lane < width; ++lane) {
+      EXPECT_EQ(two[0][lane], seen[which[lane]].*firsts[k]) << "field " << k << ", lane " << lane << " of " << width;
+      EXPECT_EQ(two[1][lane], seen[which[lane]].*seconds[k]) << "field " << k << ", lane " << lane << " of " << width;
+    }
+  }
+}
+
+TEST(Lanes, HoldTheFieldsOfTheirParticles) {
+  expect_lanes_to_hold_fields<double, 2>();
+  expect_lanes_to_hold_fields<double, 4>();
+  expect_lanes_to_hold_fields<double, 8>();
+  expect_lanes_to_hold_fields<float, 4>();
+  expect_lanes_to_hold_fields<float, 8>();
+  expect_lanes_to_hold_fields<float, 16>();
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ Case vnv::the_case() {
       .times = {end},
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
       .methods = {with_ladder(coarse_levels, mpm_as_printed(scene, output_interval), {no_worse_than(33)}),
+                  with_ladder(coarse_levels, mpm_gimp(scene, output_interval), {no_worse_than(24)}),
                   with_ladder(coarse_levels, mpm_affine(scene, output_interval), {no_worse_than(15)}),
                   with_ladder(finer_levels, mpm_least_squares(scene, output_interval),
                               {of_second_order(l2_velocity, "fits and differences of second order")}),

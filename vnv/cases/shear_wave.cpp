@@ -39,6 +39,8 @@ Case vnv::the_case() {
        .watch = kinetic_energy_every(0.02),
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
+                   with_ladder(levels, mpm_gimp(scene, output_interval),
+                               {of_second_order("linear shape functions, averaged over particles that stay in rows")}),
                    with_ladder(levels, mpm_affine(scene, output_interval)),
                    with_ladder(finer_levels, mpm_least_squares(scene, output_interval),
                                {of_second_order("fits and differences")}),

@@ -27,6 +27,10 @@ auto by_spacings(const AnyScene& scene, double courant, double output_interval) 
 template <class AnyScene>
 Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant = 0.5);
 
+/// Of viscous scenes, as printed but for the shape functions.
+template <class AnyScene>
+Method mpm_gimp(const AnyScene& scene, double output_interval, double courant = 0.5);
+
 template <class AnyScene>
 Method mpm_affine(const AnyScene& scene, double output_interval, double courant = 0.8);
 

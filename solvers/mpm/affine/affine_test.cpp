@@ -1,14 +1,20 @@
 #include "solvers/mpm/affine/affine.hpp"
+
+#include "solvers/mpm/start_tests.hpp"
 #include "solvers/mpm/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
-
-#include <gtest/gtest.h>
 
 #include <limits>
 
 namespace touchstone::mpm {
 namespace {
+
+struct AffineMethod {
+  static double left_by_damping(double k_cell, int steps) { return std::exp(-std::pow(k_cell, 4) / 40 * steps); }
+  static auto solver(const Scene<Newtonian>& scene, const Settings& settings) { return affine(scene, settings); }
+};
+INSTANTIATE_TYPED_TEST_SUITE_P(Affine, MpmStart, AffineMethod);
 
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.04, .time_step = 4e-3};
 
@@ -32,9 +38,9 @@ void expect_same_bits(const Samples& a, const Samples& b) {
 }
 
 TEST(Affine, KeepsItsMomentumWithoutWalls) {
-  auto spinning = affine(drop(Blow{[](const Vec2& x) -> Vec2 {
+  auto spinning = affine(drop(blow([](const Vec2& x) -> Vec2 {
                            return {40 * x.y() * x.y(), 30 * x.x()};
-                         }}),
+                         })),
                          {.cell = 0.1, .spacing = 0.04, .time_step = 0.01});
   spinning.step();
   const auto momentum = [](const Samples& s) -> Vec2 { return s.v * s.mass.matrix(); };
@@ -45,7 +51,7 @@ TEST(Affine, KeepsItsMomentumWithoutWalls) {
   EXPECT_GT(end.pressure.abs().maxCoeff(), 1);  // Pa: forces have been at work
 }
 
-TEST(Affine, CarriesAUniformFlowAcrossTheSeam) {
+TEST(Affine, CarriesAUniformFlowAcrossThePeriodicBoundary) {
   Scene<Tait, Uniform> stream{.domain = {.box = {.high = {0.7, 0.5}}, .periodic_x = true},
                               .fluid = soft_water,
                               .filled = {.high = {0.7, 0.5}},
@@ -65,10 +71,11 @@ TEST(Affine, CarriesAUniformFlowAcrossTheSeam) {
 }
 
 TEST(Affine, LeavesStillWaterStill) {
-  Scene<Tait> pond{.domain = {.box = {.high = {1, 1}}},
-                   .fluid = soft_water,
-                   .filled = {.high = {1, 0.5}},
-                   .walls = {floor_at(0, free_slip()), left_at(0, no_slip()), right_at(1, free_slip())}};
+  Scene<Tait, Uniform> pond{.domain = {.box = {.high = {1, 1}}},
+                            .fluid = soft_water,
+                            .filled = {.high = {1, 0.5}},
+                            .walls = {floor_at(0, free_slip()), left_at(0, no_slip()), right_at(1, free_slip())},
+                            .body_force = {{0, 0}}};
   auto still = affine(pond, {.cell = 0.1, .spacing = 0.04, .time_step = 0.01});
   const Samples start = still.samples();
   run(still, 10);
@@ -129,11 +136,11 @@ TEST(Affine, RerunsBitByBitOnAnyNumberOfThreads) {
 
 TEST(Affine, NamesTheParticleThatWasSpoilt) {
   // In one step number 99 spoils two cells on every side.
-  expect_stop_of_spoilt(affine(drop(Spoilt{}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
+  expect_stop_of_spoilt(affine(drop(spoilt()), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
 }
 
 TEST(Affine, DiagnosesACollapse) {
-  auto squeezed = affine(drop(Blow{[](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); }}),
+  auto squeezed = affine(drop(blow([](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); })),
                          {.cell = 0.1, .spacing = 0.1, .time_step = 0.05});
   EXPECT_THROW(run(squeezed, 20), Diverged);
 }
@@ -150,6 +157,260 @@ TEST(Affine, RefusesAWallOffTheGridAndSettingsThatAreNotPositive) {
   Settings threadless = plates_settings;
   threadless.threads = 0;
   EXPECT_THROW(affine(plates(), threadless), std::invalid_argument);
+}
+
+// The fast transfer against a plain loop over particles and their nine nodes.
+
+Mat2 stress_of(const Tait& fluid, const Mat2&, double rho) { return -fluid.pressure(rho) * Mat2::Identity(); }
+Mat2 stress_of(const Newtonian& fluid, const Mat2& gradient, double rho) {
+  const Mat2 rate = (gradient + gradient.transpose()) / 2;
+  const Mat2 deviatoric = rate - rate.trace() / 3 * Mat2::Identity();
+  return 2 * fluid.viscosity * deviatoric - fluid.pressure(rho) * Mat2::Identity();
+}
+
+/// What the image of a particle behind a wall does with a velocity: `keeps` of it and `adds` to it.
+struct PlainMirror {
+  int axis, ghosts, inner;
+  Vec2 keeps, adds;
+
+  Vec2 image(const Vec2& v) const { return keeps.cwiseProduct(v) + adds; }
+};
+
+/// The textbook loop, on as many nodes as there are cells and a ring of ghosts.
+template <class FluidLaw>
+struct Plain {
+  struct Particle {
+    Vec2 x, v;
+    Mat2 C, stress;
+    double mass, rho;
+  };
+  struct Node {
+    double mass = 0;
+    Vec2 momentum = Vec2::Zero(), v = Vec2::Zero();
+  };
+
+  Scene<FluidLaw, ForceField> scene;
+  int columns, rows;
+  double dt;
+  std::vector<PlainMirror> mirrors;
+  std::vector<Particle> particles{};
+  std::vector<Node> nodes{};
+  int steps = 0;
+
+  Vec2 cell() const { return scene.domain.box.size().cwiseQuotient(Vec2(columns, rows)); }
+  Node& node(int column, int row) { return nodes[row * (columns + 2) + column]; }
+
+  /// Calls f(node, w_ip, x_i - x_p) for the nine nodes of a place.
+  template <class F>
+  void for_nodes(const Vec2& x, const F& f) {
+    const Vec2 places = x.cwiseQuotient(cell());
+    const int column = static_cast<int>(places.x()), row = static_cast<int>(places.y());
+    for (int j : {0, 1, 2})
+      for (int i : {0, 1, 2}) {
+        const Vec2 arm(column + i - 0.5 - places.x(), row + j - 0.5 - places.y());
+        f(node(column + i, row + j),
+          QuadraticBSpline::weight(i, places.x() - column) * QuadraticBSpline::weight(j, places.y() - row),
+          arm.cwiseProduct(cell()).eval());
+      }
+  }
+
+  /// Calls f(ghost, inner node, mirror) for the ghosts behind a wall.
+  template <class F>
+  void for_ghosts(const PlainMirror& mirror, const F& f) {
+    for (int k = 0; k < (mirror.axis == 0 ? rows : columns) + 2; ++k)
+      mirror.axis == 0 ? f(node(mirror.ghosts, k), node(mirror.inner, k))
+                       : f(node(k, mirror.ghosts), node(k, mirror.inner));
+  }
+
+  void step() {
+    nodes.assign((columns + 2) * (rows + 2), Node{});
+    const Vec2 spread = cell().cwiseProduct(cell()) / 4;
+    for (const Particle& p : particles)
+      for_nodes(p.x, [&](Node& to, double w, const Vec2& arm) {
+        const Vec2 force = -p.mass / p.rho * p.stress * arm.cwiseQuotient(spread);
+        to.mass += p.mass * w;
+        to.momentum += w * (p.mass * (p.v + p.C * arm + dt * scene.body_force(p.x, steps * dt)) + dt * force);
+      });
+    for (const PlainMirror& mirror : mirrors)
+      for_ghosts(mirror, [&](Node& ghost, Node& inner) {
+        if (ghost.mass == 0) return;
+        inner.mass += ghost.mass;
+        inner.momentum += ghost.mass * mirror.image(ghost.momentum / ghost.mass);
+      });
+    for (Node& each : nodes)
+      if (each.mass > 0) each.v = each.momentum / each.mass;
+    for (auto mirror = mirrors.rbegin(); mirror != mirrors.rend(); ++mirror)
+      for_ghosts(*mirror, [&](Node& ghost, Node& inner) { ghost.v = mirror->image(inner.v); });
+    for (Particle& p : particles) {
+      p.v.setZero();
+      p.C.setZero();
+      for_nodes(p.x, [&](Node& from, double w, const Vec2& arm) {
+        p.v += w * from.v;
+        p.C += w * from.v * arm.cwiseQuotient(spread).transpose();
+      });
+      p.x += dt * p.v;
+      p.rho /= 1 + dt * p.C.trace();
+      p.stress = stress_of(scene.fluid, p.C, p.rho);
+      const double L = scene.domain.box.high.x();
+      if (scene.domain.periodic_x) p.x.x() -= L * std::floor(p.x.x() / L);
+    }
+    ++steps;
+  }
+};
+
+template <class Number, class FluidLaw>
+void expect_equal_runs(const Scene<FluidLaw, ForceField>& scene, const Settings& settings, int steps,
+                       const std::vector<PlainMirror>& mirrors, double tolerance) {
+  auto fast = affine<Number>(scene, settings);
+  const Vec2 cells = scene.domain.box.size().cwiseQuotient(fast.cell_size());
+  Plain<FluidLaw> plain{scene, static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y())),
+                        settings.time_step, mirrors};
+  const Samples start = fast.samples();
+  for (int p = 0; p < start.size(); ++p)
+    plain.particles.push_back(
+        {start.x.col(p), Vec2::Zero(), Mat2::Zero(), Mat2::Zero(), start.mass[p], start.density[p]});
+  for (int step = 0; step < steps; ++step) {
+    fast.step();
+    plain.step();
+  }
+
+  const Samples end = fast.samples();
+  const double fastest = end.v.colwise().norm().maxCoeff();
+  ASSERT_GT(fastest * settings.time_step * steps, fast.cell_size().x());  // cells have been crossed
+  for (int p = 0; p < end.size(); ++p) {
+    EXPECT_LT((end.x.col(p) - plain.particles[p].x).norm(), tolerance * fast.cell_size().x()) << p;
+    EXPECT_LT((end.v.col(p) - plain.particles[p].v).norm(), tolerance * fastest) << p;
+    EXPECT_NEAR(end.density[p], plain.particles[p].rho, tolerance * scene.fluid.density) << p;
+  }
+}
+
+const Vec2 none = Vec2::Zero();
+
+const Scene<Newtonian, ForceField> channel{
+    .domain = {.box = {.high = {0.6, 0.5}}, .periodic_x = true},
+    .fluid = {{.density = 1000, .bulk_modulus = 143}, 20},
+    .filled = {.high = {0.6, 0.5}},
+    .walls = {floor_at(0, no_slip()), ceiling_at(0.5, no_slip({0.5, 0}))},
+    .body_force = stirring({0.6, 0.5}, 2),
+};
+const std::vector<PlainMirror> channel_mirrors{
+    {0, 0, 6, {1, 1}, none}, {0, 7, 1, {1, 1}, none}, {1, 0, 1, {-1, -1}, none}, {1, 6, 5, {-1, -1}, {1, 0}}};
+
+TEST(AffineTransfer, EqualsThePlainLoopForAViscousFluidAcrossThePeriodicBoundary) {
+  for (double spacing : {0.1, 0.05, 0.1 / 3, 0.025})
+    expect_equal_runs<double>(channel, {.cell = 0.1, .spacing = spacing, .time_step = 5e-3}, 100, channel_mirrors,
+                              1e-9);
+}
+
+TEST(AffineTransfer, IsThatInSinglePrecisionButForRounding) {
+  expect_equal_runs<float>(channel, {.cell = 0.1, .spacing = 0.05, .time_step = 5e-3}, 100, channel_mirrors, 1e-4);
+}
+
+TEST(AffineTransfer, EqualsThePlainLoopForAnInviscidFluidInACorner) {
+  const Scene<Tait, ForceField> heap{
+      .domain = {.box = {.high = {1.2, 0.9}}},
+      .fluid = {.density = 1000, .bulk_modulus = 2000},
+      .filled = {.high = {0.45, 0.6}},
+      .walls = {left_at(0, free_slip()), floor_at(0, free_slip())},
+      .body_force = stirring({0.8, 0.7}, 3),
+  };
+  expect_equal_runs<double>(heap, {.cell = 0.1, .spacing = 0.03, .time_step = 2e-3}, 150,
+                            {{0, 0, 1, {-1, 1}, none}, {1, 0, 1, {1, -1}, none}}, 1e-9);
+}
+
+/// Particles of mass 1 in a box of 6 x 5 cells, on their own: nothing but the transfer acts on them.
+struct Alone {
+  static constexpr double time_step = 1e-3;  // s
+  const Scene<Tait> scene{.domain = {.box = {.high = {1.2, 0.5}}},
+                          .fluid = {.density = 1000, .bulk_modulus = 1e-200},
+                          .filled = {{0.2, 0.1}, {1, 0.4}}};
+  const Grid grid{scene.domain, 0.1};
+  const Tait fluid = scene.fluid;
+  AffineParticles<> particles = at_rest<AffineParticles<>>(scene, 0.03, grid);
+  CentreNodes nodes{grid, lanes};
+  std::vector<char> calm{};
+
+  Alone() { nodes.list_near(particles.order); }
+
+  /// Gives each particle a velocity, and how it changes over a cell along x and along y.
+  template <class V>
+  void set(const V& velocity) {
+    particles.order.for_each([&](int cell, int slot) {
+      const Vec2 x = grid.place(cell, particles.X[slot], particles.Y[slot]);
+      const auto [v, C] = velocity(x);
+      particles.x.v[slot] = v.x();
+      particles.y.v[slot] = v.y();
+      const Mat2 per_cell = C * grid.cell.asDiagonal() / 4;
+      particles.x.along_x[slot] = per_cell(0, 0);
+      particles.x.along_y[slot] = per_cell(0, 1);
+      particles.y.along_x[slot] = per_cell(1, 0);
+      particles.y.along_y[slot] = per_cell(1, 1);
+    });
+  }
+
+  void to_nodes() {
+    scatter(particles, 1, nodes);
+    nodes.collect(Vec2::Zero(), 1);
+    nodes.find_velocities(1);
+  }
+  void to_particles() { gather(nodes, grid, fluid, time_step, 1, particles, calm); }
+
+  /// Momentum and angular momentum: x, y, around the origin.
+  Eigen::Vector3d momenta_of_particles() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    particles.order.for_each([&](int cell, int slot) {
+      const Vec2 x = grid.place(cell, particles.X[slot], particles.Y[slot]);
+      const double vx = particles.x.v[slot], vy = particles.y.v[slot];
+      const double spin = grid.cell.x() * particles.y.along_x[slot] - grid.cell.y() * particles.x.along_y[slot];
+      sum += Eigen::Vector3d(vx, vy, x.x() * vy - x.y() * vx + spin);
+    });
+    return sum;
+  }
+  Eigen::Vector3d momenta_of_nodes() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int first : nodes.near())
+      for (int node = first; node < first + lanes; ++node) {
+        const Vec2 x = (Vec2(node % nodes.stride, node / nodes.stride).array() - 0.5).matrix().cwiseProduct(grid.cell);
+        const Vec2 p = nodes.momentum[node];
+        sum += Eigen::Vector3d(p.x(), p.y(), x.x() * p.y() - x.y() * p.x());
+      }
+    return sum;
+  }
+};
+
+TEST(AffineTransfer, KeepsMassMomentumAndAngularMomentum) {
+  Alone drop;
+  drop.set([](const Vec2& x) {
+    return std::pair{Vec2(std::sin(9 * x.y()), x.x() * x.x()), Mat2{{0.3, -2 * x.y()}, {x.x(), 0.7}}};
+  });
+  const Eigen::Vector3d start = drop.momenta_of_particles();
+  drop.to_nodes();
+  double mass = 0;
+  for (int first : drop.nodes.near())
+    for (int node = first; node < first + lanes; ++node) mass += drop.nodes.mass[node];
+  EXPECT_NEAR(mass, static_cast<double>(drop.particles.count), 1e-11 * mass);
+  EXPECT_LT((drop.momenta_of_nodes() - start).norm(), 1e-12 * start.norm());
+  drop.to_particles();
+  EXPECT_LT((drop.momenta_of_particles() - start).norm(), 1e-12 * start.norm());
+  EXPECT_GT(std::abs(start.z()), 1);
+}
+
+TEST(AffineTransfer, LeavesAnAffineFlowAsItIs) {
+  Alone drop;
+  const Mat2 C{{0.4, -3}, {2, -0.9}};
+  const auto flow = [&](const Vec2& x) { return std::pair{Vec2(Vec2(0.5, -2) + C * x), C}; };
+  drop.set(flow);
+  const AffineParticles<> start = drop.particles;
+  drop.to_nodes();
+  drop.to_particles();
+  start.order.for_each([&](int cell, int slot) {
+    const Vec2 v = flow(drop.grid.place(cell, start.X[slot], start.Y[slot])).first;
+    EXPECT_NEAR(drop.particles.x.v[slot], v.x(), 1e-11);
+    EXPECT_NEAR(drop.particles.y.v[slot], v.y(), 1e-11);
+    EXPECT_NEAR(drop.particles.x.along_y[slot], start.x.along_y[slot], 1e-11);
+    EXPECT_NEAR(drop.particles.y.along_x[slot], start.y.along_x[slot], 1e-11);
+    EXPECT_NEAR(drop.particles.expansion[slot], Alone::time_step * C.trace(), 1e-11);
+  });
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "solvers/mpm/cell_order.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
-#include "solvers/threads.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +53,7 @@ class CentreNodes {
 
   /// Adds up what the nodes were given; `push` is a change of velocity [m/s] that all of them feel.
   void collect(const Vec2& push, int threads) {
-    for_near(threads, [&](int node) {
+    for_near(near_, threads, [&](int node) {
       const auto sum = [&](Field<double> Shares<Field<double>>::*what) -> Lanes {
         return load<Lanes>(&(given_[0].*what)[node]) + load<Lanes>(&(given_[1].*what)[node]) +
                load<Lanes>(&(given_[2].*what)[node]);
@@ -67,7 +66,7 @@ class CentreNodes {
   }
 
   void find_velocities(int threads) {
-    for_near(threads, [&](int node) {
+    for_near(near_, threads, [&](int node) {
       const Lanes m = load<Lanes>(&mass[node]);
       const auto moves = m > fill<Lanes>(Nodes::least_mass);
       const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
@@ -96,13 +95,6 @@ class CentreNodes {
   }
 
  private:
-  template <class Work>
-  void for_near(int threads, const Work& work) const {
-    share_out(threads, static_cast<Eigen::Index>(near_.size()), [&](Eigen::Index begin, Eigen::Index end) {
-      for (Eigen::Index i = begin; i < end; ++i) work(near_[i]);
-    });
-  }
-
   /// Of the ghosts below the first row of cells and above the last, and of the nodes in these.
   void add_images_of_rows() {
     const std::vector<int> nodes = near_;

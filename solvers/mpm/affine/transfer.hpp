@@ -19,20 +19,13 @@ class GivenToRow {
   /// `shares` by column of nodes around the cells from `column` on.
   void give(int column, const std::array<Shares<Lanes>, 3>& shares) {
     const auto sum = [&](Lanes Shares<Lanes>::*of) -> Lanes {
-      return shares[0].*of + moved<1>(waiting_[0].*of, shares[1].*of) + moved<2>(waiting_[1].*of, shares[2].*of);
+      return shares[0].*of + shifted<1>(waiting_[0].*of, shares[1].*of) + shifted<2>(waiting_[1].*of, shares[2].*of);
     };
     nodes_.give(towards_, first_ + column, {sum(&Shares<Lanes>::mass), sum(&Shares<Lanes>::x), sum(&Shares<Lanes>::y)});
     waiting_ = {shares[1], shares[2]};
   }
 
  private:
-  /// Lanes to the right: the last of `before`, then all but the last of `these`.
-  template <int by>
-  static Lanes moved(const Lanes& before, const Lanes& these) {
-    return with_indices<lanes>(
-        [&](auto... i) -> Lanes { return __builtin_shufflevector(before, these, lanes - by + decltype(i)::value...); });
-  }
-
   CentreNodes& nodes_;
   int towards_, first_;
   std::array<Shares<Lanes>, 2> waiting_{};  // for the nodes at the cells, and right of them

@@ -1,5 +1,5 @@
 #pragma once
-/// The material point method made of parts that are chosen by type: shape, transfer, density, walls. Plain loops over
+/// The material point method made of parts that are chosen by type: shape, transfer, density. Plain loops over
 /// particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
 
 #include "solvers/mpm/composed/densities/carried_density.hpp"
@@ -9,10 +9,10 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Shape` ties particles to nodes, `Transfer` says what velocities they give and take,
-/// `Density` how that follows the flow, and `WallTreatment` how a wall's answer reaches the particles. Explicit Euler,
-/// lumped mass; all weights of a step are those of the places at its start.
-template <class Shape, class Transfer, class Density, class WallTreatment, class FluidLaw, class Force>
+/// One simulation of a scene. `Shape` ties particles to nodes, `Transfer` says what velocities they give and take, and
+/// `Density` how that follows the flow. Walls prescribe the motion of their nodes. Explicit Euler, lumped mass; all
+/// weights of a step are those of the places at its start.
+template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 class Composed : public Simulation<FluidLaw, Force> {
   using Base = Simulation<FluidLaw, Force>;
   using Base::grid_, Base::scene_, Base::threads_;
@@ -118,7 +118,8 @@ class Composed : public Simulation<FluidLaw, Force> {
       const int node = held->node;
       NodeAtWall at_wall{nodes_.start.col(node), nodes_.velocity.col(node), time(), time() + time_step(), steps() == 0,
                          held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held) WallTreatment::hold(scene_.walls[held->wall], at_wall);
+      for (; held < held_.end() && held->node == node; ++held)
+        PrescribedMotion::hold(scene_.walls[held->wall], at_wall);
       if (!nodes_.moves(node)) continue;
       nodes_.velocity.col(node) = at_wall.after;
       nodes_.change.col(node) = at_wall.after - at_wall.before;
@@ -133,32 +134,17 @@ class Composed : public Simulation<FluidLaw, Force> {
     particles_.expansion = Scalars::Zero(n);
     particles_.slopes.assign(n, Slopes<double>{});
     Vectors gradients = Vectors::Zero(2, n);  // 1/m  of the expansion
+    const auto expansion = [&](const Vec2& x) { return expansion_at(x, scene_.start, scene_.fluid); };
     if (!scene_.start.at_rest())
       for (Index p = 0; p < n; ++p) {
         const Beginning there = beginning_at(particles_.x.col(p), scene_.start, grid_, scene_.fluid);
         particles_.v.col(p) = there.v;
         particles_.expansion[p] = there.expansion;
         particles_.slopes[p] = there.of;
-        gradients.col(p) = expansion_gradient(particles_.x.col(p));
+        for (const int axis : {0, 1}) gradients(axis, p) = slope_along(axis, particles_.x.col(p), grid_, expansion);
       }
     transfer_.begin(particles_);
     density_.begin(particles_, gradients);
-  }
-
-  /// Of the start, by central differences over a thousandth of a cell, within the box [1/m].
-  Vec2 expansion_gradient(const Vec2& x) const {
-    Vec2 gradient;
-    for (const int axis : {0, 1}) {
-      const double reach = 1e-3 * grid_.cell[axis];
-      Vec2 from = x, to = x;
-      from[axis] = std::max(x[axis] - reach, grid_.box.low[axis]);
-      to[axis] = std::min(x[axis] + reach, grid_.box.high[axis]);
-      const auto expansion = [&](const Vec2& at) {
-        return scene_.fluid.density / scene_.fluid.density_at(scene_.start.pressure_at(at)) - 1;
-      };
-      gradient[axis] = (expansion(to) - expansion(from)) / (to[axis] - from[axis]);
-    }
-    return gradient;
   }
 
   /// Takes particles back across periodic boundaries. Throws Diverged for one that has left the domain or has no
@@ -192,10 +178,9 @@ class Composed : public Simulation<FluidLaw, Force> {
 };
 
 /// A simulation of a scene: `mpm::composed<mpm::BSpline<2>, mpm::Apic>(tank, {.cell = ...})`.
-template <class Shape, class Transfer, class Density = CarriedDensity, class WallTreatment = PrescribedMotion,
-          class FluidLaw, class Force>
+template <class Shape, class Transfer, class Density = CarriedDensity, class FluidLaw, class Force>
 auto composed(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Composed<Shape, Transfer, Density, WallTreatment, FluidLaw, Force>(scene, settings);
+  return Composed<Shape, Transfer, Density, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm

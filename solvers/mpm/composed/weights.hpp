@@ -49,22 +49,11 @@ class Weights {
   int columns() const { return along_[0].nodes(); }
   int rows() const { return along_[1].nodes(); }
   int nodes() const { return columns() * rows(); }
-  Index particles() const { return static_cast<Index>(near_.size()); }
 
   /// Of a node [m].
   Vec2 place(int node) const {
     return grid_.box.low +
            grid_.cell.cwiseProduct(Vec2(along_[0].place(node % columns()), along_[1].place(node / columns())));
-  }
-
-  int cells() const { return grid_.cells(); }
-  /// The cell in which a place lies [m].
-  int cell_of(const Vec2& place) const {
-    const auto along = [&](int axis, int count, bool periodic) {
-      const int cell = floor_of((place[axis] - grid_.box.low[axis]) / grid_.cell[axis]);
-      return periodic ? wrapped(cell, count) : std::clamp(cell, 0, count - 1);
-    };
-    return grid_.cell_at(along(0, grid_.columns, grid_.periodic_x), along(1, grid_.rows, grid_.periodic_y));
   }
 
   /// The nodes that alone carry what is at a wall. Throws std::invalid_argument if there are none: a wall off the grid,

@@ -11,7 +11,9 @@ namespace {
 constexpr Settings coarse{.cell = 0.1, .spacing = 0.05, .time_step = 1e-3};
 
 struct LeastSquaresMethod {
-  static auto solver(const auto& scene, const Settings& settings = coarse) { return least_squares(scene, settings); }
+  static auto solver(const auto& scene, const Settings& settings = coarse) {
+    return least_squares(as_one_kind(scene), settings);
+  }
 };
 
 Scene<Newtonian, Uniform> between_plates(const WallVelocity& low, const WallVelocity& high, const Start& start,
@@ -56,7 +58,7 @@ TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndBetweenThem) {
   }
 }
 
-TEST(FittedNodes, FindTheNearestNodeAcrossASeamAndInsideAWall) {
+TEST(FittedNodes, FindTheNearestNodeAcrossAPeriodicBoundaryAndInsideAWall) {
   const FittedNodes nodes(Grid({.box = {.high = {1, 1}}, .periodic_x = true}, 0.1));
   const NearNode across = nodes.near(1.98, 0.98);
   EXPECT_EQ(across.column, 0);
@@ -143,10 +145,11 @@ TEST(LeastSquaresMpm, ThreadsDoNotChangeABit) {
 }
 
 TEST(LeastSquaresMpm, RefusesTooFewParticlesInACellAndWaterThatDoesNotFillTheDomain) {
-  EXPECT_THROW(least_squares(endless({}), {.cell = 0.1, .spacing = 0.1, .time_step = 1e-3}), std::invalid_argument);
+  EXPECT_THROW(LeastSquaresMethod::solver(endless({}), {.cell = 0.1, .spacing = 0.1, .time_step = 1e-3}),
+               std::invalid_argument);
   Scene<Newtonian> scene = endless({});
   scene.filled.high.y() = 0.5;
-  EXPECT_THROW(least_squares(scene, coarse), std::invalid_argument);
+  EXPECT_THROW(LeastSquaresMethod::solver(scene), std::invalid_argument);
 }
 
 }  // namespace

@@ -13,10 +13,9 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene, with linear shape functions (hats). `WallTreatment` says how a wall's
-/// answer reaches the particles, `Number` is what particles are stored and reckoned in; nodes are in double. A fluid
-/// without viscosity carries a pressure only; `NoForce` leaves the force out.
-template <class WallTreatment, class Number, class FluidLaw, class Force>
+/// One simulation of a scene, with linear shape functions (hats). `Number` is what particles are stored and reckoned
+/// in; nodes are in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
+template <class Number, class FluidLaw, class Force>
 class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLaw, Force> {
   using Base = SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
@@ -24,9 +23,10 @@ class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLa
  public:
   using Base::time;
 
-  /// Throws std::invalid_argument as its base does, and for a wall off the grid.
-  Mpm(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Base(scene, settings), wall_nodes_(scene.walls, scene.start, grid_, nodes_) {
+  /// `treatment` says how a wall's answer reaches the particles. Throws std::invalid_argument as its base does, and for
+  /// a wall off the grid.
+  Mpm(const Scene<FluidLaw, Force>& scene, const Settings& settings, WallTreatment treatment)
+      : Base(scene, settings), wall_nodes_(scene.walls, scene.start, grid_, nodes_, treatment) {
     list_near();
   }
 
@@ -35,13 +35,13 @@ class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLa
   void step(const Laps& lap = {}) {
     const double dt = this->time_step();
     // m_i, (m v)_i, (12), (13)
-    scatter(particles_, grid_, scene_.body_force, time(), threads_, masses_, nodes_);
+    scatter(particles_, grid_, local(scene_.body_force), time(), threads_, masses_, nodes_);
     lap(SubStep::scatter);
-    accelerate(nodes_, scene_.body_force, grid_.cell, dt, threads_);      // (10), (11), (14)
-    wall_nodes_.template hold<WallTreatment>(nodes_, grid_, time(), dt);  // (14) at walls
-    scatter_changes(particles_, masses_, threads_, nodes_);               // (16) as (17) sees it
-    remap_velocity(nodes_, threads_);                                     // (17)
-    wall_nodes_.hold_remapped(nodes_, time() + dt);                       // (17) at walls
+    accelerate(nodes_, common_acceleration(scene_.body_force), grid_.cell, dt, threads_);  // (10), (11), (14)
+    wall_nodes_.hold(nodes_, grid_, time(), dt);                                           // (14) at walls
+    scatter_changes(particles_, masses_, threads_, nodes_);                                // (16) as (17) sees it
+    remap_velocity(nodes_, threads_);                                                      // (17)
+    wall_nodes_.hold_remapped(nodes_, time() + dt);                                        // (17) at walls
     lap(SubStep::grid);
     gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // (15), (16), (18), (19)
     this->end_step(lap, [&] { list_near(); });
@@ -58,9 +58,9 @@ class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLa
 };
 
 /// A simulation of a scene: `mpm::solver<mpm::PrescribedMotion>(channel, {.cell = ...})`.
-template <class WallTreatment, class Number = double, class FluidLaw, class Force>
+template <class Treatment, class Number = double, class FluidLaw, class Force>
 auto solver(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Mpm<WallTreatment, Number, FluidLaw, Force>(scene, settings);
+  return Mpm<Number, FluidLaw, Force>(scene, settings, &Treatment::hold);
 }
 
 }  // namespace touchstone::mpm

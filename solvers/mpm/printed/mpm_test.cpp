@@ -1,14 +1,31 @@
 #include "solvers/mpm/printed/mpm.hpp"
+
+#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/composed/transfers/flip.hpp"
+#include "solvers/mpm/start_tests.hpp"
 #include "solvers/mpm/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/navier_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
-
-#include <gtest/gtest.h>
 
 #include <limits>
 
 namespace touchstone::mpm {
 namespace {
+
+template <class Number>
+struct PrintedMethod {
+  static double left_by_damping(double /*k_cell*/, int /*steps*/) { return 1; }
+  static auto solver(const Scene<Newtonian>& scene, const Settings& settings) {
+    return mpm::solver<PrescribedMotion, Number>(scene, settings);
+  }
+};
+INSTANTIATE_TYPED_TEST_SUITE_P(Printed, MpmStart, PrintedMethod<double>);
+
+TEST(MpmStartInSinglePrecision, HasTheVelocityAndThePressureOfItsScene) {
+  const auto started = PrintedMethod<float>::solver(endless(varied_start()), start_settings);
+  expect_as_in(varied_start(), started.samples(), 1e-6, 0.02);
+}
 
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.04, .time_step = 4e-3};
 
@@ -20,9 +37,9 @@ void run(Solver& simulation, int steps) {
 }
 
 TEST(Mpm, KeepsItsMomentumWithoutWalls) {
-  auto spinning = solver<PrescribedMotion>(drop(Blow{[](const Vec2& x) -> Vec2 {
+  auto spinning = solver<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 {
                                              return {40 * x.y() * x.y(), 30 * x.x()};
-                                           }}),
+                                           })),
                                            {.cell = 0.1, .spacing = 0.04, .time_step = 0.01});
   spinning.step();
   const Vec2 start = momentum(spinning.samples());
@@ -33,7 +50,7 @@ TEST(Mpm, KeepsItsMomentumWithoutWalls) {
 }
 
 TEST(Mpm, GainsTheMomentumThatItsForceGives) {
-  auto falling = solver<VelocityReset>(drop(Uniform{{2, -3}}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
+  auto falling = solver<PrescribedMotion>(drop(Uniform{{2, -3}}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
   run(falling, 200);
   const Samples end = falling.samples();
   EXPECT_TRUE(momentum(end).isApprox(1000 * 0.2 * Vec2(2, -3), 1e-12));
@@ -41,28 +58,27 @@ TEST(Mpm, GainsTheMomentumThatItsForceGives) {
 }
 
 TEST(Mpm, FeelsAForceAtItsParticlesAsItFeelsTheSameForceEverywhere) {
-  const auto gravity = [](const Vec2&, double) -> Vec2 { return {0, -1}; };
+  const ForceField gravity{[](const Vec2&, double) -> Vec2 { return {0, -1}; }};
   const Scene<Tait, Uniform> scene = dam();
   Settings off_grid_lines = dam_settings;  // on one, rounding decides which cell's gradient a particle feels
   off_grid_lines.spacing = 0.05;
   auto uniform = solver<PrescribedMotion>(scene, off_grid_lines);
   auto local = solver<PrescribedMotion>(
-      Scene<Tait, decltype(gravity)>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, off_grid_lines);
+      Scene<Tait, ForceField>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, off_grid_lines);
   run(uniform, 100);
   run(local, 100);
   EXPECT_TRUE(local.samples().v.isApprox(uniform.samples().v, 1e-9));
 }
 
-TEST(Mpm, CarriesUniformFlowUnchangedAcrossTheSeam) {
-  constexpr double dt = 0.01;
+TEST(Mpm, CarriesUniformFlowUnchangedAcrossThePeriodicBoundary) {
   const Vec2 v(9, 0.2);  // m/s: 0.9 cells per step along x
-  const Blow start{[=](const Vec2&) -> Vec2 { return v / dt; }};
-  auto stream = solver<PrescribedMotion>(
-      Scene<Newtonian, decltype(start)>{.domain = {.box = {.high = {0.7, 1}}, .periodic_x = true},
-                                        .fluid = {soft_water, 1e-3},
-                                        .filled = {.low = {0, 0.2}, .high = {0.7, 0.6}},
-                                        .body_force = start},
-      {.cell = 0.1, .spacing = 0.03, .time_step = dt});
+  auto stream =
+      solver<PrescribedMotion>(Scene<Newtonian, Uniform>{.domain = {.box = {.high = {0.7, 1}}, .periodic_x = true},
+                                                         .fluid = {soft_water, 1e-3},
+                                                         .filled = {.low = {0, 0.2}, .high = {0.7, 0.6}},
+                                                         .body_force = {{0, 0}},
+                                                         .start = {.velocity = [=](const Vec2&) { return v; }}},
+                               {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
   const Samples at_rest = stream.samples();
   run(stream, 150);
   const Samples end = stream.samples();
@@ -75,9 +91,12 @@ TEST(Mpm, CarriesUniformFlowUnchangedAcrossTheSeam) {
 }
 
 TEST(Mpm, LeavesStillWaterStill) {
-  Scene<Tait> pool{.domain = {.box = {.high = {1, 1}}}, .fluid = soft_water, .filled = {.high = {0.55, 0.45}}};
-  pool.walls = {floor_at(0, no_slip()), left_at(0, free_slip())};
-  auto still = solver<VelocityReset>(pool, {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
+  const Scene<Tait, Uniform> pool{.domain = {.box = {.high = {1, 1}}},
+                                  .fluid = soft_water,
+                                  .filled = {.high = {0.55, 0.45}},
+                                  .walls = {floor_at(0, no_slip()), left_at(0, free_slip())},
+                                  .body_force = {{0, 0}}};
+  auto still = solver<PrescribedMotion>(pool, {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
   run(still, 50);
   EXPECT_EQ(still.samples().v.norm(), 0);
   EXPECT_EQ(still.samples().density.maxCoeff(), still.samples().density.minCoeff());
@@ -107,8 +126,8 @@ TEST(Mpm, KeepsAllParticlesOfADamBreakInTheTank) {
 }
 
 TEST(Mpm, RunsTwiceToTheSameBits) {
-  auto one = solver<VelocityReset>(dam(), dam_settings);
-  auto other = solver<VelocityReset>(dam(), dam_settings);
+  auto one = solver<PrescribedMotion>(dam(), dam_settings);
+  auto other = solver<PrescribedMotion>(dam(), dam_settings);
   run(one, 400);
   run(other, 400);
   EXPECT_EQ(one.samples().x, other.samples().x);
@@ -210,14 +229,187 @@ TEST(Mpm, StopsWhenFluidLeavesTheDomain) {
 
 TEST(Mpm, DiagnosesANumberThatIsNotOneInTheStepItAppears) {
   // In one step number 99 spoils two cells on every side: (16), then (18).
-  expect_stop_of_spoilt(solver<PrescribedMotion>(drop(Spoilt{}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
+  expect_stop_of_spoilt(solver<PrescribedMotion>(drop(spoilt()), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
 }
 
 TEST(Mpm, DiagnosesACollapse) {
   auto squeezed =
-      solver<PrescribedMotion>(drop(Blow{[](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); }}),
+      solver<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); })),
                                {.cell = 0.1, .spacing = 0.1, .time_step = 0.05});
   EXPECT_THROW(run(squeezed, 20), Diverged);
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Scene<Tait, Uniform> tank() {
+  return {.domain = {.box = {.high = {1.61, 1.2}}},
+          .fluid = {.density = 1000, .bulk_modulus = 0.36 * MPa},
+          .filled = {.high = {0.6, 0.6}},
+          .walls = {floor_at(0, free_slip()), right_at(1.61, free_slip())},
+          .body_force = {{0, 0}}};
+}
+constexpr Settings coarse{.cell = 0.1, .spacing = 0.05, .time_step = 1e-4};
+
+std::string refusal(const Scene<Tait, Uniform>& scene, const Settings& settings) {
+  try {
+    solver<PrescribedMotion>(scene, settings);
+  } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  }
+  return "accepted";
+}
+
+TEST(Mpm, StartsAtRestWithTheMassOfItsFluid) {
+  const auto dam = solver<PrescribedMotion>(tank(), coarse);
+  const Samples s = dam.samples();
+  EXPECT_EQ(dam.particles(), 144);
+  EXPECT_EQ(dam.boundary_particles(), 0);
+  EXPECT_DOUBLE_EQ(s.mass.sum(), 1000 * 0.36);
+  EXPECT_DOUBLE_EQ(s.volumes().sum(), 0.36);
+  EXPECT_EQ(s.v.norm(), 0);
+  EXPECT_EQ(s.pressure.abs().maxCoeff(), 0);
+  EXPECT_TRUE(s.x.isApprox(lattice({.high = {0.6, 0.6}}, 0.05).places(), 1e-14));
+}
+
+TEST(Mpm, RefusesCellsThatAreNotPositive) {
+  for (double cell : {0.0, -0.1, nan, infinity, 1e-30}) {
+    Settings wrong = coarse;
+    wrong.cell = cell;
+    EXPECT_NE(refusal(tank(), wrong).find("mpm: cell = "), std::string::npos) << refusal(tank(), wrong);
+  }
+}
+
+TEST(Mpm, RefusesSpacingsThatAreNotPositiveOrLargerThanTheFluid) {
+  for (double spacing : {0.0, -0.1, nan, infinity, 1e-30, 0.7}) {
+    Settings wrong = coarse;
+    wrong.spacing = spacing;
+    EXPECT_NE(refusal(tank(), wrong).find("lattice: spacing"), std::string::npos) << refusal(tank(), wrong);
+  }
+}
+
+TEST(Mpm, RefusesTimeStepsThatAreNotPositive) {
+  for (double time_step : {0.0, -1e-4, nan, infinity}) {
+    Settings wrong = coarse;
+    wrong.time_step = time_step;
+    EXPECT_NE(refusal(tank(), wrong).find("mpm: time step [s] = "), std::string::npos) << refusal(tank(), wrong);
+  }
+}
+
+TEST(Mpm, RefusesToRunOnNoThreads) {
+  for (int threads : {0, -1}) {
+    Settings wrong = coarse;
+    wrong.threads = threads;
+    EXPECT_NE(refusal(tank(), wrong).find("mpm: threads = "), std::string::npos) << refusal(tank(), wrong);
+  }
+}
+
+TEST(Mpm, RefusesFluidOutsideTheDomain) {
+  for (double high : {1.7, nan}) {
+    Scene<Tait, Uniform> scene = tank();
+    scene.filled.high.x() = high;
+    EXPECT_NE(refusal(scene, coarse).find("scene: filled box"), std::string::npos) << refusal(scene, coarse);
+  }
+}
+
+TEST(Mpm, RefusesWallsOffTheGrid) {
+  for (double y : {0.03, -0.1, 1.3, nan}) {
+    Scene<Tait, Uniform> scene = tank();
+    scene.walls = {floor_at(y, free_slip())};
+    EXPECT_NE(refusal(scene, coarse).find("mpm: wall at y = "), std::string::npos) << refusal(scene, coarse);
+  }
+}
+
+TEST(Mpm, RefusesWallsWhoseAnswerDependsOnTheDistanceThatItsNodesDoNotHave) {
+  Scene<Tait, Uniform> scene = tank();
+  scene.walls = {floor_at(0, navier_slip(0.1))};
+  EXPECT_EQ(refusal(scene, coarse),
+            "mpm: wall at y = 0 m answers by the distance of the fluid, expected one that can be asked on the wall");
+}
+
+TEST(Mpm, RefusesInOneLine) {
+  Settings wrong = coarse;
+  wrong.spacing = 0.7;
+  EXPECT_EQ(refusal(tank(), wrong),
+            "lattice: spacing = 0.7 m, expected at most the box of 0.6 m x 0.6 m, and at most 1e+09 particles");
+}
+
+/// The fast transfer against the plain loops over particles and their four nodes of the composed method.
+template <class FluidLaw>
+void expect_equal_runs(const Scene<FluidLaw, ForceField>& scene, const Settings& settings, int steps) {
+  auto fast = solver<PrescribedMotion>(scene, settings);
+  auto plain = composed<LinearHat, Flip>(scene, settings);
+  for (int step = 0; step < steps; ++step) {
+    fast.step();
+    plain.step();
+  }
+  const Samples end = fast.samples(), expected = plain.samples();
+  const double fastest = end.v.colwise().norm().maxCoeff();
+  ASSERT_GT(fastest * settings.time_step * steps, fast.cell_size().x());  // cells have been crossed
+  for (int p = 0; p < end.size(); ++p) {
+    EXPECT_LT((end.x.col(p) - expected.x.col(p)).norm(), 1e-9 * fast.cell_size().x()) << p;
+    EXPECT_LT((end.v.col(p) - expected.v.col(p)).norm(), 1e-9 * fastest) << p;
+    EXPECT_NEAR(end.density[p], expected.density[p], 1e-9 * scene.fluid.density) << p;
+  }
+}
+
+TEST(Transfer, EqualsThePlainLoopForAViscousFluidAcrossThePeriodicBoundary) {
+  for (double length : {0.6, 0.8}) {  // with cells left over beside whole blocks, and without
+    const Scene<Newtonian, ForceField> channel{
+        .domain = {.box = {.high = {length, 0.5}}, .periodic_x = true},
+        .fluid = {{.density = 1000, .bulk_modulus = 143}, 20},
+        .filled = {.high = {length, 0.5}},
+        .walls = {floor_at(0, no_slip()), ceiling_at(0.5, no_slip())},
+        .body_force = stirring({length, 0.5}, 2),
+    };
+    for (double spacing : {0.1, 0.05, 0.1 / 3, 0.025, 0.1 / 7})
+      expect_equal_runs(channel, {.cell = 0.1, .spacing = spacing, .time_step = 5e-3}, 100);
+  }
+}
+
+TEST(Transfer, EqualsThePlainLoopForAnInviscidFluidInACorner) {
+  const Scene<Tait, ForceField> heap{
+      .domain = {.box = {.high = {1.2, 0.9}}},
+      .fluid = {.density = 1000, .bulk_modulus = 2000},
+      .filled = {.high = {0.45, 0.6}},
+      .walls = {left_at(0, free_slip()), floor_at(0, free_slip())},
+      .body_force = stirring({0.8, 0.7}, 3),
+  };
+  expect_equal_runs(heap, {.cell = 0.1, .spacing = 0.03, .time_step = 2e-3}, 150);
+}
+
+template <class Number>
+LanesOf<Number> counted_from(Number first) {
+  LanesOf<Number> numbers;
+  for (int lane = 0; lane < lanes_of<Number>; ++lane) numbers[lane] = first + static_cast<Number>(lane);
+  return numbers;
+}
+
+TEST(Lanes, NoticeOneNumberThatIsNotOne) {
+  for (int lane = 0; lane < lanes; ++lane) {
+    Lanes a = fill<Lanes>(0.5);
+    EXPECT_TRUE(all<Lanes>(between(0, a, 1)));
+    a[lane] = std::nan("");
+    EXPECT_FALSE(all<Lanes>(between(0, a, 1)));
+    a[lane] = 1.001;
+    EXPECT_FALSE(all<Lanes>(between(0, a, 1)));
+  }
+}
+
+TEST(Lanes, HandTheLastOnTheLeftToTheFirst) {
+  const Lanes numbers = shifted<1>(counted_from(1.0), counted_from(1.0 + lanes));
+  for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(numbers[lane], lanes + lane);
+}
+
+TEST(Lanes, AreTheSameNumbersWidenedAndJoined) {
+  const auto numbers = counted_from(1.0F);
+  const Lanes first = widened<0>(numbers), second = widened<1>(numbers);
+  const auto again = joined<LanesOf<float>>([&](int lane) { return lane == 0 ? first : second; });
+  for (int lane = 0; lane < lanes; ++lane) {
+    EXPECT_EQ(first[lane], 1 + lane);
+    EXPECT_EQ(second[lane], 1 + lanes + lane);
+  }
+  for (int lane = 0; lane < lanes_of<float>; ++lane) EXPECT_EQ(again[lane], numbers[lane]);
 }
 
 }  // namespace

@@ -4,17 +4,8 @@
 #include "solvers/forces/none.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
-#include "solvers/threads.hpp"
 
 namespace touchstone::mpm {
-
-/// Calls work(node) for every register of nodes near particles.
-template <class Work>
-void for_near(const Nodes& nodes, int threads, const Work& work) {
-  share_out(threads, static_cast<Eigen::Index>(nodes.near().size()), [&](Eigen::Index begin, Eigen::Index end) {
-    for (Eigen::Index i = begin; i < end; ++i) work(nodes.near()[i]);
-  });
-}
 
 /// The acceleration that is the same everywhere [m/s²].
 inline Vec2 common_acceleration(const Uniform& force) { return force.per_mass; }
@@ -23,11 +14,10 @@ Vec2 common_acceleration(const Force&) {
   return Vec2::Zero();
 }
 
-/// Velocity (10) and acceleration (11), and how far the nodes move (14).
-template <class Force>
-void accelerate(Nodes& nodes, const Force& force, const Vec2& cell, double dt, int threads) {
-  const Vec2 b = common_acceleration(force), cells_per_velocity = dt * cell.cwiseInverse();
-  for_near(nodes, threads, [&](int node) {
+/// Velocity (10), acceleration (11) with a body force `b` [m/s²] that all nodes feel alike, and how far they move (14).
+inline void accelerate(Nodes& nodes, const Vec2& b, const Vec2& cell, double dt, int threads) {
+  const Vec2 cells_per_velocity = dt * cell.cwiseInverse();
+  for_near(nodes.near(), threads, [&](int node) {
     const Lanes m = nodes.sum(mass, node);
     const auto moves = m > fill<Lanes>(Nodes::least_mass);
     const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
@@ -47,7 +37,7 @@ void accelerate(Nodes& nodes, const Force& force, const Vec2& cell, double dt, i
 
 /// Velocity (17), from (10) and what the particles change by (16).
 inline void remap_velocity(Nodes& nodes, int threads) {
-  for_near(nodes, threads, [&](int node) {
+  for_near(nodes.near(), threads, [&](int node) {
     const Lanes per_mass = load<Lanes>(&nodes.per_mass[node]);
     for (auto [momentum, velocity] :
          {std::pair(momentum_x, &nodes.velocity.x), std::pair(momentum_y, &nodes.velocity.y)})

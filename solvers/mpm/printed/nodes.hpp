@@ -4,6 +4,7 @@
 #include "solvers/mpm/cell_order.hpp"
 #include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/grid.hpp"
+#include "solvers/threads.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,14 @@ namespace touchstone::mpm {
 /// What a cell gives to its corners, per mass of a particle: particles, m/s, m/s².
 enum Given { mass, momentum_x, momentum_y, force_x, force_y };
 inline constexpr int all_given = 5;
+
+/// Calls work(node) for the first node of every register of those near particles.
+template <class Work>
+void for_near(const std::vector<int>& near, int threads, const Work& work) {
+  share_out(threads, static_cast<Eigen::Index>(near.size()), [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) work(near[i]);
+  });
+}
 
 /// A vector per node.
 struct NodeVectors {

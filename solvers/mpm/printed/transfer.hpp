@@ -29,8 +29,8 @@ class GivenByRow {
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
     Waiting& waiting = waiting_[what - first];
-    store(corners[0] + shifted(waiting.low, corners[1]), &nodes_.from_above[what][low_ + column]);
-    store(corners[2] + shifted(waiting.high, corners[3]), &nodes_.from_below[what][high_ + column]);
+    store(corners[0] + shifted<1>(waiting.low, corners[1]), &nodes_.from_above[what][low_ + column]);
+    store(corners[2] + shifted<1>(waiting.high, corners[3]), &nodes_.from_below[what][high_ + column]);
     waiting = {corners[1], corners[3]};
   }
   /// Gives what waits to the nodes from `column` on, where no block follows; a row that ends within a block leaves
@@ -100,6 +100,16 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
 template <class Force>
 concept Local = is_present<Force> && !std::same_as<Force, Uniform>;
 
+/// What the particles give of a force.
+template <class Force>
+const Force& local(const Force& force) requires Local<Force> {
+  return force;
+}
+template <class Force>
+NoForce local(const Force&) {
+  return {};
+}
+
 /// Sums over the particles of the cells of a block of a body force (13) [m/s²].
 template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
 Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
@@ -119,9 +129,8 @@ Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const
   }
   return sums;
 }
-template <class Number, class FluidLaw, class Block, class Force>
-requires(!Local<Force>) NoForce
-    body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const Force&, double) {
+template <class Number, class FluidLaw, class Block>
+NoForce body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const NoForce&, double) {
   return {};
 }
 

@@ -12,4 +12,7 @@ struct NodeAtWall {
   Vec2 of_scene = Vec2::Zero();  // m/s  of the fluid here as the scene starts, which a wall may jump to its own
 };
 
+/// How a wall's answer reaches the particles: sets the velocities of a node.
+using WallTreatment = void (*)(const Wall&, NodeAtWall&);
+
 }  // namespace touchstone::mpm

@@ -13,7 +13,9 @@ namespace touchstone::mpm {
 class WallNodes {
  public:
   /// Throws std::invalid_argument for a wall off the grid.
-  WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Nodes& nodes) : walls_(walls) {
+  WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Nodes& nodes,
+            WallTreatment treatment)
+      : walls_(walls), treat_(treatment) {
     for (std::size_t wall = 0; wall < walls.size(); ++wall)
       for (int node : grid.nodes_on(walls[wall]))
         for (int image : nodes.images(node, grid))
@@ -31,13 +33,12 @@ class WallNodes {
   }
 
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
-  template <class Treatment>
   void hold(Nodes& nodes, const Grid& grid, double start, double dt) const {
     for (auto held = held_.begin(); held < held_.end();) {
       const int node = held->node;
       const Vec2 v = nodes.velocity[node];
       NodeAtWall at_wall{v, v + nodes.change[node], start, start + dt, start == 0, held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held) Treatment::hold(walls_[held->wall], at_wall);
+      for (; held < held_.end() && held->node == node; ++held) treat_(walls_[held->wall], at_wall);
       if (!nodes.moves(node)) continue;
       nodes.change.set(node, at_wall.after - at_wall.before);
       nodes.displacement.set(node, dt * at_wall.after.cwiseQuotient(grid.cell));
@@ -57,6 +58,7 @@ class WallNodes {
     Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
   };
   std::vector<Wall> walls_;
+  WallTreatment treat_;
   std::vector<Held> all_, held_;
 };
 

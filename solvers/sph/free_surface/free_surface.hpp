@@ -26,8 +26,8 @@ struct Parts {
 
 /// Writes the rates of density, by continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, and of velocity,
 /// by pressure and the terms listed besides; only those that are asked for.
-template <class Kernel, bool of_density, bool of_velocity, class Record, class Terms, class PartsOfMethod>
-void sum_rates(Neighbourhood<Record>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
+template <class Kernel, bool of_density, bool of_velocity, class Packed, class Terms, class PartsOfMethod>
+void sum_rates(Neighbourhood<Packed>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
   Particles& all = near.all;
   sum_over_neighbours<3>(
       near.fluid_near_fluid, near.seen,
@@ -69,15 +69,15 @@ inline constexpr bool diffuses_rise = ReadsSurroundings<decltype(PartsOfMethod::
 template <class PartsOfMethod>
 inline constexpr bool shifts = is_present<decltype(PartsOfMethod::shifting)>;
 template <class Real, class PartsOfMethod>
-using SurfaceRecord =
+using PackedOfSurface =
     std::conditional_t<corrects<PartsOfMethod> || diffuses_rise<PartsOfMethod> || shifts<PartsOfMethod>,
-                       Surroundings<Real>, Record<Real>>;
+                       Surroundings<Real>, Packed<Real>>;
 
 /// Continuity density, fixed wall particles that balance the fluid (Adami, Hu & Adams 2012), kick-drift-kick.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force, class Terms, class PartsOfMethod>
 class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, FluidLaw, Force, Terms, PartsOfMethod>,
-                                      Kernel, Integrator, SurfaceRecord<Real, PartsOfMethod>, FluidLaw, Force> {
-  using Base = Simulation<FreeSurface, Kernel, Integrator, SurfaceRecord<Real, PartsOfMethod>, FluidLaw, Force>;
+                                      Kernel, Integrator, PackedOfSurface<Real, PartsOfMethod>, FluidLaw, Force> {
+  using Base = Simulation<FreeSurface, Kernel, Integrator, PackedOfSurface<Real, PartsOfMethod>, FluidLaw, Force>;
   using Base::near_, Base::scene_, Base::smoothing_length;
 
  public:

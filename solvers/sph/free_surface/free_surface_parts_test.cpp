@@ -51,7 +51,7 @@ Near neighbourhood(const Scene<Tait>& scene) {
               lay_out_ghosts(scene.domain, scene.walls, spacing, ghost_layers<WendlandC2>(settings)));
 }
 
-/// Writes records of the fluid with fields of its place, and finds their surroundings.
+/// Packs the fluid with fields of its place, and finds their surroundings.
 void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
   Particles& all = near.all;
   for (Index i = 0; i < all.fluid; ++i) {

@@ -46,7 +46,7 @@ const Scene<Tait> patch{
 template <class Integrator = KickDriftKick, class Real = double, class SceneOfRun, class PartsOfMethod>
 auto solver(const SceneOfRun& scene, const PartsOfMethod& parts, int threads = 1) {
   return free_surface<WendlandC2, Integrator, Real>(
-      scene, {.spacing = spacing, .smoothing_length = h, .time_step = 0.001, .threads = threads},
+      as_one_kind(scene), {.spacing = spacing, .smoothing_length = h, .time_step = 0.001, .threads = threads},
       momentum(ArtificialViscosity{.alpha = 0.02, .sound_speed = c, .h = h}), parts);
 }
 template <class Integrator = KickDriftKick, class Real = double, class SceneOfRun, class PartsOfMethod>

@@ -7,7 +7,7 @@
 namespace touchstone::sph {
 
 template <class Number>
-struct Surroundings : Record<Number> {
+struct Surroundings : Packed<Number> {
   Number rho_along_x = 0, rho_along_y = 0;  // kg/m⁴
   Number l_xx = 1, l_xy = 0;                // -  L, which makes the gradient of a linear field exact; symmetric
   Number l_yy = 1, fullness = 1;            // -  the least eigenvalue of the inverse of L
@@ -42,8 +42,8 @@ template <class Part>
 concept ReadsSurroundings = Part::reads_surroundings;
 
 /// Finds the surroundings of the fluid, of which its ghosts are a part.
-template <class Kernel, class Record>
-void find_surroundings(Neighbourhood<Record>& near, double h) {
+template <class Kernel, class Packed>
+void find_surroundings(Neighbourhood<Packed>& near, double h) {
   sum_over_neighbours<5>(
       near.fluid_near_fluid, near.seen,
       [mass = near.all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
@@ -59,19 +59,19 @@ void find_surroundings(Neighbourhood<Record>& near, double h) {
 }
 
 /// Gives each ghost that fluid is near the mean rise of density in that fluid.
-template <class Kernel, class Record>
-void carry_rise_to_ghosts(Neighbourhood<Record>& near, double h) {
-  const auto terms = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+template <class Kernel, class Packed>
+void carry_rise_to_ghosts(Neighbourhood<Packed>& near, double h) {
+  const auto terms = [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& g, const auto& j) {
     const auto r = distance(g, j);
     using Real = std::remove_cvref_t<decltype(r)>;
     const Real weight = Kernel::w(Real(r * per_h));
-    const auto along = j.two(&Record::rho_along_x);
+    const auto along = j.two(&Packed::rho_along_x);
     return std::array<Real, 3>{weight, weight * along[0], weight * along[1]};
   };
   sum_over_neighbours<3>(near.fluid_near_ghost, near.seen, terms, [&](Index g, const std::array<double, 3>& sums) {
     const double per = sums[0] > 0 ? 1 / sums[0] : 0;  // what the lists hold may be beyond the kernel
-    near.seen[g].rho_along_x = static_cast<typename Record::Number>(per * sums[1]);
-    near.seen[g].rho_along_y = static_cast<typename Record::Number>(per * sums[2]);
+    near.seen[g].rho_along_x = static_cast<typename Packed::Number>(per * sums[1]);
+    near.seen[g].rho_along_y = static_cast<typename Packed::Number>(per * sums[2]);
   });
   near.images.refresh_boundary(near.all, near.seen);
 }

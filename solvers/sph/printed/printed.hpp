@@ -11,8 +11,8 @@ namespace touchstone::sph {
 /// Continuity density, predictor-corrector, density restored every 30 steps, ghosts and soft repulsion at walls.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
 class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidLaw, Force, Terms>, Kernel, Integrator,
-                                  Record<Real>, FluidLaw, Force> {
-  using Base = Simulation<Printed, Kernel, Integrator, Record<Real>, FluidLaw, Force>;
+                                  Packed<Real>, FluidLaw, Force> {
+  using Base = Simulation<Printed, Kernel, Integrator, Packed<Real>, FluidLaw, Force>;
   using Base::near_, Base::scene_, Base::settings_;
 
  public:
@@ -52,7 +52,7 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
   void find(double time, const Laps& lap) {
     this->see_fluid_and_ghosts(time, lap);
     if constexpr (of_velocity)
-      sum_pairs<of_density>();
+      find_rates_by<Kernel, of_density>(terms_, near_, this->smoothing_length());
     else
       find_continuity<Kernel>(near_, this->smoothing_length());
     lap(SubStep::pairs);
@@ -62,45 +62,13 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
     }
   }
 
-  /// Continuity (23) and momentum (28), only the terms that this method lists.
-  template <bool of_density>
-  void sum_pairs() {
-    Particles& all = near_.all;
-    sum_over_neighbours<3>(
-        near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, slope = this->slope()](const auto& i, const auto& j) {
-          auto ij = pair_of(i, j, mass);
-          const auto pull = terms.on(ij, slope);
-          return std::array{ij.continuity(), pull.x, pull.y};
-        },
-        [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
-          if constexpr (of_density) drho[i] = sums[0];
-          ax[i] = sums[1];
-          ay[i] = sums[2];
-        });
-  }
-
   template <class Laps>
   void push_off_walls(const Laps& lap) {
     if constexpr (repels) {
-      repel<0>();
-      repel<1>();
+      push_off<0>(near_, scene_.fluid.sound_speed(), settings_.spacing);
+      push_off<1>(near_, scene_.fluid.sound_speed(), settings_.spacing);
       lap(SubStep::boundaries);
     }
-  }
-
-  /// The push of the walls of constant x (`axis` 0) or y (1).
-  template <int axis>
-  void repel() {
-    Particles& all = near_.all;
-    const SoftRepulsion<axis> push{scene_.fluid.sound_speed(), settings_.spacing};
-    sum_over_neighbours<2>(
-        near_.wall_near_fluid[axis], near_.seen,
-        [push, mass = all.mass](const auto& i, const auto& j) {
-          const auto pull = push(pair_of(i, j, mass));
-          return std::array{pull.x, pull.y};
-        },
-        [&](Index i, const std::array<double, 2>& sums) { (axis == 0 ? all.ax : all.ay)[i] += sums[axis]; });
   }
 
   Terms terms_;

@@ -10,6 +10,26 @@
 
 namespace touchstone::sph {
 
+/// Of vx, vy and pressure.
+template <class Real>
+using FitOfFlow = QuadraticFit<Lanes<Real>, 3>;
+
+/// What a neighbour adds to the sums of a fit, in lengths h.
+template <class Kernel, class Real>
+struct TermsOfFit {
+  Real per_h;  // 1/m
+
+  template <class I, class J>
+  auto operator()(const I& i, const J& j) const {
+    const auto sides = apart(j, i);
+    const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
+    const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
+    const auto v_i = i.two(&Packed<Real>::vx), v_j = j.two(&Packed<Real>::vx);
+    const auto volume_p_i = i.two(&Packed<Real>::volume), volume_p_j = j.two(&Packed<Real>::volume);
+    return FitOfFlow<Real>::terms(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
+  }
+};
+
 /// Derivatives are exact for polynomials of second degree, however the particles stand. What sums over symmetric pairs
 /// conserve, momentum and its moment, is conserved to the order of the method only.
 ///
@@ -22,8 +42,8 @@ namespace touchstone::sph {
 /// of the fluid's mass, and is kept. Continuity at each of them alone lets it creep, and the mean pressure with it.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force>
 class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, FluidLaw, Force>, Kernel, Integrator,
-                                      Record<Real>, FluidLaw, Force> {
-  using Base = Simulation<SecondOrder, Kernel, Integrator, Record<Real>, FluidLaw, Force>;
+                                      Packed<Real>, FluidLaw, Force> {
+  using Base = Simulation<SecondOrder, Kernel, Integrator, Packed<Real>, FluidLaw, Force>;
   using Base::near_, Base::scene_, Base::settings_, Base::smoothing_length, Base::threads;
 
  public:
@@ -59,7 +79,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
   static constexpr std::size_t drift_fields = 8;
 
-  using Fit = QuadraticFit<Lanes<Real>, 3>;  // of vx, vy and pressure
+  using Fit = FitOfFlow<Real>;
   /// What is read of a fit, for each particle.
   enum Derivative { rest, along_x, along_y, xx, xy, yy };
   static constexpr std::size_t centre = 18, made = 20;  // after the derivatives of three fields
@@ -113,15 +133,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   void fit_and_move() {
     const double per_h = 1 / smoothing_length();
     sum_over_neighbours<Fit::count>(
-        near_.fluid_near_fluid, near_.seen,
-        [per_h = static_cast<Real>(per_h)](const auto& i, const auto& j) {
-          const auto sides = apart(j, i);
-          const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
-          const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
-          const auto v_i = i.two(&Record<Real>::vx), v_j = j.two(&Record<Real>::vx);
-          const auto volume_p_i = i.two(&Record<Real>::volume), volume_p_j = j.two(&Record<Real>::volume);
-          return Fit::terms(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
-        },
+        near_.fluid_near_fluid, near_.seen, TermsOfFit<Kernel, Real>{static_cast<Real>(per_h)},
         [per_h = static_cast<Real>(per_h)](const auto& sums) { return derivatives(sums, per_h); },
         [this](Index i, const std::array<double, made>& fit) { move(i, fit); });
     strain_rate_ = 0;

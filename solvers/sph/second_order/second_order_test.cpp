@@ -14,7 +14,8 @@ constexpr double spacing = 0.05;
 struct SecondOrderMethod {
   static auto solver(const auto& scene, int threads = 1) {
     return second_order<WendlandC2>(
-        scene, {.spacing = spacing, .smoothing_length = 1.3 * spacing, .time_step = 1e-3, .threads = threads});
+        as_one_kind(scene),
+        {.spacing = spacing, .smoothing_length = 1.3 * spacing, .time_step = 1e-3, .threads = threads});
   }
 };
 

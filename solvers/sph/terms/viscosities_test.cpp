@@ -49,7 +49,7 @@ Vec2 acceleration(const Term& term, double h, const Velocity& v) {
 
 struct LoAndShao {
   static constexpr bool turns_nothing = false;
-  static constexpr double few_neighbours = 0.01, many = 0.01;  // what the viscosity may be off, as a share
+  static constexpr double few_neighbours = 0.01, many = 0.01;  // what the viscosity may be off, as a fraction
   static LaminarViscosity term() { return {.nu = mu / rho, .eta = 1e-4 * spacing}; }
 };
 struct Morris {

@@ -10,12 +10,50 @@ namespace touchstone::sph {
 
 /// What a pair reads more: of the drift, the transport velocity less the velocity.
 template <class Number>
-struct DriftRecord : Record<Number> {
+struct PackedWithDrift : Packed<Number> {
   Number mx, my;  // kg/m² s  density times drift
 };
 template <class Real, class Left>
-using TransportRecord = std::conditional_t<Left::template keeps<Spreading> && Left::template keeps<MomentumOfDrift>,
-                                           DriftRecord<Real>, Record<Real>>;
+using PackedOfTransport = std::conditional_t<Left::template keeps<Spreading> && Left::template keeps<MomentumOfDrift>,
+                                             PackedWithDrift<Real>, Packed<Real>>;
+
+/// Half the mean of A = rho v (transport velocity - v) along grad W (Adami, Hu & Adams 2013, (8)).
+template <class Lane, class I, class J>
+Pull<Lane> momentum_of_drift(const Pair<Lane>& ij, const I& i, const J& j, const Lane& volumes) {
+  using Seen = std::remove_cvref_t<decltype(*i.all)>;
+  const auto m_i = i.two(&Seen::mx), m_j = j.two(&Seen::mx), v_i = i.two(&Seen::vx), v_j = j.two(&Seen::vx);
+  const Lane out_i = m_i[0] * ij.x + m_i[1] * ij.y, out_j = m_j[0] * ij.x + m_j[1] * ij.y,
+             c = Number<Lane>(0.5) * volumes;
+  return {c * (v_i[0] * out_i + v_j[0] * out_j), c * (v_i[1] * out_i + v_j[1] * out_j)};
+}
+
+/// As `find_rates_by`, with what the drift of particles carries of momentum, and the drift [m/s] that an acceleration
+/// by a background pressure [Pa], -(p_b / m) sum_j (V_i² + V_j²) grad W, makes in half a step [s]: it spreads the
+/// particles.
+template <class Kernel, bool of_density, bool drift_has_momentum, class Packed, class Terms>
+void find_rates_and_drift_by(const Terms& terms_of_method, Neighbourhood<Packed>& near, double h,
+                             double background_pressure, double half_step) {
+  Particles& all = near.all;
+  sum_over_neighbours<5>(
+      near.fluid_near_fluid, near.seen,
+      [terms = terms_of_method, mass = all.mass, slope = Slope<Kernel>(h),
+       background = static_cast<typename Packed::Number>(background_pressure)](const auto& i, const auto& j) {
+        auto ij = pair_of(i, j, mass);
+        auto pull = terms.on(ij, slope);
+        const auto thicker = ij.continuity();
+        const auto volumes = ij.mass * ij.slope * (ij.volume_i * ij.volume_i + ij.volume_j * ij.volume_j);
+        if constexpr (drift_has_momentum) pull += momentum_of_drift(ij, i, j, volumes);
+        return std::array{thicker, pull.x, pull.y, -background * volumes * ij.x, -background * volumes * ij.y};
+      },
+      [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data(), drift_x = all.carried[0].data(),
+       drift_y = all.carried[1].data(), half_step](Index i, const std::array<double, 5>& sums) {
+        if constexpr (of_density) drho[i] = sums[0];
+        ax[i] = sums[1];
+        ay[i] = sums[2];
+        drift_x[i] = half_step * sums[3];
+        drift_y[i] = half_step * sums[4];
+      });
+}
 
 /// Density by continuity, kick-drift-kick, walls by ghosts with mirrored velocity (Adami, Hu & Adams 2012).
 ///
@@ -24,8 +62,8 @@ using TransportRecord = std::conditional_t<Left::template keeps<Spreading> && Le
 /// the straight profile of Couette flow by 2.1 % at 1 s. With continuity and `PressureDifference` it is 0.01 %.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
 class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator, Real, Left, FluidLaw, Force, Terms>,
-                                            Kernel, Integrator, TransportRecord<Real, Left>, FluidLaw, Force> {
-  using Seen = TransportRecord<Real, Left>;
+                                            Kernel, Integrator, PackedOfTransport<Real, Left>, FluidLaw, Force> {
+  using Seen = PackedOfTransport<Real, Left>;
   using Base = Simulation<TransportVelocity, Kernel, Integrator, Seen, FluidLaw, Force>;
   using Base::near_, Base::scene_;
 
@@ -79,12 +117,21 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   void find(double time, const Laps& lap) {
     if constexpr (drift_has_momentum) see_drift();
     this->see_fluid_and_ghosts(time, lap);
-    if constexpr (of_velocity)
-      sum_pairs<of_density>();
+    if constexpr (of_velocity && spreads)
+      find_rates_and_drift<of_density>();
+    else if constexpr (of_velocity)
+      find_rates_by<Kernel, of_density>(terms_, near_, this->smoothing_length());
     else
       find_continuity<Kernel>(near_, this->smoothing_length());
     lap(SubStep::pairs);
     if constexpr (of_velocity) this->add_body_force(time, lap);
+  }
+
+  template <bool of_density>
+  void find_rates_and_drift() {
+    const double c = scene_.fluid.sound_speed();
+    find_rates_and_drift_by<Kernel, of_density, drift_has_momentum>(
+        terms_, near_, this->smoothing_length(), background_fraction * scene_.fluid.density * c * c, time_step() / 2);
   }
 
   void see_drift() {
@@ -96,48 +143,6 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
         seen[i].my = static_cast<Real>(rho[i] * drift_y[i]);
       }
     });
-  }
-
-  /// The listed terms of the momentum equation, what the drift of particles carries of momentum, the acceleration by a
-  /// background pressure, -(p_b / m) sum_j (V_i² + V_j²) grad W, which spreads the particles, and continuity (23).
-  template <bool of_density>
-  void sum_pairs() {
-    Particles& all = near_.all;
-    const double c = scene_.fluid.sound_speed(), half_step = time_step() / 2;
-    sum_over_neighbours<(spreads ? 5 : 3)>(
-        near_.fluid_near_fluid, near_.seen,
-        [terms = terms_, mass = all.mass, slope = this->slope(),
-         background = static_cast<Real>(background_fraction * scene_.fluid.density * c * c)](const auto& i,
-                                                                                             const auto& j) {
-          auto ij = pair_of(i, j, mass);
-          auto pull = terms.on(ij, slope);
-          const auto thicker = ij.continuity();
-          if constexpr (spreads) {
-            const auto share = ij.mass * ij.slope * (ij.volume_i * ij.volume_i + ij.volume_j * ij.volume_j);
-            if constexpr (drift_has_momentum) pull += momentum_of_drift(ij, i, j, share);
-            return std::array{thicker, pull.x, pull.y, -background * share * ij.x, -background * share * ij.y};
-          } else {
-            return std::array{thicker, pull.x, pull.y};
-          }
-        },
-        [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data(), drift_x = spreads ? wx().data() : nullptr,
-         drift_y = spreads ? wy().data() : nullptr, half_step](Index i, const auto& sums) {
-          if constexpr (of_density) drho[i] = sums[0];
-          ax[i] = sums[1];
-          ay[i] = sums[2];
-          if constexpr (spreads) {
-            drift_x[i] = half_step * sums[3];
-            drift_y[i] = half_step * sums[4];
-          }
-        });
-  }
-
-  /// Half the mean of A = rho v (transport velocity - v) along grad W (Adami, Hu & Adams 2013, (8)).
-  template <class Lane, class I, class J>
-  static Pull<Lane> momentum_of_drift(const Pair<Lane>& ij, const I& i, const J& j, const Lane& share) {
-    const auto m_i = i.two(&Seen::mx), m_j = j.two(&Seen::mx), v_i = i.two(&Seen::vx), v_j = j.two(&Seen::vx);
-    const Lane out_i = m_i[0] * ij.x + m_i[1] * ij.y, out_j = m_j[0] * ij.x + m_j[1] * ij.y, c = Real(0.5) * share;
-    return {c * (v_i[0] * out_i + v_j[0] * out_j), c * (v_i[1] * out_i + v_j[1] * out_j)};
   }
 
   Terms terms_;

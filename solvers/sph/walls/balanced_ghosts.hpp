@@ -11,20 +11,20 @@ namespace touchstone::sph {
 ///
 /// Fluid that splashes needs the mirror, whose velocity is never larger than that of the fluid: the straight line of
 /// `extrapolate_to_ghosts` is steep for a drop close to the wall.
-template <class Kernel, class Record, class FluidLaw, class Force>
-void balance_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, const FluidLaw& fluid,
+template <class Kernel, class Packed, class FluidLaw, class Force>
+void balance_ghosts(Neighbourhood<Packed>& near, const std::vector<Wall>& walls, double h, const FluidLaw& fluid,
                     const Force& body_force, double time) {
-  const auto terms = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+  const auto terms = [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& g, const auto& j) {
     const auto sides = apart(g, j);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
     const Real r = square_root(Real(sides[0] * sides[0] + sides[1] * sides[1])), weight = Kernel::w(Real(r * per_h));
-    const auto v = j.two(&Record::vx), rho_push = j.two(&Record::rho), volume_p = j.two(&Record::volume);
+    const auto v = j.two(&Packed::vx), rho_push = j.two(&Packed::rho), volume_p = j.two(&Packed::volume);
     const Real heavy = weight * rho_push[0];
     return std::array<Real, 6>{weight,           weight * v[0],   weight * v[1], weight * volume_p[1],
                                heavy * sides[0], heavy * sides[1]};
   };
   give_to_ghosts<6>(near, fluid.density, terms,
-                    [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Record& seen) {
+                    [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Packed& seen) {
                       const double per = 1 / sums[0];
                       Vec2 v(per * sums[1], per * sums[2]);
                       for (const int w : ghost.behind)

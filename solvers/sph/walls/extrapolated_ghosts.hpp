@@ -11,19 +11,19 @@ namespace touchstone::sph {
 /// be thrown far beyond the wall (Morris, Fox & Zhu 1997 limit likewise).
 ///
 /// `mirror_to_ghosts` mirrors the mean as if it stood where the ghost's mirror image does.
-template <class Kernel, class Record, class FluidLaw, class Force>
-void extrapolate_to_ghosts(Neighbourhood<Record>& near, const std::vector<Wall>& walls, double h, double nearest,
+template <class Kernel, class Packed, class FluidLaw, class Force>
+void extrapolate_to_ghosts(Neighbourhood<Packed>& near, const std::vector<Wall>& walls, double h, double nearest,
                            const FluidLaw& fluid, const Force& body_force, double time) {
-  const auto terms = [per_h = static_cast<typename Record::Number>(1 / h)](const auto& g, const auto& j) {
+  const auto terms = [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& g, const auto& j) {
     const auto sides = apart(j, g);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
     const Real r = square_root(Real(sides[0] * sides[0] + sides[1] * sides[1])), weight = Kernel::w(Real(r * per_h));
-    const auto v = j.two(&Record::vx), volume_p = j.two(&Record::volume);
+    const auto v = j.two(&Packed::vx), volume_p = j.two(&Packed::volume);
     return std::array<Real, 6>{weight,           weight * v[0], weight * v[1], weight * volume_p[1], weight * sides[0],
                                weight * sides[1]};
   };
   give_to_ghosts<6>(
-      near, fluid.density, terms, [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Record& seen) {
+      near, fluid.density, terms, [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Packed& seen) {
         const Vec2 way(sums[4] / sums[0], sums[5] / sums[0]), from = ghost.x + way;
         Vec2 v(sums[1] / sums[0], sums[2] / sums[0]);
         double p = sums[3] / sums[0];

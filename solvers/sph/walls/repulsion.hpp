@@ -1,6 +1,5 @@
 #pragma once
-#include "solvers/sph/pair.hpp"
-#include "solvers/sph/pair_lanes.hpp"
+#include "solvers/sph/flow.hpp"
 
 namespace touchstone::sph {
 
@@ -31,5 +30,19 @@ struct SoftRepulsion {
     return axis == 0 ? Pull<Real>{c * ij.x, Real{}} : Pull<Real>{Real{}, c * ij.y};
   }
 };
+
+/// Adds the push of the walls of constant x (`axis` 0) or y (1) to the fluid near them.
+template <int axis, class Packed>
+void push_off(Neighbourhood<Packed>& near, double sound_speed, double spacing) {
+  Particles& all = near.all;
+  const SoftRepulsion<axis> push{sound_speed, spacing};
+  sum_over_neighbours<2>(
+      near.wall_near_fluid[axis], near.seen,
+      [push, mass = all.mass](const auto& i, const auto& j) {
+        const auto pull = push(pair_of(i, j, mass));
+        return std::array{pull.x, pull.y};
+      },
+      [&](Index i, const std::array<double, 2>& sums) { (axis == 0 ? all.ax : all.ay)[i] += sums[axis]; });
+}
 
 }  // namespace touchstone::sph

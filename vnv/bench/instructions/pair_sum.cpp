@@ -22,7 +22,7 @@ namespace {
 
 constexpr double spacing = 0.025, h = 1.2 * spacing;  // m
 constexpr int width = lanes<double>;
-using Fluid = Neighbourhood<Record<double>>;
+using Fluid = Neighbourhood<Packed<double>>;
 using Sums = std::vector<std::array<double, 2>>;
 
 /// A square of fluid, compressed.
@@ -51,7 +51,7 @@ template <class Terms>
 /// The same without pairs, terms and kernels.
 [[gnu::noinline]] void sum_by_hand(const Fluid& fluid, Sums& accelerations) {
   using Numbers = Lanes<double>;
-  const Record<double>* all = fluid.seen.data();
+  const Packed<double>* all = fluid.seen.data();
   const double mass = fluid.all.mass;
   const auto& part = fluid.fluid_near_fluid.parts[0];
   for (const auto& block : part.blocks) {

@@ -78,10 +78,9 @@ struct Patch {
 
 template <class Combination>
 class Transfers : public testing::Test {};
-using Combinations = testing::Types<Patch<LinearHat, Flip>, Patch<LinearHat, Xpic<1>>, Patch<LinearHat, Apic>,
-                                    Patch<Gimp, Flip>, Patch<Gimp, Xpic<2>>, Patch<Gimp, Apic>, Patch<BSpline<2>, Flip>,
-                                    Patch<BSpline<2>, Xpic<1>>, Patch<BSpline<2>, Apic>, Patch<BSpline<2>, Xpic<3>>,
-                                    Patch<BSpline<3>, Flip>, Patch<BSpline<3>, Apic>, Patch<BSpline<3>, Xpic<5>>>;
+// Each shape and each transfer, and all transfers with one shape: every combination takes a second to compile.
+using Combinations = testing::Types<Patch<LinearHat, Xpic<1>>, Patch<Gimp, Apic>, Patch<BSpline<2>, Flip>,
+                                    Patch<BSpline<2>, Apic>, Patch<BSpline<2>, Xpic<3>>, Patch<BSpline<3>, Apic>>;
 TYPED_TEST_SUITE(Transfers, Combinations);
 
 TYPED_TEST(Transfers, GiveTheNodesAllMassAndMomentum) {

@@ -11,9 +11,9 @@ struct BonetLok {
 
   template <class Real, class I, class J>
   Pull<Real> operator()(const I& i, const J&, const Pull<Real>& along) const {
-    using Record = std::remove_cvref_t<decltype(*i.all)>;
-    const auto xx_xy = i.two(&Record::l_xx);
-    const Real yy = i.two(&Record::l_yy)[0];
+    using Packed = std::remove_cvref_t<decltype(*i.all)>;
+    const auto xx_xy = i.two(&Packed::l_xx);
+    const Real yy = i.two(&Packed::l_yy)[0];
     return {xx_xy[0] * along.x + xx_xy[1] * along.y, xx_xy[1] * along.x + yy * along.y};
   }
 };

@@ -16,8 +16,8 @@ struct TangentialShifting {
   static constexpr double edge = 0.4;      // -  one with less is not shifted
 
   /// Shifts the fluid, whose surroundings have been found, as far as in a time `dt` [s].
-  template <class Kernel, class Record>
-  void shift(Neighbourhood<Record>& near, double h, double spacing, double dt) const {
+  template <class Kernel, class Packed>
+  void shift(Neighbourhood<Packed>& near, double h, double spacing, double dt) const {
     Particles& all = near.all;
     const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
     sum_over_neighbours<9>(
@@ -30,7 +30,7 @@ struct TangentialShifting {
                      close2 = close * close;
           const Real per_r = ij.mass * ij.volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
           const Real crowd = 1 + Number<Real>(0.2) * close2 * close2;
-          const Real fullness_i = i.two(&Record::l_yy)[1], fullness_j = j.two(&Record::l_yy)[1],
+          const Real fullness_i = i.two(&Packed::l_yy)[1], fullness_j = j.two(&Packed::l_yy)[1],
                      fuller = fullness_j - fullness_i;
           return std::array<Real, 9>{crowd * x,
                                      crowd * y,
@@ -43,7 +43,7 @@ struct TangentialShifting {
                                      -ij.vy * y};
         },
         [&](Index i, const std::array<double, 9>& sums) {
-          const Record& self = near.seen[i];
+          const Packed& self = near.seen[i];
           if (self.fullness < edge) return;
           Vec2 way = -4 * h * fastest * dt * Vec2(sums[0], sums[1]);
           way *= std::min(1.0, fastest * dt / 2 / std::max(way.norm(), std::numeric_limits<double>::min()));

@@ -2,6 +2,7 @@
 
 #include "solvers/mpm/printed/particles.hpp"
 #include "solvers/mpm/seed.hpp"
+#include "solvers/walls/free_slip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,39 @@ namespace {
 
 constexpr Tait water{.density = 1000, .bulk_modulus = 143};
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Grid, FillsItsBoxWithWholeCells) {
+  const Grid grid({.box = {.high = {1.61, 1.2}}}, 0.1);
+  EXPECT_EQ(grid.columns, 16);
+  EXPECT_EQ(grid.rows, 12);
+  EXPECT_DOUBLE_EQ(grid.columns * grid.cell.x(), 1.61);
+  EXPECT_EQ(grid.nodes(), 17 * 13);
+}
+
+TEST(Grid, ClosesThePeriodicBoundary) {
+  const Grid grid({.box = {.high = {0.4, 0.3}}, .periodic_x = true}, 0.1);
+  EXPECT_EQ(grid.nodes(), 4 * 4);
+  for (int row = 0; row < grid.rows; ++row) {
+    EXPECT_EQ(grid.node_at(4, row), grid.node_at(0, row));
+    EXPECT_EQ(grid.node_at(4, row + 1), grid.node_at(0, row + 1));
+  }
+}
+
+TEST(Grid, FindsTheNodesOfWalls) {
+  const Grid grid({.box = {.low = {-1, 2}, .high = {1, 3}}}, 0.5);
+  EXPECT_EQ(grid.nodes_on(floor_at(2, free_slip())), (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(grid.nodes_on(right_at(1, free_slip())), (std::vector<int>{4, 9, 14}));
+}
+
+TEST(Lattice, FillsItsBoxEvenly) {
+  const Box filled{.low = {1, 2}, .high = {1.61, 2.4}};
+  const Lattice points = lattice(filled, 0.1);
+  EXPECT_EQ(points.places().cols(), 6 * 4);
+  EXPECT_DOUBLE_EQ(points.volume() * 24, 0.61 * 0.4);
+  EXPECT_NEAR(points.places().row(0).mean(), 1.305, 1e-12);
+  EXPECT_NEAR(points.places().col(0).y() - 2, 0.05, 1e-12);
+  EXPECT_NEAR(points.places().col(1).x() - points.places().col(0).x(), 0.61 / 6, 1e-12);
+}
 
 /// A box of 4 x 3 cells of 0.1 m with one particle in the middle of each.
 struct Pool {
@@ -53,7 +87,7 @@ TEST(Settle, MovesAParticleToTheCellItIsIn) {
   EXPECT_TRUE(pool.grid.place(to, pool.X(5), pool.Y(5)).isApprox(place));
 }
 
-TEST(Settle, WrapsAcrossTheSeamWithoutLosingADigit) {
+TEST(Settle, WrapsAcrossThePeriodicBoundaryWithoutLosingADigit) {
   Pool pool(true);
   pool.X(7) = 1.25;
   EXPECT_EQ(pool.settled(7), 4);

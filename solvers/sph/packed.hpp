@@ -37,7 +37,7 @@ struct Place<float> {
 /// differences need in another. Sixteen bytes are loaded at once, two doubles or four floats. What a pair would divide
 /// by is divided by here, once per particle.
 template <class Number_>
-struct alignas(16) Record : Place<Number_> {
+struct alignas(16) Packed : Place<Number_> {
   using Number = Number_;
   Number vx, vy;     // m/s
   Number rho, push;  // kg/m³; Pa m⁶/kg²  p / rho²
@@ -56,17 +56,17 @@ struct alignas(16) Record : Place<Number_> {
   }
 };
 
-/// One record per lane.
-template <class Record, int width = lanes<typename Record::Number>>
+/// One particle per lane.
+template <class Packed, int width = lanes<typename Packed::Number>>
 struct Row {
-  using Real = Lanes<typename Record::Number, width>;
-  const Record* all;
+  using Real = Lanes<typename Packed::Number, width>;
+  const Packed* all;
   const int* which;
 
   /// A field and the one beside it.
   template <class Owner>
-  std::array<Real, 2> two(typename Record::Number Owner::*first) const {
-    if constexpr (std::is_same_v<typename Record::Number, double>) {
+  std::array<Real, 2> two(typename Packed::Number Owner::*first) const {
+    if constexpr (std::is_same_v<typename Packed::Number, double>) {
       return gather_two<width>([&](int lane) { return &(all[which[lane]].*first); });
     } else {  // the four floats that hold both; whose other half is asked for too, the compiler loads once
       const auto start = reinterpret_cast<const char*>(&(all->*first)) - reinterpret_cast<const char*>(all);
@@ -77,11 +77,11 @@ struct Row {
   }
 };
 
-/// The same for a single record, for plain loops.
-template <class Record>
+/// The same for a single particle, for plain loops.
+template <class Packed>
 struct One {
-  using Real = typename Record::Number;
-  const Record* all;
+  using Real = typename Packed::Number;
+  const Packed* all;
   Eigen::Index which;
 
   template <class Owner>
@@ -94,13 +94,13 @@ struct One {
 /// r_i - r_j [m].
 template <class I, class J>
 auto apart(const I& i, const J& j) {
-  using Record = std::remove_cvref_t<decltype(*j.all)>;
-  auto r = i.two(&Record::x);
-  const auto from = j.two(&Record::x);
+  using Packed = std::remove_cvref_t<decltype(*j.all)>;
+  auto r = i.two(&Packed::x);
+  const auto from = j.two(&Packed::x);
   r[0] -= from[0];
   r[1] -= from[1];
-  if constexpr (std::is_same_v<typename Record::Number, float>) {
-    const auto rest = i.two(&Record::rest_x), less = j.two(&Record::rest_x);
+  if constexpr (std::is_same_v<typename Packed::Number, float>) {
+    const auto rest = i.two(&Packed::rest_x), less = j.two(&Packed::rest_x);
     r[0] += rest[0] - less[0];
     r[1] += rest[1] - less[1];
   }

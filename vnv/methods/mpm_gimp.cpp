@@ -1,0 +1,33 @@
+#include "vnv/methods/methods.hpp"
+
+#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/composed/transfers/flip.hpp"
+#include "solvers/mpm/shapes/gimp.hpp"
+#include "vnv/methods/scenes.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv {
+
+template <class AnyScene>
+Method mpm_gimp(const AnyScene& scene, double output_interval, double courant) {
+  return simulating(
+      {.name = "mpm_gimp",
+       .description = fmt::format(
+           "Generalised interpolation material point method with particles that stay squares (uniform GIMP, Bardenhagen & "
+           "Kober 2004), FLIP, MUSL; four particles per cell. Acoustic Courant number {:g}, by the cell.",
+           courant),
+       .tolerance = stretched,
+       .relative_cost = 2},
+      [=](const Level& level, double time_step) {
+        return mpm::composed<mpm::Gimp, mpm::Flip>(
+            scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+      },
+      by_cells(scene, courant, output_interval));
+}
+
+#define TOUCHSTONE_COMPILE(...) template Method mpm_gimp(const __VA_ARGS__&, double, double);
+TOUCHSTONE_COMPILE(Scene<Newtonian>)
+TOUCHSTONE_COMPILE(Scene<Newtonian, ForceField>)
+
+}  // namespace touchstone::vnv
