@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace touchstone::reference {
-namespace {
+namespace couette_test {
 
 constexpr Couette flow{.H = 1e-3, .V = 1e-4, .nu = 1e-6};                // Sun et al., section 3.2
 constexpr double viscous_time = flow.H * flow.H / flow.nu;               // s
@@ -59,5 +59,5 @@ TEST(Couette, PrintedSumCannotStartAtNought) {
   EXPECT_NEAR(flow.fourier(flow.H, viscous_time) + limit, 3 * flow.V, 1e-9 * flow.V);
 }
 
-}  // namespace
+}  // namespace couette_test
 }  // namespace touchstone::reference

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace touchstone::reference {
-namespace {
+namespace manufactured_test {
 
 constexpr Manufactured flow{.L = 2, .U = 1.5, .omega = 3, .rho0 = 1000, .ripple = 0.1, .K = 4000, .mu = 30};
 
@@ -83,5 +83,5 @@ TEST(Manufactured, RefusesWhatIsNoFlow) {
   EXPECT_THROW(flow.velocity(std::nan(""), 0, 0), std::domain_error);
 }
 
-}  // namespace
+}  // namespace manufactured_test
 }  // namespace touchstone::reference

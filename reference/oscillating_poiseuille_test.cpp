@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace touchstone::reference {
-namespace {
+namespace oscillating_poiseuille_test {
 
 OscillatingPoiseuille at_womersley(double number) {
   const double half = 5e-4, nu = 1e-6;
@@ -63,5 +63,5 @@ TEST(OscillatingPoiseuille, RefusesWhatIsNotAChannel) {
   EXPECT_THROW(at_womersley(1)(0, std::numeric_limits<double>::infinity()), std::domain_error);
 }
 
-}  // namespace
+}  // namespace oscillating_poiseuille_test
 }  // namespace touchstone::reference

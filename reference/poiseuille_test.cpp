@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace touchstone::reference {
-namespace {
+namespace poiseuille_test {
 
 constexpr Poiseuille flow{.H = 1e-3, .F = 8e-3, .nu = 1e-6};             // Sun et al., table 1
 constexpr double viscous_time = flow.H * flow.H / flow.nu;               // s
@@ -73,5 +73,5 @@ TEST(Poiseuille, PrintedCentrelineValuesEachLackANine) {
   EXPECT_NEAR(1e3 * flow(flow.H / 2, 10), 1, 1e-15);
 }
 
-}  // namespace
+}  // namespace poiseuille_test
 }  // namespace touchstone::reference

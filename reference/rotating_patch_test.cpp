@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace touchstone::reference {
-namespace {
+namespace rotating_patch_test {
 
 constexpr RotatingPatch patch{.L = 1, .omega = 2, .rho = 1000};
 constexpr double scale = 1000 * 2 * 2 * 1 * 1;  // Pa  rho omega² L²
@@ -70,5 +70,5 @@ TEST(RotatingPatch, RefusesWhatIsNoPatch) {
   EXPECT_THROW(patch.p(0, std::numeric_limits<double>::quiet_NaN()), std::domain_error);
 }
 
-}  // namespace
+}  // namespace rotating_patch_test
 }  // namespace touchstone::reference

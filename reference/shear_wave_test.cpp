@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace touchstone::reference {
-namespace {
+namespace shear_wave_test {
 
 constexpr ShearWave wave{.L = 2e-3, .U = 0.5, .nu = 1e-6};
 
@@ -36,5 +36,5 @@ TEST(ShearWave, RefusesWhatIsNoWave) {
   EXPECT_THROW(wave(std::numeric_limits<double>::infinity(), 0), std::domain_error);
 }
 
-}  // namespace
+}  // namespace shear_wave_test
 }  // namespace touchstone::reference

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace touchstone::reference {
-namespace {
+namespace standing_wave_test {
 
 constexpr StandingWave wave{.L = 2, .a = 0.01, .h = 1, .g = 9.81, .nu = 0};
 constexpr double step = 0.01;
@@ -73,5 +73,5 @@ TEST(StandingWave, RefusesWhatIsNoWave) {
   EXPECT_THROW(wave.surface(0, -1), std::domain_error);
 }
 
-}  // namespace
+}  // namespace standing_wave_test
 }  // namespace touchstone::reference

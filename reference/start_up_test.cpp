@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace touchstone::reference {
-namespace {
+namespace start_up_test {
 
 TEST(StartUp, ErfcVanishesFarOutWhereGslIsNotANumber) {
   for (const double z : {27.0, 1e10, 1e60, 1e300}) {
@@ -168,5 +168,5 @@ TYPED_TEST(StartUpFlow, RepresentationsRefuseTimesThatAreNotTheirs) {
   EXPECT_THROW(TypeParam::flow.images(0, 11 * viscous_time), std::domain_error);
 }
 
-}  // namespace
+}  // namespace start_up_test
 }  // namespace touchstone::reference

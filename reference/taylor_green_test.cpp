@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace touchstone::reference {
-namespace {
+namespace taylor_green_test {
 
 constexpr TaylorGreen flow{.L = 1, .U = 1, .nu = 0.01, .rho = 1};  // Reynolds number 100
 constexpr double step = 0.01;
@@ -82,5 +82,5 @@ TEST(TaylorGreen, RefusesWhatIsNoFlow) {
   EXPECT_THROW(flow.v_y(std::numeric_limits<double>::quiet_NaN(), 0, 0), std::domain_error);
 }
 
-}  // namespace
+}  // namespace taylor_green_test
 }  // namespace touchstone::reference

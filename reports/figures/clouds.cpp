@@ -20,7 +20,7 @@ constexpr double tick_width = 30, tick_height = 24;             // px  that a la
 constexpr double most_ticks = 8;
 
 // Viridis by Smith & van der Walt (2015): even to the eye, and in grey, and to the colour-blind.
-constexpr auto palette =
+constexpr auto colour_map =
     "set palette defined (0 '#440154', 0.125 '#472D7B', 0.25 '#3B528B', 0.375 '#2C728E', 0.5 '#21918C', "
     "0.625 '#28AE80', 0.75 '#5EC962', 0.875 '#ADDC30', 1 '#FDE725')\n";
 
@@ -138,7 +138,7 @@ set border 15 linecolor rgb '#333333' linewidth 0.8
 set tics out nomirror scale 0.5 textcolor rgb '#111111'
 )",
                                  figure.id, 2 * width, 2 * layout.height);
-  text += palette + aired_range("x", panels.x) + aired_range("y", panels.y);
+  text += colour_map + aired_range("x", panels.x) + aired_range("y", panels.y);
   text += fmt::format("set xtics {:g}\nset ytics {:g}\n",
                       tick_step(span(panels.x), std::min(most_ticks, layout.panel_width / tick_width)),
                       tick_step(span(panels.y), std::min(most_ticks, layout.panel_height / tick_height)));

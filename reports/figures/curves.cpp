@@ -20,13 +20,13 @@ constexpr std::size_t few_points = 24;   // up to here a line shows its points t
 constexpr std::size_t many_points = 60;  // from here on points are drawn smaller
 
 // One curve, and its place among those that look alike: the curves of one method share a colour.
-struct Series {
+struct CurveSeries {
   const vnv::Curve* curve;
   std::string family;
   std::size_t colour = 0, member = 0;
 };
 
-LineStyle style_of(const Series& s) {
+LineStyle style_of(const CurveSeries& s) {
   const std::size_t turn = s.member + s.colour / palette.size();  // a second round of colours takes other marks
   switch (s.curve->role) {
     case Role::exact:
@@ -46,8 +46,8 @@ LineStyle style_of(const Series& s) {
   return style_of_method(s.colour, s.member);
 }
 
-std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& records) {
-  std::vector<Series> all;
+std::vector<CurveSeries> find_series(const vnv::Figure& figure, const CaseRecords& records) {
+  std::vector<CurveSeries> all;
   std::set<std::string> labels;
   for_each(records, &vnv::Record::curves, [&](const auto& record, const auto& curve) {
     if (curve.figure == figure.id && labels.insert(curve.label).second)
@@ -57,7 +57,7 @@ std::vector<Series> find_series(const vnv::Figure& figure, const CaseRecords& re
 }
 
 // Colours and members of one role, in order of appearance.
-void number_series(std::vector<Series>& all, Role role) {
+void number_series(std::vector<CurveSeries>& all, Role role) {
   std::vector<std::string> families;
   std::vector<std::size_t> members;
   for (auto& series : all) {
@@ -74,10 +74,11 @@ void number_series(std::vector<Series>& all, Role role) {
 // Back to front: a thin exact line stays visible upon a thick one of ours.
 constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Role::experiment, Role::exact, Role::best};
 
-std::vector<Series> series_of(const vnv::Figure& figure, const CaseRecords& records) {
-  std::vector<Series> all = find_series(figure, records);
+std::vector<CurveSeries> series_of(const vnv::Figure& figure, const CaseRecords& records) {
+  std::vector<CurveSeries> all = find_series(figure, records);
   for (const Role role : back_to_front) number_series(all, role);
-  std::ranges::stable_sort(all, {}, [](const Series& s) { return std::ranges::find(back_to_front, s.curve->role); });
+  std::ranges::stable_sort(all, {},
+                           [](const CurveSeries& s) { return std::ranges::find(back_to_front, s.curve->role); });
   return all;
 }
 
@@ -98,7 +99,7 @@ std::string with_clause(const vnv::Curve& curve, const LineStyle& l) {
 }
 
 // `first` is the row of the data at which the curve starts.
-std::string element(const Series& series, const vnv::Figure& figure, std::size_t first) {
+std::string element(const CurveSeries& series, const vnv::Figure& figure, std::size_t first) {
   const vnv::Curve& curve = *series.curve;
   const std::string with = with_clause(curve, style_of(series)), label = shortened(curve.label);
   if (drawable_points(curve, figure) == 0)
@@ -107,13 +108,13 @@ std::string element(const Series& series, const vnv::Figure& figure, std::size_t
                      gnuplot_string(label));
 }
 
-std::vector<std::string> labels_of(const std::vector<Series>& all) {
+std::vector<std::string> labels_of(const std::vector<CurveSeries>& all) {
   std::vector<std::string> labels;
   for (const auto& series : all) labels.push_back(series.curve->label);
   return labels;
 }
 
-std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figure) {
+std::string plot_command(const std::vector<CurveSeries>& all, const vnv::Figure& figure) {
   std::string elements;
   std::size_t row = 0;
   for (const auto& series : all) {
@@ -123,18 +124,18 @@ std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figu
   return "plot " + elements + "\n";
 }
 
-Extent extent_of(const std::vector<Series>& all, const vnv::Axis& axis, std::vector<double> vnv::Curve::*values) {
+Extent extent_of(const std::vector<CurveSeries>& all, const vnv::Axis& axis, std::vector<double> vnv::Curve::*values) {
   Extent extent(axis);
   for (const auto& series : all) extent.add(series.curve->*values);
   return extent;
 }
 
-std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
+std::string script(const std::vector<CurveSeries>& all, const vnv::Figure& figure, const Frame& frame) {
   const Extent x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
   return frame.commands(figure, x, y) + plot_command(all, figure) + "set output\n";
 }
 
-std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
+std::string data(const std::vector<CurveSeries>& all, const vnv::Figure& figure) {
   std::string csv = csv_line({"curve", figure.x.label, figure.y.label});
   for (const auto& series : all)
     for (std::size_t i = 0; i < series.curve->x.size(); ++i)
@@ -146,7 +147,7 @@ std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
 }  // namespace
 
 Plot plot_curves(const vnv::Figure& figure, const CaseRecords& records) {
-  const std::vector<Series> all = series_of(figure, records);
+  const std::vector<CurveSeries> all = series_of(figure, records);
   const Frame frame(plot_height, labels_of(all));
   Plot plot{figure.id + ".svg", Frame::width, frame.height(), script(all, figure, frame), data(all, figure)};
   for (const auto& series : all)

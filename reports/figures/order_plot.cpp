@@ -20,7 +20,7 @@ constexpr double below_data = 0.6;  // of the smallest error: where the guides s
 constexpr double widest_band = 1;   // half-width of an order; beyond, a band would cover what it is to explain
 
 /// A line of the comparison, and where its rows stand in the data.
-struct Series {
+struct LadderSeries {
   std::string label;
   LineStyle style;
   std::size_t first;
@@ -47,8 +47,8 @@ LineStyle style_of(const OrderLine& line, std::size_t member) {
   return style;
 }
 
-std::vector<Series> series_of(const OrderComparison& comparison) {
-  std::vector<Series> all;
+std::vector<LadderSeries> series_of(const OrderComparison& comparison) {
+  std::vector<LadderSeries> all;
   std::map<std::string, std::size_t> members;  // so far, of each method
   std::size_t row = 0;
   for (const auto& line : comparison.lines) {
@@ -71,7 +71,7 @@ double on_line(const vnv::ObservedOrder& data, double order, double spacing) {
   return std::exp(mean_log(data.errors) + order * (std::log(spacing) - mean_log(data.spacings)));
 }
 
-std::string rows(const Series& series, const vnv::Figure& figure) {
+std::string rows(const LadderSeries& series, const vnv::Figure& figure) {
   const vnv::ObservedOrder& o = *series.order;
   std::string csv;
   for (std::size_t i = 0; i < o.spacings.size(); ++i) {
@@ -85,18 +85,18 @@ std::string rows(const Series& series, const vnv::Figure& figure) {
   return csv;
 }
 
-std::string data(const std::vector<Series>& all, const vnv::Figure& figure) {
+std::string data(const std::vector<LadderSeries>& all, const vnv::Figure& figure) {
   std::string csv = csv_line({"ladder", figure.x.label, figure.y.label, "least-squares line",
                               "line of the lowest order", "line of the highest order", "floor"});
   for (const auto& series : all) csv += rows(series, figure);
   return csv;
 }
 
-long drawable_points(const Series& series, const vnv::Figure& figure) {
+long drawable_points(const LadderSeries& series, const vnv::Figure& figure) {
   return std::ranges::count_if(series.order->errors, [&](double error) { return is_drawable(error, figure.y); });
 }
 
-std::string line_element(const Series& series, const vnv::Figure& figure) {
+std::string line_element(const LadderSeries& series, const vnv::Figure& figure) {
   const LineStyle& l = series.style;
   const std::string with =
       fmt::format("linespoints dashtype {} linewidth {} linecolor rgb '{}' pointtype {} pointsize {:.3g}", l.dash,
@@ -107,7 +107,7 @@ std::string line_element(const Series& series, const vnv::Figure& figure) {
 }
 
 // Bands lie below all lines, so that none hides a point.
-std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figure) {
+std::string plot_command(const std::vector<LadderSeries>& all, const vnv::Figure& figure) {
   std::string elements;
   const auto add = [&](const std::string& element) { elements += (elements.empty() ? "" : ", \\\n     ") + element; };
   for (const auto& s : all)
@@ -127,7 +127,7 @@ std::string plot_command(const std::vector<Series>& all, const vnv::Figure& figu
 struct Guides {
   double x = INFINITY, y = INFINITY, end = 0;  // where they start, and where the data end; as the axes show it
 
-  Guides(const std::vector<Series>& all, const vnv::Figure& figure) {
+  Guides(const std::vector<LadderSeries>& all, const vnv::Figure& figure) {
     for (const auto& series : all)
       for (std::size_t i = 0; i < series.order->spacings.size(); ++i) {
         x = std::min(x, series.order->spacings[i] * figure.x.scale);
@@ -154,7 +154,7 @@ struct Guides {
   }
 };
 
-std::string script(const std::vector<Series>& all, const vnv::Figure& figure, const Frame& frame) {
+std::string script(const std::vector<LadderSeries>& all, const vnv::Figure& figure, const Frame& frame) {
   Extent x(figure.x), y(figure.y);
   for (const auto& series : all) {
     x.add(series.order->spacings);
@@ -185,16 +185,16 @@ std::string ladders(const OrderComparison& comparison) {
 }  // namespace
 
 vnv::Figure order_figure(const OrderComparison& comparison) {
-  const std::vector<Series> all = series_of(comparison);
+  const std::vector<LadderSeries> all = series_of(comparison);
   std::string caption = fmt::format("{} over the spacing of the particles. {} ",
                                     vnv::with_heading(comparison.subject.quantity).name, ladders(comparison));
-  if (std::ranges::any_of(all, &Series::has_band)) {
+  if (std::ranges::any_of(all, &LadderSeries::has_band)) {
     caption += "Bands: the least-squares lines of all orders within the 95 % interval";
-    if (!std::ranges::all_of(all, &Series::has_band))
+    if (!std::ranges::all_of(all, &LadderSeries::has_band))
       caption += fmt::format(", where that is no wider than ± {:g}", widest_band);
     caption += ". ";
   }
-  if (std::ranges::any_of(all, &Series::has_floor))
+  if (std::ranges::any_of(all, &LadderSeries::has_floor))
     caption += "Dashed: the floor that the errors of a method fall to. ";
   return {.id = comparison.id(),
           .title = fmt::format("Observed orders at {:.4g} s", comparison.subject.time),
@@ -205,7 +205,7 @@ vnv::Figure order_figure(const OrderComparison& comparison) {
 
 Plot plot_orders(const OrderComparison& comparison) {
   const vnv::Figure figure = order_figure(comparison);
-  const std::vector<Series> all = series_of(comparison);
+  const std::vector<LadderSeries> all = series_of(comparison);
   std::vector<std::string> labels;
   for (const auto& series : all) labels.push_back(series.label);
   const Frame frame(plot_height, labels);

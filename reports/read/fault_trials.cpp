@@ -14,8 +14,8 @@
 namespace touchstone::reports {
 namespace {
 
-const std::vector<std::string> columns{"fault",   "title",      "files",    "conclusion", "why",      "test",
-                                       "noticed", "margin [-]", "sentence", "revision",   "tried at", "digest"};
+const std::vector<std::string> trial_columns{"fault",   "title",      "files",    "conclusion", "why",      "test",
+                                             "noticed", "margin [-]", "sentence", "revision",   "tried at", "digest"};
 
 // In the order of the enumerators.
 constexpr auto conclusions = std::to_array<std::string_view>(
@@ -31,7 +31,7 @@ FaultTrial trial_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
   const auto refuse = [&](const std::string& what) { throw vnv::BadData(sheet.file, row.line, what); };
   const auto& c = row.cells;
   for (const std::size_t i : {0, 1, 5, 9, 10})
-    if (c[i].empty()) refuse(fmt::format("no {}, expected one", columns[i]));
+    if (c[i].empty()) refuse(fmt::format("no {}, expected one", trial_columns[i]));
   const auto conclusion = std::ranges::find(conclusions, c[3]);
   if (conclusion == conclusions.end())
     refuse(fmt::format("conclusion '{}', expected one such as '{}'", c[3], conclusions.front()));
@@ -95,7 +95,7 @@ std::string FaultTrials::sentence() const {
 
 FaultTrials read_fault_trials(const std::filesystem::path& file) {
   const vnv::Sheet sheet = vnv::read_sheet(file);
-  vnv::require_headings(sheet, columns);
+  vnv::require_headings(sheet, trial_columns);
   const auto& untried = sheet.key("untried");
   FaultTrials all{sheet.key("machine").value, sheet.key("tests").value, -1, {}};
   if (!is_read(untried.value, all.untried) || all.untried < 0)

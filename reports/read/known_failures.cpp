@@ -17,7 +17,8 @@
 namespace touchstone::reports {
 namespace {
 
-const std::vector<std::string> columns{"id", "case", "method", "level", "quantity", "since", "expires", "reason"};
+const std::vector<std::string> failure_columns{"id",       "case",  "method",  "level",
+                                               "quantity", "since", "expires", "reason"};
 
 /// "2026-11-22"; nothing for a day that no calendar has.
 std::optional<std::chrono::sys_days> day_of(const std::string& date) {
@@ -34,7 +35,7 @@ KnownFailure failure_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
   const auto refuse = [&](const std::string& what) { throw vnv::BadData(sheet.file, row.line, what); };
   const auto& c = row.cells;
   for (std::size_t i = 0; i < c.size(); ++i)
-    if (c[i].empty() && columns[i] != "level") refuse(fmt::format("no {}, expected one", columns[i]));
+    if (c[i].empty() && failure_columns[i] != "level") refuse(fmt::format("no {}, expected one", failure_columns[i]));
   const auto since = day_of(c[5]), expires = day_of(c[6]);
   if (!since) refuse(fmt::format("since '{}', expected a date such as 2026-11-22", c[5]));
   if (!expires) refuse(fmt::format("expires '{}', expected a date such as 2026-11-22", c[6]));
@@ -55,7 +56,7 @@ bool KnownFailure::covers(const vnv::Verdict& v) const {
 
 std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file) {
   const vnv::Sheet sheet = vnv::read_sheet(file, true);
-  vnv::require_headings(sheet, columns);
+  vnv::require_headings(sheet, failure_columns);
   std::vector<KnownFailure> all;
   for (const auto& row : sheet.rows) {
     KnownFailure known = failure_on(sheet, row);

@@ -18,7 +18,7 @@
 #include "solvers/walls/no_slip.hpp"
 
 namespace touchstone::sph {
-namespace {
+namespace runs_test {
 
 constexpr double spacing = 0.025 * mm, h = 1.2 * spacing, height = 0.5 * mm;
 const Box box{.high = {0.4 * mm, height}};
@@ -245,5 +245,5 @@ TYPED_TEST(SphStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
   EXPECT_EQ(one.v, three.v);
 }
 
-}  // namespace
+}  // namespace runs_test
 }  // namespace touchstone::sph

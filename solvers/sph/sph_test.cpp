@@ -15,7 +15,7 @@
 #include <set>
 
 namespace touchstone::sph {
-namespace {
+namespace sph_test {
 
 constexpr double width = 0.4 * mm, height = 0.5 * mm, spacing = 0.025 * mm, h = 1.2 * spacing;
 constexpr Newtonian water{{.density = 1000, .bulk_modulus = 143}, 1e-3};
@@ -369,5 +369,5 @@ TEST(Lanes, HoldTheFieldsOfTheirParticles) {
   expect_lanes_to_hold_fields<float, 16>();
 }
 
-}  // namespace
+}  // namespace sph_test
 }  // namespace touchstone::sph

@@ -7,7 +7,7 @@
 #include <functional>
 
 namespace touchstone::gate {
-namespace {
+namespace comparison_test {
 
 using vnv::Value, vnv::ObservedOrder, vnv::Outcome, vnv::Record, vnv::RunSummary, vnv::Verdict;
 
@@ -251,5 +251,5 @@ TEST(Comparison, OfRepeatedRunsSetsAsideWhatVariedBefore) {
   EXPECT_EQ(find(compare_repeated({{plain()}, {plain()}}, {{other}, {other}})), Change::worse);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace touchstone::gate

@@ -15,7 +15,7 @@
 #include <sstream>
 
 namespace touchstone::gate {
-namespace {
+namespace gate_test {
 
 namespace fs = std::filesystem;
 
@@ -349,5 +349,5 @@ TEST_F(GateOfRevisions, ThatCannotBeBuiltAreRefusedAndForgotten) {
   EXPECT_FALSE(fs::exists(".git/worktrees/source"));
 }
 
-}  // namespace
+}  // namespace gate_test
 }  // namespace touchstone::gate

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace touchstone::vnv {
-namespace {
+namespace assess_test {
 
 const Quantity l2{"L2 v_x", "%", Kind::norm}, other{"L2 v_y", "%", Kind::norm};
 
@@ -193,5 +193,5 @@ TEST(Assess, JudgesWhatWasFoundOverAllRunsAndKeepsItOutOfTheErrors) {
   EXPECT_TRUE(std::ranges::none_of(record.values, [](const Value& e) { return e.quantity.name == "runs"; }));
 }
 
-}  // namespace
+}  // namespace assess_test
 }  // namespace touchstone::vnv

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace touchstone::vnv {
-namespace {
+namespace describe_test {
 
 namespace fs = std::filesystem;
 
@@ -114,5 +114,5 @@ TEST_F(ADescription, IsRefusedWithItsSourceIfItIsNone) {
   EXPECT_NE(refusal("{\"schema\": 9}").find("schema is 9, expected 1"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace describe_test
 }  // namespace touchstone::vnv

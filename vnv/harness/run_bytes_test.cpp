@@ -5,7 +5,7 @@
 #include <cstring>
 
 namespace touchstone::vnv {
-namespace {
+namespace run_bytes_test {
 
 using ARun = Run;  // inside a test, Run is GoogleTest's
 
@@ -55,5 +55,5 @@ TEST(ARunAsBytes, ThatIsTornIsRefused) {
   EXPECT_THROW(run_from(whole + "x"), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace run_bytes_test
 }  // namespace touchstone::vnv

@@ -5,7 +5,7 @@
 #include <csignal>
 
 namespace touchstone::vnv {
-namespace {
+namespace run_levels_test {
 
 using ARun = Run;  // inside a test, Run is GoogleTest's
 
@@ -78,5 +78,5 @@ TEST(ALevelOfAnySpacing, HasCellsAsTheLevelOfNearestSpacing) {
   EXPECT_TRUE(std::isnan(level_at(method, 0.1).cell)) << "a method without cells";
 }
 
-}  // namespace
+}  // namespace run_levels_test
 }  // namespace touchstone::vnv

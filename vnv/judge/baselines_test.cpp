@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace touchstone::vnv {
-namespace {
+namespace baselines_test {
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 const Acceptance accepted{.title = "Poiseuille", .revision = "1a2b3c", .date = "2025-01-31", .reason = "first values"};
@@ -197,5 +197,5 @@ TEST(Baselines, RefuseATruncatedFile) {
             "7: the file ends within this row; found 7, expected 8 cells");
 }
 
-}  // namespace
+}  // namespace baselines_test
 }  // namespace touchstone::vnv

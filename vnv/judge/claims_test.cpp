@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace touchstone::vnv {
-namespace {
+namespace claims_test {
 
 const Quantity l2{"L2 v_x", "%", Kind::norm};
 const Place here{"poiseuille", "sph", "S2", 1.25e-5, 1};
@@ -101,5 +101,5 @@ TEST(OrderClaim, FailsForDivergenceAndForNoOrderAtAll) {
   EXPECT_EQ(judge(claim, here, order(not_a_number, not_a_number)).outcome, Outcome::fails);
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace touchstone::vnv

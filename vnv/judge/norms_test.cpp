@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace touchstone::vnv {
-namespace {
+namespace norms_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::vector<double> truth{3, -1, 4, -1.5, 9};
@@ -108,5 +108,5 @@ TEST(Norms, RefuseInOneLine) {
   }
 }
 
-}  // namespace
+}  // namespace norms_test
 }  // namespace touchstone::vnv

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace touchstone::vnv {
-namespace {
+namespace centrelines_test {
 
 constexpr double spacing = 0.05;
 constexpr Cavity cavity{.side = 2, .lid_speed = 3};
@@ -119,9 +119,10 @@ TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
         net += flow;
         all += std::abs(flow);
       }
-      EXPECT_LT(std::abs(net), 0.08 * all) << Re << norm_of("L2", line.direction).name;  // the trapezia between sixteen points
+      EXPECT_LT(std::abs(net), 0.08 * all)
+          << Re << norm_of("L2", line.direction).name;  // the trapezia between sixteen points
     }
 }
 
-}  // namespace
+}  // namespace centrelines_test
 }  // namespace touchstone::vnv

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace touchstone::vnv {
-namespace {
+namespace field_errors_test {
 
 Vec2 turning(const Vec2& x, double t) { return Vec2(-x.y(), x.x()) * std::exp(-t); }
 double rising(const Vec2& x, double t) { return 3 * x.x() + t; }
@@ -96,5 +96,5 @@ TEST(DecayOfEnergy, OfARunThatDivergedIsNotTold) {
   EXPECT_TRUE(decay_of_energy(0, 2)(level, run).empty());
 }
 
-}  // namespace
+}  // namespace field_errors_test
 }  // namespace touchstone::vnv

@@ -16,7 +16,7 @@
 #include <random>
 
 namespace touchstone::sph {
-namespace {
+namespace free_surface_parts_test {
 
 constexpr double spacing = 0.05, h = 2 * spacing, c = 10, g = 9.81;
 constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
@@ -336,5 +336,5 @@ TEST(Shifting, SpreadsParticlesEvenlyAndLeavesTheSurfaceWhereItIs) {
   }
 }
 
-}  // namespace
+}  // namespace free_surface_parts_test
 }  // namespace touchstone::sph

@@ -12,7 +12,7 @@
 #include "solvers/walls/free_slip.hpp"
 
 namespace touchstone::sph {
-namespace {
+namespace free_surface_test {
 
 constexpr double spacing = 0.05, h = 2 * spacing, c = 20, g = 9.81;
 constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
@@ -136,5 +136,5 @@ TEST(FreeSurface, DiffusionQuietensThePressure) {
   EXPECT_LT(noise(delta), 0.1 * noise(Parts{}));
 }
 
-}  // namespace
+}  // namespace free_surface_test
 }  // namespace touchstone::sph
