@@ -20,11 +20,11 @@ constexpr double hardly = -0.1;               // a margin between this and 0
 
 /// A test with its margin, and its sentence for a pointer that rests on it.
 std::string test_html(const FaultTest& test) {
-  const std::string margin =
+  const std::string percentage =
       std::isnan(test.margin)
           ? ""
           : fmt::format(" <small class=\"{}\">{}</small>", test.noticed ? "fails" : "holds", in_percent(test.margin));
-  return fmt::format("<span title=\"{}\">{}{}</span> ", escape(test.sentence), escape(test.name), margin);
+  return fmt::format("<span title=\"{}\">{}{}</span> ", escape(test.sentence), escape(test.name), percentage);
 }
 
 /// The tests that noticed, or those that did not: what is farthest beyond its limit, or closest to it, first.

@@ -24,11 +24,11 @@ struct Tokens {
 
 /// Tokens 1 to n in the cells named for each.
 template <int width>
-struct Box {
+struct TokensInCells {
   CellOrder<width> order;
   Tokens tokens;
 
-  Box(int columns, int rows, const std::vector<int>& cell_of) : order(columns, rows, cell_of) {
+  TokensInCells(int columns, int rows, const std::vector<int>& cell_of) : order(columns, rows, cell_of) {
     tokens.number.assign(order.slots(), 0);
     std::map<int, int> taken;
     for (std::size_t p = 0; p < cell_of.size(); ++p)
@@ -59,7 +59,7 @@ void expect_as_sorted(int columns, int rows, int particles, int carries) {
   std::uniform_int_distribution<int> any_cell(0, columns * rows - 1);
   std::vector<int> cell_of(particles);
   for (int p = 0; p < particles; ++p) cell_of[p] = p * columns * rows / particles;
-  Box<width> box(columns, rows, cell_of);
+  TokensInCells<width> box(columns, rows, cell_of);
   for (int carried = 0; carried < carries; ++carried) {
     int from = any_cell(random);
     while (box.order.count(from) == 0) from = any_cell(random);
@@ -87,7 +87,7 @@ TEST(CellOrder, DoesSoForRegistersOfAnyWidth) {
 }
 
 TEST(CellOrder, KeepsTheParticlesOfNeighbouringCellsSideBySide) {
-  const Box<4> box(8, 1, {4, 5, 6, 7, 4, 5, 6, 7});
+  const TokensInCells<4> box(8, 1, {4, 5, 6, 7, 4, 5, 6, 7});
   ASSERT_EQ(box.order.blocks().size(), 1U);
   const int first = box.order.blocks()[0].first;
   EXPECT_EQ(std::vector<int>(&box.tokens.number[first], &box.tokens.number[first + 8]),
@@ -95,7 +95,7 @@ TEST(CellOrder, KeepsTheParticlesOfNeighbouringCellsSideBySide) {
 }
 
 TEST(CellOrder, ListsOnlyTheBlocksThatHoldParticlesRowByRow) {
-  Box<4> box(1000, 1000, {999999, 5, 4003, 4});
+  TokensInCells<4> box(1000, 1000, {999999, 5, 4003, 4});
   const auto& blocks = box.order.blocks();
   ASSERT_EQ(blocks.size(), 3U);
   EXPECT_EQ(blocks[0].column, 4);
@@ -106,7 +106,7 @@ TEST(CellOrder, ListsOnlyTheBlocksThatHoldParticlesRowByRow) {
 }
 
 TEST(CellOrder, NoticesThatABlockIsFilledOrEmptied) {
-  Box<4> box(12, 1, {1, 1, 9});
+  TokensInCells<4> box(12, 1, {1, 1, 9});
   box.carry(1, 0, 9);
   EXPECT_FALSE(box.order.is_stale());
   box.carry(1, 0, 2);
@@ -130,7 +130,7 @@ TEST(CellOrder, MakesRoomWhereABlockIsFull) {
   constexpr int crowd = 3000;
   std::vector<int> cell_of(crowd);
   for (int p = 0; p < crowd; ++p) cell_of[p] = p % 30;
-  Box<4> box(30, 1, cell_of);
+  TokensInCells<4> box(30, 1, cell_of);
   for (int cell = 1; cell < 30; ++cell)
     while (box.order.count(cell) > 0) box.carry(cell, 0, 0);
   EXPECT_EQ(box.order.count(0), crowd);
@@ -141,7 +141,7 @@ TEST(CellOrder, MakesRoomWhereABlockIsFull) {
 }
 
 TEST(CellOrder, LooksAtEachParticleOnceWhenTheyAreCarriedAsTheyAreRead) {
-  Box<4> box(3, 1, {1, 1, 1, 1});
+  TokensInCells<4> box(3, 1, {1, 1, 1, 1});
   std::vector<int> seen;
   for (int k = 0; k < box.order.count(1);) {
     const int p = box.tokens.number[box.order.slot(1, k)], to = p % 3;

@@ -1,5 +1,7 @@
 #include "vnv/measures/steadiness.hpp"
 
+#include "vnv/record/record.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -65,7 +65,9 @@ TEST(Ensemble, FailsWithAStartThatHasNoNumber) {
 }
 
 TEST(Ensemble, IsInconclusiveBeforeOneWasAccepted) {
-  EXPECT_EQ(verdict_on_height(assessed(splashing(1, 0.2), {})).outcome, Outcome::inconclusive);
+  const Verdict verdict = assessed(splashing(1, 0.2), {}).verdicts.back();
+  EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
+  EXPECT_NE(verdict.sentence.find("no accepted baseline yet"), std::string::npos) << verdict.sentence;
 }
 
 TEST(Ensemble, StartsEachOfItsMembersElsewhere) {

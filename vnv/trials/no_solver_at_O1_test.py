@@ -18,9 +18,10 @@ def objects_below_O3(build):
     """The object files of the project, but for tests and headers compiled alone, whose last -O is less than 3."""
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         levels = re.findall(r" -O(\w)", entry["command"])
-        is_test = entry["file"].endswith("_test.cpp") or "/headers/" in entry["file"]
+        object_file = re.search(r" -o (\S+)", entry["command"])[1]
+        is_test = "_test.dir/" in object_file or "/headers/" in entry["file"]
         if levels and levels[-1] in "012" and not is_test:
-            yield pathlib.Path(entry["directory"]) / re.search(r" -o (\S+)", entry["command"])[1]
+            yield pathlib.Path(entry["directory"]) / object_file
 
 
 def functions_of_solvers(files):
