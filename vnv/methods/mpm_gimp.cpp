@@ -13,6 +13,7 @@ template <class AnyScene>
 Method mpm_gimp(const AnyScene& scene, double output_interval, double courant) {
   return simulating(
       {.name = "mpm_gimp",
+       .family = Family::mpm,
        .description = fmt::format(
            "Generalised interpolation material point method with particles that stay squares (uniform GIMP, Bardenhagen & "
            "Kober 2004), FLIP, MUSL; four particles per cell. Acoustic Courant number {:g}, by the cell.",
