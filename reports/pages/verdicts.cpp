@@ -11,8 +11,8 @@ namespace touchstone::reports {
 namespace {
 
 // The case stands first on the page of all of them.
-const std::vector<std::string> columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
-                                       "time [s]", "value",  "limit", "margin",       "limit set by"};
+const std::vector<std::string> claim_columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
+                                             "time [s]", "value",  "limit", "margin",       "limit set by"};
 
 /// May break after an underscore.
 std::string name_html(const std::string& name) { return replaced(escape(name), "_", "_<wbr>"); }
@@ -62,13 +62,13 @@ std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdi
 }
 
 std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
-  HtmlTable table{"Claims.", caption, columns};
+  HtmlTable table{"Claims.", caption, claim_columns};
   for (const auto& verdict : verdicts) table.rows.push_back(verdict_row(verdict));
   return to_html(table);
 }
 
 std::string verdicts_page(const std::vector<CaseRecords>& cases) {
-  HtmlTable table{"Claims of all cases.", caption, columns};
+  HtmlTable table{"Claims of all cases.", caption, claim_columns};
   table.columns.insert(table.columns.begin(), "case");
   for_each(cases, &vnv::Record::verdicts, [&](const vnv::Record& record, const vnv::Verdict& verdict) {
     HtmlRow row = verdict_row(verdict);
