@@ -5,11 +5,11 @@
 #include "vnv/harness/assess.hpp"
 #include "vnv/harness/describe.hpp"
 #include "vnv/harness/measurements.hpp"
+#include "vnv/harness/options.hpp"
 #include "vnv/harness/run_levels.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -20,13 +20,6 @@ namespace {
 
 std::string case_name;  // that of the program
 
-struct Options {
-  std::filesystem::path records;  // empty: none is written
-  Suite suite = Suite::acceptance;
-  std::string method;  // empty: all
-  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
-  std::string accept_reason;
-};
 Options options;
 
 std::filesystem::path baselines_file() { return data_folder() / "baselines" / (case_name + ".csv"); }
@@ -198,46 +191,15 @@ void write_ctest_file(const Case& declared, const char* program, const std::stri
 }
 
 int run(int count, char** arguments) {
-  CLI::App app{
-      fmt::format("{}: runs each method of the case, compares it with the oracle and judges it by its claims.\n"
-                  "Example: {} --method mpm --suite acceptance --records build/records",
-                  case_name, case_name)};
-  std::string ctest_file, records;
-  bool list = false, describes = false;
-  const std::map<std::string, Suite> suites = {
-      {"acceptance", Suite::acceptance}, {"report", Suite::report}, {"nightly", Suite::nightly}};
-  app.add_option("--method", options.method, "only this method");
-  app.add_option("--suite", options.suite, "how many levels and how long: acceptance, report or nightly")
-      ->transform(CLI::CheckedTransformer(suites));
-  app.add_option("--records", records, "folder to write a record per method into");
-  app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
-  app.add_option("--spacing", options.spacing, "one run at this particle spacing [m], measured and not judged");
-  const auto positive = CLI::PositiveNumber;
-  app.add_option("--cell", options.cell,
-                 "with --spacing: size of a background cell [m]; else as on the level of nearest spacing")
-      ->needs("--spacing")
-      ->check(positive);
-  app.add_option("--time-step", options.time_step, "with --spacing: time step [s]; else that of the method")
-      ->needs("--spacing")
-      ->check(positive);
-  app.add_option("--until", options.until, "with --spacing: end time [s]; else the first time of the case")
-      ->needs("--spacing")
-      ->check(positive);
-  app.add_option("--accept", options.accept_reason, "make today's values the baselines, for this reason");
-  app.add_flag("--list", list, "name the methods and their levels");
-  app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
-  app.add_option("--ctest-file", ctest_file)->group("");
-  CLI11_PARSE(app, count, arguments);
-  options.records = records;
-
-  if (!ctest_file.empty()) {
-    write_ctest_file(the_case(), arguments[0], ctest_file, records);
+  if (const auto status = options.parse(case_name, count, arguments)) return *status;
+  if (!options.ctest_file.empty()) {
+    write_ctest_file(the_case(), arguments[0], options.ctest_file, options.records);
     return EXIT_SUCCESS;
   }
-  if (!records.empty() && !std::filesystem::is_directory(records))
-    throw std::invalid_argument(fmt::format("--records {}: expected a folder that exists", records));
+  if (!options.records.empty() && !std::filesystem::is_directory(options.records))
+    throw std::invalid_argument(fmt::format("--records {}: expected a folder that exists", options.records.string()));
   const Case declared = the_case();
-  if (list) {
+  if (options.list) {
     for (const Method& method : declared.methods) {
       fmt::print("{}:", method.name);
       for (const Level& level : method.levels) fmt::print(" {}", level.name);
@@ -245,15 +207,15 @@ int run(int count, char** arguments) {
     }
     return EXIT_SUCCESS;
   }
-  if (describes) {
+  if (options.describes) {
     fmt::print("{}", json_of(describe(case_name, declared, data_folder())));
     return EXIT_SUCCESS;
   }
-  if (app.count("--spacing") > 0) {
+  if (options.explores) {
     require_positive("--spacing", "spacing [m]", options.spacing);
     return explore(declared);
   }
-  if (app.count("--accept") > 0) {
+  if (options.accepts) {
     if (options.accept_reason.empty())
       throw std::invalid_argument("--accept '': expected the reason why the new values are right");
     require_no_test("--accept");

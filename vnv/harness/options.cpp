@@ -1,0 +1,51 @@
+#include "vnv/harness/options.hpp"
+
+#include "vnv/files/data_folder.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+namespace touchstone::vnv {
+
+std::optional<int> Options::parse(const std::string& case_name, int count, char** arguments) {
+  CLI::App app{
+      fmt::format("{}: runs each method of the case, compares it with the oracle and judges it by its claims.\n"
+                  "Example: {} --method mpm --suite acceptance --records build/records",
+                  case_name, case_name)};
+  const std::map<std::string, Suite> suites = {
+      {"acceptance", Suite::acceptance}, {"report", Suite::report}, {"nightly", Suite::nightly}};
+  app.add_option("--method", method, "only this method");
+  app.add_option("--suite", suite, "how many levels and how long: acceptance, report or nightly")
+      ->transform(CLI::CheckedTransformer(suites));
+  app.add_option_function<std::string>(
+      "--records", [this](const std::string& folder) { records = folder; }, "folder to write a record per method into");
+  app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
+  app.add_option("--spacing", spacing, "one run at this particle spacing [m], measured and not judged");
+  const auto positive = CLI::PositiveNumber;
+  app.add_option("--cell", cell,
+                 "with --spacing: size of a background cell [m]; else as on the level of nearest spacing")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--time-step", time_step, "with --spacing: time step [s]; else that of the method")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--until", until, "with --spacing: end time [s]; else the first time of the case")
+      ->needs("--spacing")
+      ->check(positive);
+  app.add_option("--accept", accept_reason, "make today's values the baselines, for this reason");
+  app.add_flag("--list", list, "name the methods and their levels");
+  app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
+  app.add_option("--ctest-file", ctest_file)->group("");
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  explores = app.count("--spacing") > 0;
+  accepts = app.count("--accept") > 0;
+  return std::nullopt;
+}
+
+}  // namespace touchstone::vnv

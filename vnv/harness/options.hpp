@@ -1,0 +1,26 @@
+#pragma once
+#include "vnv/case.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace touchstone::vnv {
+
+/// What the program of a case is asked on its command line.
+struct Options {
+  std::filesystem::path records{};  // empty: none is written
+  Suite suite = Suite::acceptance;
+  std::string method{};   // empty: all
+  bool explores = false;  // one run at this `spacing`, not judged
+  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
+  bool accepts = false;
+  std::string accept_reason{};
+  bool list = false, describes = false;
+  std::string ctest_file{};
+
+  /// Reads them; an exit status where nothing is left to do: help was asked for, or an option was wrong and is named.
+  std::optional<int> parse(const std::string& case_name, int count, char** arguments);
+};
+
+}  // namespace touchstone::vnv
