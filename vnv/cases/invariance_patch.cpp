@@ -44,7 +44,7 @@ Case vnv::the_case() {
       in_views.methods(scene_of, methods_on, {"sph_delta"}),
       "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included.");
   for (Method& method : declared.methods)
-    if (method.name.starts_with("sph"))
+    if (method.family == Family::sph)
       method.claims.push_back(in_views.unchanged(turned, "without a grid there is no preferred direction"));
   declared.title = "Invariance: rotating patch";
   declared.description =
