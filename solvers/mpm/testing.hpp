@@ -82,6 +82,15 @@ void expect_stop_of_spoilt(Solver poisoned, std::optional<long> particle = {}) {
   }
 }
 
+/// A heap in a corner whose fluid is stirred.
+inline Scene<Tait, ForceField> heap() {
+  return {.domain = {.box = {.high = {1.2, 0.9}}},
+          .fluid = {.density = 1000, .bulk_modulus = 2000},
+          .filled = {.high = {0.45, 0.6}},
+          .walls = {left_at(0, free_slip()), floor_at(0, free_slip())},
+          .body_force = stirring({0.8, 0.7}, 3)};
+}
+
 /// A column that collapses in a tank of that height [m].
 inline Scene<Tait, Uniform> dam(double height = 2) {
   return {.domain = {.box = {.high = {1, height}}},

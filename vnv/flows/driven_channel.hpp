@@ -1,5 +1,5 @@
 #pragma once
-/// Plane Poiseuille flow: the channel of Sun et al., driven by a body force between plates at rest.
+/// Plane Poiseuille flow of any fluid and body force, between the plates of Sun et al. at rest.
 
 #include "reference/poiseuille.hpp"
 #include "solvers/forces/force_field.hpp"
@@ -47,16 +47,19 @@ inline Case forty_across(const Scene<Newtonian, Uniform>& scene, const std::vect
       .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact)},
       .methods =
           {{.name = "mpm",
+            .family = Family::mpm,
             .description = mpm_words + moving_words,
             .run = mpm_with<mpm::PrescribedMotion>(scene, step),
             .levels =
                 {{.name = "M1", .spacing = H / 40, .cell = H / 40, .acceptance = end, .report = end, .nightly = end}}},
            {.name = "sph",
+            .family = Family::sph,
             .description = sph_printed_words + conservative_words,
             .run = channel::sph_as_printed(scene, step),
             .levels = {of_sph},
             .tolerance = stretched},
            {.name = "sph_regularised",
+            .family = Family::sph,
             .description = sph_regularised_words,
             .run = sph_with_transport_velocity(scene, step_of_regularised),
             .levels = {of_sph},

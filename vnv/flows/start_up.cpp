@@ -23,7 +23,7 @@ Plot comparison(const std::string& flow, const std::string& title) {
         {"method", "model", "L2 paper [%]", "L2 ours [%]", "ratio", "Linf paper [%]", "Linf ours [%]", "ratio",
          "T_p paper [ms]", "T_p ours [ms]", "ratio", "memory paper [MB]", "memory ours [MB]", "ratio"},
         {}};
-    const DataTable paper = published(flow, results.method.name.rfind("mpm", 0) == 0 ? "MPM" : "SPH");
+    const DataTable paper = published(flow, results.method.family == Family::mpm ? "MPM" : "SPH");
     for (std::size_t k = 0; k < paper.rows(); ++k) {
       const std::string& model = paper.words("model")[k];
       const Run* run = results.run(model);

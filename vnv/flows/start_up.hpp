@@ -3,11 +3,8 @@
 /// but for what is claimed of it alone.
 
 #include "reference/couette.hpp"
-#include "reference/poiseuille.hpp"
-#include "solvers/forces/uniform.hpp"
-#include "solvers/walls/no_slip.hpp"
 #include "vnv/files/tables.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/driven_channel.hpp"
 
 #include <map>
 
@@ -15,13 +12,8 @@ namespace touchstone::vnv::channel {
 
 /// Section 3.1: plates at rest; the fluid is driven along them.
 namespace poiseuille {
-inline constexpr double F = 8 * mm;  // m/s²  table 1
-inline const Scene<Newtonian, Uniform> scene{.domain = {.box = gap, .periodic_x = true},
-                                             .fluid = water,
-                                             .filled = gap,
-                                             .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
-                                             .body_force = {{F, 0}}};
-inline const reference::Poiseuille exact{.H = H, .F = F, .nu = water.kinematic_viscosity()};
+inline const Scene<Newtonian, Uniform> scene = driven_by(Uniform{{drive, 0}});
+inline const reference::Poiseuille exact{.H = H, .F = drive, .nu = water.kinematic_viscosity()};
 }  // namespace poiseuille
 
 /// Section 3.2: the upper plate slides.

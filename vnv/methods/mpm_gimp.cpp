@@ -10,21 +10,21 @@
 namespace touchstone::vnv {
 
 template <class AnyScene>
+Simulation mpm_gimp_solver(const AnyScene& scene, const Level& level, double time_step) {
+  return mpm::composed<mpm::Gimp, mpm::Flip>(scene,
+                                             {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+}
+
+template <class AnyScene>
 Method mpm_gimp(const AnyScene& scene, double output_interval, double courant) {
-  return simulating(
+  return keeping_courant_number(
+      courant, &Level::cell, output_interval, scene, mpm_gimp_solver<AnyScene>,
       {.name = "mpm_gimp",
        .family = Family::mpm,
-       .description = fmt::format(
+       .description =
            "Generalised interpolation material point method with particles that stay squares (uniform GIMP, Bardenhagen & "
-           "Kober 2004), FLIP, MUSL; four particles per cell. Acoustic Courant number {:g}, by the cell.",
-           courant),
-       .tolerance = stretched,
-       .relative_cost = 2},
-      [=](const Level& level, double time_step) {
-        return mpm::composed<mpm::Gimp, mpm::Flip>(
-            scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
-      },
-      by_cells(scene, courant, output_interval));
+           "Kober 2004), FLIP, MUSL; four particles per cell.",
+       .relative_cost = 2});
 }
 
 #define TOUCHSTONE_COMPILE(...) template Method mpm_gimp(const __VA_ARGS__&, double, double);

@@ -12,7 +12,7 @@ namespace touchstone::vnv {
 
 /// What a ladder of errors says of a method; `observe_order` tells them apart.
 enum class Trend { converging, stalled, diverging, inconclusive };
-constexpr auto words(Trend) {  // in the order of the enumerators, as the two below
+constexpr auto words(Trend) {  // in the order of the enumerators, as all such lists
   return std::to_array<std::string_view>({"converging", "stalled", "diverging", "inconclusive"});
 }
 std::string_view name_of(Trend trend);

@@ -368,14 +368,7 @@ TEST(Transfer, EqualsThePlainLoopForAViscousFluidAcrossThePeriodicBoundary) {
 }
 
 TEST(Transfer, EqualsThePlainLoopForAnInviscidFluidInACorner) {
-  const Scene<Tait, ForceField> heap{
-      .domain = {.box = {.high = {1.2, 0.9}}},
-      .fluid = {.density = 1000, .bulk_modulus = 2000},
-      .filled = {.high = {0.45, 0.6}},
-      .walls = {left_at(0, free_slip()), floor_at(0, free_slip())},
-      .body_force = stirring({0.8, 0.7}, 3),
-  };
-  expect_equal_runs(heap, {.cell = 0.1, .spacing = 0.03, .time_step = 2e-3}, 150);
+  expect_equal_runs(heap(), {.cell = 0.1, .spacing = 0.03, .time_step = 2e-3}, 150);
 }
 
 template <class Number>
