@@ -64,9 +64,10 @@ inline Lanes<float, 16> greater_of(const Lanes<float, 16>& a, const Lanes<float,
 inline Lanes<double, 8> less_of(const Lanes<double, 8>& a, const Lanes<double, 8>& b) { return _mm512_min_pd(a, b); }
 inline Lanes<float, 16> less_of(const Lanes<float, 16>& a, const Lanes<float, 16>& b) { return _mm512_min_ps(a, b); }
 #else
-void root_of() = delete;
-void greater_of() = delete;
-void less_of() = delete;
+struct NoLanes {};
+void root_of(NoLanes);
+void greater_of(NoLanes, NoLanes);
+void less_of(NoLanes, NoLanes);
 #endif
 
 }  // namespace detail

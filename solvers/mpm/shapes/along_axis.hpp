@@ -108,10 +108,10 @@ constexpr ShapeErrors errors_along(const Axis& axis) {
   return errors;
 }
 
-/// Closes the header of a shape that differs from cell to cell, for an axis.
-template <class Shape, Axis axis, double tolerance>
-consteval bool obeys_laws_along() {
-  return are_within<[] { return errors_along<Shape>(axis); }, tolerance>();
+/// Closes the header of a shape that differs from cell to cell, for the axis that `axis` gives.
+template <class Shape, class Met, class GivesAxis>
+consteval bool obeys_laws_along(GivesAxis axis) {
+  return are_met<Met>([axis] { return errors_along<Shape>(axis()); });
 }
 
 }  // namespace touchstone::mpm

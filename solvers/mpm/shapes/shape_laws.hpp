@@ -37,10 +37,20 @@ struct ShapeErrors {
   }
 };
 
+/// How far a law may be missed: not at all where all numbers are dyadic.
+struct Exactly {
+  static constexpr double tolerance = 0;
+};
+struct ButForRounding {
+  static constexpr double tolerance = 1e-14;
+};
+
 /// True, or no compilation: the message names the law, and the compiler's note below it the error and what is allowed.
-template <auto errors_of_shape, double tolerance>
-consteval bool are_within() {
+/// `errors_of_shape` captures nothing: its result is a constant.
+template <class Met, class ErrorsOfShape>
+consteval bool are_met(ErrorsOfShape errors_of_shape) {
   constexpr ShapeErrors errors = errors_of_shape();
+  constexpr double tolerance = Met::tolerance;
   static_assert(errors.unity <= tolerance, "partition of unity: weights sum to 1");
   static_assert(errors.place <= tolerance, "linear fields: weights times places sum to the place");
   static_assert(errors.slopes <= tolerance, "partition of unity: slopes sum to 0");
@@ -70,7 +80,7 @@ constexpr ShapeErrors errors_in_a_cell() {
 /// Closes the header of a shape: static_assert(obeys_shape_laws<Shape>()).
 template <class Shape>
 consteval bool obeys_shape_laws() {
-  return are_within<errors_in_a_cell<Shape>, 0.0>();  // exact: places are dyadic
+  return are_met<Exactly>([] { return errors_in_a_cell<Shape>(); });
 }
 
 }  // namespace touchstone::mpm

@@ -12,7 +12,7 @@ import seeded
 from shared import BadInput, run
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-UNREAD = ("vnv/trials/faults/", "vnv/trials/losses/")
+UNREAD = ("vnv/trials/faults/", "vnv/trials/losses/", "vnv/trials/mutants/")
 
 
 def source_files():
@@ -104,9 +104,13 @@ class Scratch:
                     file.with_name(f"{file.name}_tests.cmake").unlink(missing_ok=True)
 
     def make(self, build, targets):
-        """Builds these targets, and nothing else is left; what the compiler said where it failed, else nothing."""
+        """Builds these targets, and nothing else is left."""
         if "all" not in targets:
             self.remove_others(build, targets)
+        return self.compile(build, targets)
+
+    def compile(self, build, targets):
+        """What the compiler said where it failed, else nothing."""
         done = run(["cmake", "--build", build, "-j", self.jobs, "--target", *targets])
         if done.returncode == 0:
             return ""

@@ -1,0 +1,114 @@
+"""The tests nearest to a source file: those whose programs are made from it, the cheapest to compile and run first."""
+
+import dataclasses
+import pathlib
+import re
+import resource
+import subprocess
+
+from shared import BadInput, run
+
+MEMORY = 8 * 2**30  # bytes; a mutant may ask for any amount
+
+
+@dataclasses.dataclass(frozen=True)
+class Program:
+    path: str  # below the build folder, as ninja names it
+    objects: frozenset
+    seconds: float  # to run its tests
+
+    @property
+    def is_case(self):
+        return not self.path.endswith("_test")
+
+    @property
+    def name(self):
+        return pathlib.PurePath(self.path).name
+
+
+def with_limited_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Nearest:
+    """What a complete build knows of its programs: the named cases, and those of unit tests that any of the modules is
+    compiled into."""
+
+    def __init__(self, source, build, cases, modules):
+        self.source, self.build = source, build
+        self.headers = self.files_of_objects()
+        self.compile_seconds = self.seconds_of_objects()
+        paths = sorted(str(file.relative_to(build)) for room in ("solvers", "reference", "vnv", "reports")
+                       for file in (build / room).glob("*_test"))
+        self.programs = [Program(path, self.objects(path), 0) for path in [*paths, *(f"vnv/{case}" for case in cases)]]
+        self.programs = [program for program in self.programs if any(self.is_compiled_into(module + "/", program) for module in modules)]
+
+    def changed_objects(self, file):
+        """Those that a file, or any of a folder, is compiled into."""
+        path = str(self.source.resolve() / file) + ("/" if file.endswith("/") else "")
+        return {name for name, files in self.headers.items() if any(other.startswith(path) for other in files)}
+
+    def is_compiled_into(self, file, program):
+        """Whether the tests of a program, or the module that they are of, are compiled anew; of a case any of its objects."""
+        changed = program.objects & self.changed_objects(file)
+        own = (f"/{program.name}.dir/", f"/{program.name.removesuffix('_test')}.dir/")
+        return bool(changed) if program.is_case else any(folder in name for name in changed for folder in own)
+
+    def files_of_objects(self):
+        found, current = {}, None
+        for line in run(["ninja", "-C", self.build, "-t", "deps"]).stdout.splitlines():
+            if ": #deps" in line:
+                current = found.setdefault(line.split(":")[0], set())
+            elif line.startswith("    ") and current is not None:
+                current.add(str((self.build / line.strip()).resolve()))
+        if not found:
+            raise BadInput(f"{self.build}: ninja knows of no files that objects are made from, expected a complete build")
+        return found
+
+    def seconds_of_objects(self):
+        rows = (line.split("\t") for line in (self.build / ".ninja_log").read_text(encoding="utf-8").splitlines()[1:])
+        return {row[3]: (int(row[1]) - int(row[0])) / 1000 for row in rows}
+
+    def objects(self, program):
+        listed = run(["ninja", "-C", self.build, "-t", "inputs", program]).stdout.splitlines()
+        return frozenset(line for line in listed if line.endswith(".o"))
+
+    def measure(self, timeout):
+        """Runs all tests of an unchanged build, which have to pass, and keeps how long they take."""
+        measured = []
+        for program in self.programs:
+            failed, seconds = self.failing_test(program, timeout)
+            if failed:
+                raise BadInput(f"{failed}: fails without a mutation, expected all tests to pass")
+            measured.append(dataclasses.replace(program, seconds=seconds))
+        self.programs = measured
+
+    def of(self, file):
+        """Programs that a file is compiled into: those of its own folder's tests first, then by their cost."""
+        changed = self.changed_objects(file)
+        cost = lambda program: program.seconds + sum(self.compile_seconds.get(name, 0) for name in program.objects & changed)
+        own = "_".join((*pathlib.PurePath(file).parent.parts, "test"))
+        return sorted((program for program in self.programs if self.is_compiled_into(file, program)),
+                      key=lambda program: (program.name != own, cost(program)))
+
+    def failing_test(self, program, timeout):
+        """The name of the first test that fails, or nothing, and the seconds that it took."""
+        began = resource.getrusage(resource.RUSAGE_CHILDREN)
+        words, where = [f"./{program.name}", "--gtest_fail_fast", "--gtest_brief=1"], self.build / pathlib.PurePath(program.path).parent
+        if program.is_case:
+            words = ["ctest", "--test-dir", self.build, "-L", "^acceptance$", "-R", f"^{program.name}[.]", "-FA", ".",
+                     "--stop-on-failure", "--timeout", timeout]
+        try:
+            done = run(words, timeout=4 * timeout if program.is_case else timeout, cwd=where, preexec_fn=with_limited_memory)
+            said, failed = done.stdout, done.returncode != 0
+        except subprocess.TimeoutExpired:
+            said, failed = "", True
+        ended = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = ended.ru_utime + ended.ru_stime - began.ru_utime - began.ru_stime
+        if not failed:
+            return "", seconds
+        named = re.search(r"\[  FAILED  \] ([\w/<>]+\.[\w/]+)|Test +#\d+: (\S+) \.+.*(?:Failed|Timeout|Exception|Not Run)", said)
+        room = pathlib.PurePath(program.path).parts[0]
+        name = named[2] or f"unit.{room}.{named[1]}" if named else f"{program.name} ({'crashes' if said else 'does not end'})"
+        return name, seconds
