@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 #include <set>
 
@@ -98,6 +99,84 @@ TEST(Neighbours, LinkedCellsFindWhatAllPairsFindAlsoBeyondThePeriodicBoundary) {
       if (j != i && !on_wall && apart(near, i, j) < 2 * h) expected.insert(static_cast<int>(j));
     }
     ASSERT_EQ(sorted(listed(near, i, 2 * h)), expected) << "particle " << i;
+  }
+}
+
+/// The particles, of which images are their sources, that a list has beside each.
+using Listed = std::map<Index, std::multiset<Index>>;
+Index source(const Near& near, Index j) {
+  return j < near.images.first(near.all) ? j : near.images.source(j - near.images.first(near.all));
+}
+Listed all_listed(const Near& near, const Near::Lists& lists) {
+  Listed found;
+  for (const auto& block : lists.parts[0].blocks) {
+    const auto rows = lists.parts[0].rows_of(block);
+    for (int lane = 0; lane < block.particles; ++lane)
+      for (std::size_t at = Near::width + lane; at < rows.size(); at += Near::width)
+        if (rows[at] != near.all.nowhere()) found[rows[lane]].insert(source(near, rows[at]));
+  }
+  return found;
+}
+/// Those closer than `reach` [m] of all pairs i, j of two ranges, a period further too.
+Listed all_within(const Near& near, const Domain& domain, double reach, Index first, Index last, Index from, Index to) {
+  const Particles& all = near.all;
+  Listed found;
+  for (Index i = first; i < last; ++i)
+    for (Index j = from; j < to; ++j)
+      for (const int across : {-1, 0, 1})
+        for (const int up : {-1, 0, 1}) {
+          if ((across != 0 && !domain.periodic_x) || (up != 0 && !domain.periodic_y)) continue;
+          const Vec2 image = Vec2(all.x[j], all.y[j]) + domain.box.size().cwiseProduct(Vec2(across, up));
+          const bool is_self = i == j && across == 0 && up == 0;
+          if (!is_self && (image - Vec2(all.x[i], all.y[i])).norm() < reach) found[i].insert(j);
+        }
+  return found;
+}
+
+/// As runs have it: a skin that is a small part of the reach, so that what is missing at its edge is missed.
+Near with_thin_skin(const Domain& domain, const std::vector<Wall>& walls, double skin) {
+  return Near(Scene<Newtonian>{.domain = domain,
+                               .fluid = water,
+                               .filled = box,
+                               .start = {.places =
+                                             [](const Vectors& lattice) {
+                                               std::mt19937 random(7);
+                                               std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+                                               Vectors places = lattice;
+                                               for (double& x : places.reshaped()) x += spacing * jitter(random);
+                                               return places;
+                                             }}},
+              spacing, {.kernel = 2 * h, .wall = 1.12 * spacing, .skin = skin},
+              lay_out_ghosts_and_walls(domain, walls, spacing, 2));
+}
+
+TEST(Neighbours, AreListedToTheEndOfTheKernelAndOfTheSkinWhenListsAreMade) {
+  constexpr double skin = 0.1 * spacing;
+  const Near near = with_thin_skin(channel, plates, skin);
+  const Index fluid = near.all.fluid, ghosts = fluid + near.ghosts(), all = fluid + near.all.boundary;
+  const auto within = [&](double reach, Index first, Index last, Index from, Index to) {
+    return all_within(near, channel, reach + skin, first, last, from, to);
+  };
+  EXPECT_EQ(all_listed(near, near.fluid_near_fluid), within(2 * h, 0, fluid, 0, ghosts));
+  EXPECT_EQ(all_listed(near, near.fluid_near_ghost), within(2 * h, fluid, ghosts, 0, fluid));
+  EXPECT_EQ(all_listed(near, near.wall_near_fluid[1]), within(1.12 * spacing, 0, fluid, ghosts, all));
+}
+
+TEST(Neighbours, StayListedForAsLongAsListsHold) {
+  const Domain endless{.box = box, .periodic_x = true, .periodic_y = true};
+  Near near = with_thin_skin(endless, {}, 0.3 * spacing);
+  for (Index i = 0; i < near.all.fluid; ++i) {  // equally fast in all directions, so that many pairs close in
+    near.all.vx[i] = std::cos(2.4 * static_cast<double>(i));
+    near.all.vy[i] = std::sin(2.4 * static_cast<double>(i));
+  }
+  constexpr double dt = 0.04 * spacing;  // at 1 m/s: lists hold for three steps
+  for (int step = 0; step < 12; ++step) {
+    near.follow(step, step * dt, dt);
+    near.all.x.head(near.all.fluid) += dt * near.all.vx;
+    near.all.y.head(near.all.fluid) += dt * near.all.vy;
+    Listed listed = all_listed(near, near.fluid_near_fluid);
+    for (const auto& [i, within] : all_within(near, endless, 2 * h, 0, near.all.fluid, 0, near.all.fluid))
+      ASSERT_TRUE(std::ranges::includes(listed[i], within)) << "step " << step << ", particle " << i;
   }
 }
 

@@ -165,6 +165,28 @@ TEST(Gradients, OfARigidRotationNeedNoCorrectionForContinuity) {
   EXPECT_LT(density_rates(near, Parts{}).abs().maxCoeff(), 1e-10);
 }
 
+/// The power of the pressure, sum of a_i · v_i, beside that of the compression by continuity, sum of p_i / rho_i²
+/// drho_i: what is left of their sum, of the sum of its sizes.
+template <class Parts>
+double energy_from_nowhere(const Parts& parts) {
+  const Field unequal = [](const Vec2& x) { return 1000 + 400 * std::sin(9 * x.x() + 7 * x.y()); };
+  const Motion swirling = [](const Vec2& x) -> Vec2 { return {std::sin(5 * x.y()) + x.x(), std::cos(4 * x.x())}; };
+  Near near = drop(swirling, unequal, curved);
+  const Vectors a = accelerations(near, parts);
+  const Particles& all = near.all;
+  const Scalars compression = density_rates(near, parts) *
+                              Scalars::NullaryExpr(all.fluid, [&](Index i) { return near.seen[i].p; }) /
+                              all.rho.square();
+  const Scalars work = a.row(0).transpose().array() * all.vx + a.row(1).transpose().array() * all.vy;
+  return std::abs((work + compression).sum()) / (work.abs() + compression.abs()).sum();
+}
+
+TEST(Gradients, GiveBackInWorkWhatContinuityCompressesAlsoAtUnequalDensities) {
+  EXPECT_LT(energy_from_nowhere(Parts{}), 1e-14);
+  EXPECT_LT((energy_from_nowhere(Parts{.pressure = BonetLokPressure{}, .gradient = BonetLok{}})), 1e-14);
+  EXPECT_GT(energy_from_nowhere(Parts{.pressure = PressureDifference{}}), 1e-3);
+}
+
 TEST(Surroundings, FindALinearRiseOfDensityUpToTheSurface) {
   const Near near = drop(still, linear, even);
   for (Index i = 0; i < near.all.fluid; ++i)
@@ -210,6 +232,24 @@ TEST(Diffusion, KeepsTheMeanAndLowersAPeak) {
   const Scalars rates = diffusion(near), weighed = rates / near.all.rho;
   EXPECT_LT(std::abs(weighed.sum()), 1e-12 * weighed.abs().sum());
   EXPECT_GT(rates[at], 0);  // the peak points down
+}
+
+/// Without the gradients of density it is that of Molteni & Colagrossi, delta h c times the Laplacian; with them,
+/// nothing is left of a field of second degree.
+TEST(Diffusion, IsDeltaTimesHTimesTheSpeedOfSoundTimesTheLaplacianLessWhatTheGradientsExplain) {
+  constexpr double laplacian = 2 * (30 + 50);  // kg/m⁵
+  Near near = tank(
+      free_slip(), still, [](const Vec2& x) { return 1000 + 30 * x.x() * x.x() + 50 * x.y() * x.y(); }, even);
+  const auto largest = [&](const Scalars& rates, double expected) {
+    double error = 0;
+    for (Index i = 0; i < near.all.fluid; ++i)
+      if ((Vec2(near.all.x[i], near.all.y[i]) - Vec2(0.5, 0.5)).lpNorm<Eigen::Infinity>() < 0.25)
+        error = std::max(error, std::abs(rates[i] - expected));
+    return error / (antuono.delta * h * c * laplacian);
+  };
+  EXPECT_LT(largest(diffusion(near), 0), 0.01);
+  for (auto& seen : near.seen) seen.rho_along_x = seen.rho_along_y = 0;
+  EXPECT_LT(largest(diffusion(near), antuono.delta * h * c * laplacian), 0.03);
 }
 
 TEST(Walls, BalanceWaterAtRestAlsoInTheCornersAndBesideTheSurface) {

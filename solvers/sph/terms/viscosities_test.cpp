@@ -1,12 +1,16 @@
-/// What all laminar viscosities have to do, and what only some do.
+/// What all laminar viscosities have to do, and what only some do; and all terms at one pair against their formulas.
 
 #include "solvers/fields.hpp"
 #include "solvers/sph/kernels/quintic_spline.hpp"
 #include "solvers/sph/kernels/wendland_c2.hpp"
 #include "solvers/sph/momentum.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
 #include "solvers/sph/terms/morris_viscosity.hpp"
+#include "solvers/sph/terms/pressure.hpp"
+#include "solvers/sph/terms/pressure_difference.hpp"
+#include "solvers/sph/terms/pressure_sum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -123,6 +127,34 @@ TEST(MonaghanClearyViscosity, HoldsBackAChangeOfVolumeByThreeTimesTheShear) {
     return {x.x() * x.x(), 0};
   });
   EXPECT_NEAR(found.x() / (2 * mu / rho), 3, 0.03);
+}
+
+/// So close that softening is felt, with two particles that differ in all they have.
+TEST(Terms, OfAClosePairAreWhatTheirPapersPrint) {
+  constexpr double h = 0.12, eta = 0.1 * h, nu = 3e-3, alpha = 0.3, sound = 20;
+  constexpr double rho_i = 800, rho_j = 1300, p_i = 700, p_j = -200;
+  const Vec2 apart(0.011, -0.007), v_ij(-0.3, 0.4);
+  Pair<double> ij = pair_at<QuinticSpline>(apart, v_ij, h);
+  ij.rho_i = rho_i, ij.volume_i = 1 / rho_i, ij.p_i = p_i, ij.push_i = p_i / (rho_i * rho_i);
+  ij.rho_j = rho_j, ij.volume_j = 1 / rho_j, ij.p_j = p_j, ij.push_j = p_j / (rho_j * rho_j);
+  const Vec2 grad_W = ij.slope * apart;
+  const double m = ij.mass, r2 = apart.squaredNorm(), closing = v_ij.dot(apart);
+  ASSERT_LT(closing, 0);
+  const auto expect = [&](const char* name, const Pull<double>& found, const Vec2& expected) {
+    EXPECT_LT((Vec2(found.x, found.y) - expected).norm(), 1e-13 * expected.norm()) << name;
+  };
+  expect("Monaghan (1992), (3.3)", Pressure{}(ij), -m * (p_i / (rho_i * rho_i) + p_j / (rho_j * rho_j)) * grad_W);
+  expect("Monaghan (1992), (3.1)", PressureDifference{}(ij), -m * (p_j - p_i) / (rho_i * rho_j) * grad_W);
+  expect("Colagrossi & Landrini (2003)", PressureSum{}(ij), -m * (p_j + p_i) / (rho_i * rho_j) * grad_W);
+  expect("Lo & Shao (2002)", LaminarViscosity{.nu = nu, .eta = eta}(ij),
+         m * 4 * nu * apart.dot(grad_W) / ((rho_i + rho_j) * (r2 + eta * eta)) * v_ij);
+  expect("Monaghan (1992), (4.1)", ArtificialViscosity{.alpha = alpha, .sound_speed = sound, .h = h}(ij),
+         m * alpha * sound * (h * closing / (r2 + eta * eta)) / ((rho_i + rho_j) / 2) * grad_W);
+  expect("Morris, Fox & Zhu (1997)", MorrisViscosity{.mu = mu}(ij),
+         m * 2 * mu / (rho_i * rho_j) * apart.dot(grad_W) / r2 * v_ij);
+  expect("Monaghan (2005)", MonaghanClearyViscosity{.mu = mu}(ij),
+         m * 8 * mu / (rho_i * rho_j) * closing / r2 * grad_W);
+  EXPECT_NEAR(ij.continuity(), m * v_ij.dot(grad_W), 1e-13 * std::abs(ij.continuity()));  // Sun et al. (23)
 }
 
 }  // namespace
