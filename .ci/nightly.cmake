@@ -50,6 +50,7 @@ if(NOT failed)
     ctest_build(TARGET ${target} APPEND RETURN_VALUE built)
     note("build of ${target}" ${built})
   endforeach()
+  set(ENV{TOUCHSTONE_WHOLE_SUITE} 1)  # the pages miss an accepted method that has no record
   ctest_test(INCLUDE_LABEL "${LABEL}" PARALLEL_LEVEL 2 RETURN_VALUE tested)
   note(tests ${tested})
 endif()

@@ -1,5 +1,5 @@
 /// touchstone_report: one night's records to an index, a page per case, a matrix of orders, three tables, and the trend
-/// over all nights.
+/// over all nights. Exit status: 0 all claims hold or are known to fail, 1 the pages are not green, 3 there are none.
 
 #include "reports/figures/attachments.hpp"
 #include "reports/pages/site.hpp"
@@ -17,29 +17,36 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Turns the records of cases into a site: an index, a page per case with its figures, a matrix of the orders of "
       "convergence, and the tables verdicts.csv, orders.csv and cost.csv."};
-  app.footer("Example: touchstone_report build/records/nightly build/site/nightly --history nights");
-  std::string records, site, history, known_failures, faults, attachments;
+  app.footer(
+      "Example: touchstone_report build/records/nightly build/site/nightly --history nights\n"
+      "Exit status: 0 all claims hold or are known to fail, 1 something is red or inconclusive, 3 no pages were made.");
+  std::string records, site, history, known_failures, faults, claims, attachments;
+  bool whole = false;
   app.add_option("RECORDS_DIR", records, "folder with the records, *.json")->required();
   app.add_option("SITE_DIR", site, "folder for the pages; a former site in it is replaced")->required();
   app.add_option("--history", history, "folder of all nights: this one joins it, and a page shows the trend over them");
   app.add_option("--known-failures", known_failures, "claims that are known to fail, data/known_failures.csv");
   app.add_option("--faults", faults,
                  "what vnv/trials/faults/try.py has found, trials.csv: a page shows which tests noticed it");
+  app.add_option("--claims", claims, "folder of accepted claims, data/claims: a method that makes fewer is red");
+  app.add_flag("--whole", whole, "all of the suite was run: an accepted method without a record is red, too")
+      ->envname("TOUCHSTONE_WHOLE_SUITE");
   app.add_option("--attachments", attachments,
                  "folder for the figures as PNG, for a dashboard: drawn and named where ctest runs this for one");
   CLI11_PARSE(app, argc, argv);
   try {
     const auto standing = touchstone::reports::make_site(
-        records, site, {.history = history, .known_failures = known_failures, .faults = faults});
+        records, site,
+        {.history = history, .known_failures = known_failures, .faults = faults, .claims = claims, .whole = whole});
     fmt::print("{}: {}\n", site, standing.sentence());
     if (!attachments.empty() && std::getenv("DASHBOARD_TEST_FROM_CTEST"))
       fmt::print("{}", touchstone::reports::attach_figures(site, attachments));
-    return 0;
+    return standing.passes() ? 0 : 1;
   } catch (const touchstone::programs::Interrupted& told) {
     fmt::print(stderr, "touchstone_report: {}\n", told.sentence());
     touchstone::programs::end_by(told.signal);
   } catch (const std::exception& error) {
     fmt::print(stderr, "touchstone_report: {}\n", error.what());
-    return 1;
+    return 3;
   }
 }

@@ -57,7 +57,7 @@ inline vnv::Verdict sample_verdict(vnv::Outcome outcome, double margin) {
   verdict.quantity = "L2 v_x";
   verdict.unit = "%";
   verdict.value = 1.5;
-  verdict.upper = 1.59;
+  if (outcome != vnv::Outcome::inconclusive) verdict.upper = outcome == vnv::Outcome::holds ? 1.59 : 1.15;
   verdict.author = "literature: Sun et al., table 3";
   verdict.outcome = outcome;
   verdict.margin = margin;

@@ -110,6 +110,7 @@ std::string orders_link(const std::vector<CaseRecords>& cases) {
 /// Red and amber, with ids and expiry dates; empty if nothing fails and nothing is known.
 std::string standing_html(const Standing& s) {
   std::string red, amber;
+  if (!s.claims.missing.empty()) red += fmt::format("<li>{}</li>\n", escape(s.claims.missing));
   for (const auto& verdict : s.unknown) red += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
   for (const auto& row : s.unexpected_passes)
     red += fmt::format("<li>{}.{} {}: {}: unexpected pass of the known failure {}: remove it</li>\n",
@@ -121,7 +122,8 @@ std::string standing_html(const Standing& s) {
   for (std::size_t i = 0; i < s.known.size(); ++i)
     amber += fmt::format("<li>{} <small>known as {} until {}: {}</small></li>\n", typeset(s.known[i].sentence),
                          escape(s.of_known[i].id), s.of_known[i].expires, typeset(s.of_known[i].reason));
-  return html_list("fails", red) + html_list("known", amber);
+  const std::string note = s.claims.note.empty() ? "" : fmt::format("<p>{}</p>\n", escape(s.claims.note));
+  return html_list("fails", red) + html_list("known", amber) + note;
 }
 
 constexpr const char* verdicts_link =

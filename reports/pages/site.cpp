@@ -76,7 +76,9 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
   require_apart(records, "records", site);
   const auto known =
       memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
-  const Standing tonight = standing(cases, known, date_of(cases));
+  Standing tonight = standing(cases, known, date_of(cases));
+  if (!memory.claims.empty())
+    tonight.claims = claims_standing(cases, vnv::read_all_accepted_claims(memory.claims), memory.whole);
   std::optional<FaultTrials> faults;
   if (!memory.faults.empty()) faults = read_fault_trials(memory.faults);
   std::optional<History> history;

@@ -12,6 +12,8 @@ struct Memory {
   std::filesystem::path history{};         // folder of all nights, which this one joins; empty: no trend
   std::filesystem::path known_failures{};  // file; empty: none is known
   std::filesystem::path faults{};          // file of what try.py has found; empty: no page of it
+  std::filesystem::path claims{};          // folder of accepted claims; empty: none are expected
+  bool whole = false;                      // all of a suite was run: each accepted method has to be there
 };
 
 /// Writes the whole site beside its place and swaps it in at the end; if anything fails, what was there stays.

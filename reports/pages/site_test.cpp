@@ -171,6 +171,39 @@ TEST_F(Site, ShowsEqualRowsOfATableOnce) {
   EXPECT_EQ(html.find("paper M1"), html.rfind("paper M1"));
 }
 
+TEST_F(Site, IsRedWhereARecordContradictsItself) {
+  EXPECT_TRUE(make_site(records, site).passes());
+  vnv::Record record = sample_record();
+  record.verdicts[0].value = 1.6;  // beyond its limit, and said to hold
+  put(record);
+  EXPECT_FALSE(make_site(records, site).passes());
+  EXPECT_TRUE(contains(page("index.html"), "<p class=\"sum fails\">0 of 1 claim hold, 1 fails."));
+  EXPECT_TRUE(contains(page("index.html"), "poiseuille.mpm M2: inconsistent record: "));
+}
+
+TEST_F(Site, IsRedWithFewerClaimsThanAcceptedAndNotGreenWithoutAny) {
+  fs::create_directory(folder / "claims");
+  const auto accept = [&](int literature) {
+    vnv::write_accepted_claims(folder / "claims" / "poiseuille.csv",
+                               {{"t", "r", "d", "why"}, {{"poiseuille", "mpm", "", 0, literature, 0}}});
+  };
+  accept(1);
+  EXPECT_TRUE(make_site(records, site, {.claims = folder / "claims"}).passes());
+  accept(2);
+  const Standing standing = make_site(records, site, {.claims = folder / "claims"});
+  EXPECT_FALSE(standing.passes());
+  EXPECT_TRUE(contains(standing.sentence(), "1 red: ")) << standing.sentence();
+  EXPECT_TRUE(contains(page("index.html"), "<p class=\"sum fails\">"));
+  EXPECT_TRUE(contains(page("index.html"), "1 claim fewer than accepted: poiseuille.mpm (1 of 2 literature)"));
+  vnv::Record record = sample_record();
+  record.verdicts = {};
+  put(record);
+  EXPECT_FALSE(make_site(records, site).passes());
+  record.verdicts = {sample_verdict(vnv::Outcome::inconclusive, 0)};
+  put(record);
+  EXPECT_FALSE(make_site(records, site).passes());
+}
+
 TEST_F(Site, EscapesWhatARecordSays) {
   vnv::Record record = sample_record();
   record.title = record.description = record.method_description = "<script>alert(1)</script>";

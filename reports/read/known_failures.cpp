@@ -72,8 +72,13 @@ std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file)
 }
 
 std::string Standing::sentence() const {
-  return fmt::format("{} red: {}, {}; {} known", reds(), counted(std::ssize(unknown), "unknown or expired failure"),
-                     counted(std::ssize(unexpected_passes), "unexpected pass"), known.size());
+  std::string text =
+      fmt::format("{} red: {}, {}; {} known", reds(), counted(std::ssize(unknown), "unknown or expired failure"),
+                  counted(std::ssize(unexpected_passes), "unexpected pass"), known.size());
+  if (inconclusive > 0) text += fmt::format("; {} inconclusive", inconclusive);
+  for (const std::string& words : {claims.missing, claims.note})
+    if (!words.empty()) text += "\n" + words;
+  return text;
 }
 
 Standing standing(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
@@ -84,6 +89,8 @@ Standing standing(const std::vector<CaseRecords>& cases, const std::vector<Known
     const auto row = std::ranges::find_if(known, [&](const KnownFailure& k) { return k.covers(verdict); });
     const bool fails = verdict.outcome == vnv::Outcome::fails;
     const bool excused = row != known.end() && !row->is_expired(today);
+    ++result.judged;
+    result.inconclusive += verdict.outcome == vnv::Outcome::inconclusive;
     if (row != known.end()) {
       ++judged[row - known.begin()];
       failed[row - known.begin()] += fails;

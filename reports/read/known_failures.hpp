@@ -1,7 +1,7 @@
 #pragma once
 /// Failures that are known, each for a while and for a reason; and how a night stands beside them.
 
-#include "reports/read/cases.hpp"
+#include "reports/read/claims.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,16 +31,20 @@ inline constexpr int longest_known = 90;  // days from `since` to `expires`
 /// twice, or a claim that two rows name.
 std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file);
 
-/// A night's failures beside those that are known. What is red: an unknown failure, one whose row has expired, and a
-/// known one that passes.
+/// A night's failures beside those that are known. What is red: an unknown failure, one whose row has expired, a known
+/// one that passes, and claims fewer than accepted.
 struct Standing {
   std::vector<vnv::Verdict> unknown, known;
   std::vector<KnownFailure> of_known;  // beside each of `known`, its row
   std::vector<KnownFailure> expired;   // rows of what fails, and so is unknown again
   std::vector<KnownFailure> unexpected_passes;
+  ClaimsStanding claims{};
+  long judged = 0, inconclusive = 0;
 
-  std::size_t reds() const { return unknown.size() + unexpected_passes.size(); }
-  /// "3 red: 2 failures unknown or expired, 1 unexpected pass; 4 known".
+  std::size_t reds() const { return unknown.size() + unexpected_passes.size() + !claims.missing.empty(); }
+  /// Whether something was judged, and all of it holds or is known to fail.
+  bool passes() const { return reds() == 0 && inconclusive == 0 && judged > 0; }
+  /// "3 red: 2 failures unknown or expired, 1 unexpected pass; 4 known", and what there is to say of claims.
   std::string sentence() const;
 };
 

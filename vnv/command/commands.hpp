@@ -41,6 +41,7 @@ int report(const Build& build, const ReportOptions& options);
 struct AcceptOptions {
   Patterns patterns{};
   std::string reason{}, suite = "acceptance";
+  std::filesystem::path claims{};  // records whose number of claims is accepted, and no value; empty: methods are run
 };
 int accept(const Build& build, const AcceptOptions& options);
 
@@ -73,7 +74,8 @@ struct CommandWords {
 std::string completion_script(const std::string& shell, const CommandWords& vnv,
                               const std::vector<CommandWords>& subcommands);
 
-/// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot.
-void make_pages(const Build& build, const Words& arguments);
+/// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot;
+/// something_fails where the pages are there and not green.
+int make_pages(const Build& build, const Words& arguments);
 
 }  // namespace touchstone::vnv::command

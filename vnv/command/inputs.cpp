@@ -1,6 +1,7 @@
 #include "vnv/command/inputs.hpp"
 
 #include "vnv/files/whole_file.hpp"
+#include "vnv/record/accepted_claims.hpp"
 
 #include <fmt/format.h>
 
@@ -36,9 +37,12 @@ std::string Hash::digits() const { return fmt::format("{:016x}", value_); }
 
 std::string hash_of_inputs(const fs::path& program, const Description& described) {
   std::set<fs::path> files;  // in the order of their names
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(described.data_folder))
-    if (entry.is_regular_file() && entry.path().parent_path().filename() != "baselines") files.insert(entry.path());
-  if (fs::exists(described.baseline_file)) files.insert(described.baseline_file);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(described.data_folder)) {
+    const fs::path folder = entry.path().parent_path().filename();
+    if (entry.is_regular_file() && folder != "baselines" && folder != "claims") files.insert(entry.path());
+  }
+  for (const fs::path& own : {fs::path(described.baseline_file), claims_file(described.data_folder, described.name)})
+    if (fs::exists(own)) files.insert(own);
   Hash hash;
   hash.add_file(program);
   for (const fs::path& file : files) {

@@ -21,8 +21,8 @@ class Hash {
   unsigned long long value_ = 0xcbf29ce484222325;
 };
 
-/// Of the program of a case and all it may read: every file of data but the baselines of other cases, which the claims
-/// do not know.
+/// Of the program of a case and all it may read: every file of data but the baselines and accepted claims of other
+/// cases, which its own do not know.
 std::string hash_of_inputs(const std::filesystem::path& program, const Description& described);
 
 struct Inputs {

@@ -15,11 +15,13 @@ namespace fs = std::filesystem;
 class FinishedWork : public testing::Test {
  protected:
   FinishedWork() {
-    for (const char* folder : {"data/baselines", "data/papers", "records"}) fs::create_directories(root_ / folder);
+    for (const char* folder : {"data/baselines", "data/claims", "data/papers", "records"})
+      fs::create_directories(root_ / folder);
     put("program", "machine code");
     put("data/papers/table.csv", "1");
     put("data/baselines/small.csv", "2");
     put("data/baselines/other.csv", "3");
+    described_.name = "small";
     described_.data_folder = root_ / "data";
     described_.baseline_file = root_ / "data/baselines/small.csv";
   }
@@ -74,6 +76,8 @@ TEST_F(FinishedWork, IsDoneAnewAfterAnyInputChanged) {
   put("data/baselines/small.csv", "2.1");
   const std::string other_baselines = hash();
   EXPECT_NE(other_baselines, other_table);
+  put("data/claims/small.csv", "2.1");
+  EXPECT_NE(hash(), other_baselines);
   put("program", "other machine code");
   EXPECT_NE(hash(), other_baselines);
 }
@@ -81,6 +85,7 @@ TEST_F(FinishedWork, IsDoneAnewAfterAnyInputChanged) {
 TEST_F(FinishedWork, StandsWhenBaselinesOfOthersChange) {
   const std::string before = hash();
   put("data/baselines/other.csv", "3.1");
+  put("data/claims/other.csv", "3.1");
   EXPECT_EQ(hash(), before);
 }
 

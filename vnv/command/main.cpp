@@ -80,6 +80,11 @@ void declare_accept(CLI::App& command, AcceptOptions& options) {
   add_patterns(command, options.patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
   command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
   add_suite(command, options.suite);
+  command
+      .add_option("--claims", options.claims,
+                  "run nothing and accept no value, only how many claims the methods of these records make; an "
+                  "accepted method without a record is gone")
+      ->check(CLI::ExistingDirectory);
 }
 
 void declare_gate(CLI::App& command, GateOptions& options) {
@@ -148,8 +153,10 @@ void add_subcommands(Session& session) {
       declare_report);
   add(session, "accept",
       "Runs methods and makes their values the baselines, unless a claim of theory or literature fails.",
-      "Example:\n  vnv accept couette.mpm --reason \"the wall moves with the fluid now: second order\"", accept,
-      declare_accept);
+      "A suite that makes fewer claims than accepted is red: their number is accepted with the values.\n"
+      "Examples:\n  vnv accept couette.mpm --reason \"the wall moves with the fluid now: second order\"\n"
+      "  vnv accept couette.old --claims build/records/acceptance --reason \"a method less\"",
+      accept, declare_accept);
   add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
       "BEFORE and AFTER are records, folders of records, build folders, or git revisions, which are built in temporary\n"
       "folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"

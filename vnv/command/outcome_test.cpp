@@ -17,6 +17,8 @@ class AnOutcome : public testing::Test {
     Record record;
     for (const Outcome outcome : outcomes) {
       Verdict& verdict = record.verdicts.emplace_back();
+      verdict.value = outcome == Outcome::fails ? 2 : 1;
+      if (outcome != Outcome::inconclusive) verdict.upper = 1;
       verdict.outcome = outcome;
       verdict.sentence = "small.mpm: L2 = 2: FAILS";
     }

@@ -26,11 +26,13 @@ std::string named_or(const std::string& named, const fs::path& usual) {
 
 }  // namespace
 
-void make_pages(const Build& build, const Words& arguments) {
+int make_pages(const Build& build, const Words& arguments) {
   Words call = {(build.folder / "reports" / "touchstone_report").string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
-  if (const programs::Ending ending = programs::run_here(call); !ending.well())
+  const programs::Ending ending = programs::run_here(call);
+  if (ending.signal != 0 || (ending.status != all_holds && ending.status != something_fails))
     throw std::runtime_error(fmt::format("{} {}", fmt::join(call, " "), ending.sentence()));
+  return ending.status;
 }
 
 /// Without options as the test SUITE.pages does.
@@ -46,9 +48,10 @@ int report(const Build& build, const ReportOptions& options) {
   const fs::path data = build.data.empty() ? sources / "data" : build.data;
   pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
   pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));
-  make_pages(build, arguments);
+  pass_on("--claims", named_or("", data / "claims"));
+  const int status = make_pages(build, arguments);
   fmt::print("{}\n", (fs::path(site) / "index.html").string());
-  return all_holds;
+  return status;
 }
 
 }  // namespace touchstone::vnv::command

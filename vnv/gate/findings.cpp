@@ -134,21 +134,16 @@ std::string markdown_of(const Findings& findings) {
 
 std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
   const auto verdict = [&](Change change, const std::string& quantity, const std::string& sentence) {
-    const bool is_no_worse = change < Change::inconclusive;
-    return vnv::Verdict{.case_name = "gate",
-                        .method = "gate",
-                        .level = "",
-                        .quantity = quantity,
-                        .unit = "",
-                        .value = is_no_worse ? 1.0 : 0.0,
-                        .lower = 1.0,
-                        .upper = std::nullopt,
-                        .author = fmt::format("baseline: {}", findings.before),
-                        .outcome = is_no_worse               ? vnv::Outcome::holds
-                                   : change == Change::worse ? vnv::Outcome::fails
-                                                             : vnv::Outcome::inconclusive,
-                        .margin = is_no_worse ? 0.0 : -1.0,
-                        .sentence = sentence};
+    vnv::Verdict v;
+    v.case_name = v.method = "gate";
+    v.quantity = quantity;
+    v.value = change < Change::inconclusive ? 1 : 0;
+    if (change != Change::inconclusive) v.lower = 1;  // without a limit nothing is decided
+    v.author = fmt::format("baseline: {}", findings.before);
+    v.outcome = outcome_of(v);
+    v.margin = margin_of(v);
+    v.sentence = sentence;
+    return v;
   };
   const Change conclusion = conclusion_of(findings);
   std::vector<vnv::Verdict> verdicts = {

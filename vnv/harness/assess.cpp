@@ -147,10 +147,9 @@ std::vector<Value> all_values(const Case& declared, const Results& results, cons
 /// One verdict on all values of a method that were never accepted, which says how they would be.
 void ask_for_acceptance(long count, Suite suite, Record& record) {
   if (count == 0 || suite != Suite::acceptance) return;
-  const Claim accepted = at_most({std::string(never_accepted), "", Kind::count}, 0, baseline("none yet"));
+  const Claim accepted{
+      {std::string(never_accepted), "", Kind::count}, std::nullopt, std::nullopt, baseline("none yet")};
   Verdict v = judge(accepted, {record.case_name, record.method, ""}, static_cast<double>(count));
-  v.outcome = Outcome::inconclusive;
-  v.margin = not_a_number;
   v.sentence = fmt::format(
       "{0}.{1}: {2} no accepted baseline yet; accept {3} with: vnv accept {0}.{1} --reason \"...\"", record.case_name,
       record.method, count == 1 ? "1 value has" : fmt::format("{} values have", count), count == 1 ? "it" : "them");
@@ -207,7 +206,7 @@ void miss_lost_values(const Baselines& baselines, Record& record) {
   }
 }
 
-const Quantity end_of_run{"end time reached", "", Kind::value, Better::larger};
+const Quantity end_of_run{std::string(end_time_reached), "", Kind::value, Better::larger};
 
 /// Every run is claimed to end where it was meant to, unless that is the question.
 void judge_ends(const Method& method, Record& record) {
@@ -238,9 +237,15 @@ Record record_of(const std::string& case_name, const Case& declared, const Metho
 Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
               const std::optional<Baselines>& baselines) {
   require_known_names(method);
+  return assess(case_name, declared, {method, suite, run_levels(case_name, declared, method, suite)}, baselines);
+}
+
+Record assess(const std::string& case_name, const Case& declared, const Results& results,
+              const std::optional<Baselines>& baselines) {
+  const auto& [method, suite, runs] = results;
+  require_known_names(method);
   Record record = record_of(case_name, declared, method, suite);
-  const Results results{method, suite, run_levels(case_name, declared, method, suite)};
-  measure_runs(declared, method, results.runs, record);
+  measure_runs(declared, method, runs, record);
   observe_orders(method, record);
   judge_ends(method, record);
   const std::vector<Value> values = all_values(declared, results, record);
@@ -257,6 +262,21 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
 
 bool claims_more_than_ends(const Record& record) {
   return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run.name; });
+}
+
+std::vector<std::string> complaints(const Record& record, const AcceptedClaims& accepted) {
+  std::vector<std::string> lines;
+  const std::string name = record.case_name + "." + record.method;
+  if (!claims_more_than_ends(record)) lines.push_back(name + ": nothing was judged, expected at least one claim");
+  for (const Verdict& verdict : record.verdicts)
+    if (verdict.outcome != Outcome::holds) lines.push_back(verdict.sentence);
+  const ClaimCount* last = accepted.find(record.case_name, record.method, record.suite);
+  const ClaimCount found = claims_in(record);
+  if (const long missing = last ? missing_of(*last, found) : 0; lines.empty() && missing > 0)
+    lines.push_back(fmt::format("{}: {} fewer than accepted: {}", name,
+                                missing == 1 ? "1 claim" : fmt::format("{} claims", missing),
+                                missing_in_words(*last, found)));
+  return lines;
 }
 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {

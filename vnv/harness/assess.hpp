@@ -3,6 +3,7 @@
 
 #include "vnv/case.hpp"
 #include "vnv/judge/baselines.hpp"
+#include "vnv/record/accepted_claims.hpp"
 
 namespace touchstone::vnv {
 
@@ -15,8 +16,19 @@ Record record_of(const std::string& case_name, const Case& declared, const Metho
 Record assess(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
               const std::optional<Baselines>& baselines);
 
+/// The same of runs that are there already.
+Record assess(const std::string& case_name, const Case& declared, const Results& results,
+              const std::optional<Baselines>& baselines);
+
+/// The quantity of the claim that a run ends where it was meant to: 1, or 0 if it did not.
+inline constexpr std::string_view end_time_reached = "end time reached";
+
 /// Whether anything was claimed of a method but that its runs end.
 bool claims_more_than_ends(const Record& record);
+
+/// Why a method does not pass, line by line: nothing was claimed of it but ends, a claim does not hold, or all hold and
+/// are fewer than accepted. Empty if it passes.
+std::vector<std::string> complaints(const Record& record, const AcceptedClaims& accepted);
 
 /// The rows by which a record's values become baselines.
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance);

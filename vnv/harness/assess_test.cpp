@@ -156,6 +156,19 @@ TEST(Assess, DistinguishesAClaimFromTheEndOfARun) {
   EXPECT_TRUE(claims_more_than_ends(assessed(declared)));
 }
 
+TEST(Assess, LetsNoMethodPassWithFewerClaimsThanAccepted) {
+  Case declared = second_order();
+  declared.claims = {at_most(l2, 1, theory("of both levels"))};
+  const Record record = assessed(declared);
+  AcceptedClaims claims{{}, {claims_in(record)}};
+  EXPECT_EQ(claims.rows[0].theory, 4) << "two ends and two values";
+  EXPECT_TRUE(complaints(record, claims).empty());
+  ++claims.rows[0].theory;
+  EXPECT_EQ(complaints(record, claims),
+            std::vector<std::string>{"made_up_case.made_up: 1 claim fewer than accepted: 1 of 5 theory"});
+  EXPECT_EQ(complaints(assessed(second_order()), {}).size(), 1u) << "nothing but ends";
+}
+
 TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   const std::vector<Baseline> rows = baselines_from(assessed(second_order()), {.relative = 0.1, .basis = "wide"});
   ASSERT_EQ(rows.size(), 2u);

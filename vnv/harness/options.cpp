@@ -35,6 +35,11 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
       ->needs("--spacing")
       ->check(positive);
   app.add_option("--accept", accept_reason, "make today's values the baselines, for this reason");
+  app.add_option_function<std::string>(
+         "--mutate", [this](const std::string& folder) { mutated = folder; },
+         "judge the records of this folder with each value beyond its limit, and say whose claim does not fail")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--mutate-samples", mutates_samples, "run, and do the same to the fields of the particles");
   app.add_flag("--list", list, "name the methods and their levels");
   app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
   app.add_option("--ctest-file", ctest_file)->group("");

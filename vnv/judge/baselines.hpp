@@ -1,6 +1,7 @@
 #pragma once
 /// Baselines: the values that were last accepted, with the two limits that a new value must keep.
 
+#include "vnv/record/acceptance.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <filesystem>
@@ -19,12 +20,6 @@ struct Baseline {
   std::string quantity;  // "L2 v_x, row means"
   double value, lower, upper;
   std::string basis;  // why the limits are as wide as they are
-};
-
-/// Who accepted what, when and why.
-struct Acceptance {
-  std::string title, revision, date, reason;
-  std::vector<std::string> notes{};
 };
 
 struct Baselines {

@@ -2,26 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace touchstone::vnv {
 namespace {
 
-/// Fraction of a limit that is left, or of half the width between two.
-double margin_of(const Claim& claim, double value) {
-  if (claim.lower && claim.upper) {
-    const double half = (*claim.upper - *claim.lower) / 2;
-    return std::min(*claim.upper - value, value - *claim.lower) / (half > 0 ? half : 1);
-  }
-  if (claim.upper) return (*claim.upper - value) / (*claim.upper != 0 ? std::abs(*claim.upper) : 1);
-  return (value - *claim.lower) / (*claim.lower != 0 ? std::abs(*claim.lower) : 1);
-}
-
-std::string limits_of(const Claim& claim) {
-  if (claim.lower && claim.upper) return fmt::format("expected in [{:.6g}, {:.6g}]", *claim.lower, *claim.upper);
-  return claim.upper ? fmt::format("limit {:.6g}", *claim.upper)
-                     : fmt::format("expected at least {:.6g}", *claim.lower);
+std::string limits_of(const Verdict& v) {
+  if (v.lower && v.upper) return fmt::format("expected in [{:.6g}, {:.6g}]", *v.lower, *v.upper);
+  if (v.upper) return fmt::format("limit {:.6g}", *v.upper);
+  return v.lower ? fmt::format("expected at least {:.6g}", *v.lower) : "no limit";
 }
 
 std::string word_of(Outcome outcome) {
@@ -47,8 +36,8 @@ Verdict verdict_of(const Claim& claim, const Place& place, double value) {
   v.value = value;
   v.lower = claim.lower;
   v.upper = claim.upper;
+  v.surely_above = claim.surely_above;
   v.author = claim.author.words;
-  v.margin = margin_of(claim, value);
   return v;
 }
 
@@ -61,48 +50,32 @@ std::string value_in_words(const Verdict& v, std::string_view remark = "") {
                      time);
 }
 
-void conclude(Verdict& v, const Claim& claim, Outcome outcome, std::string_view remark) {
-  v.outcome = outcome;
+/// Concludes from all that the verdict holds by now.
+Verdict concluded(Verdict v, std::string_view remark) {
+  v.outcome = outcome_of(v);
+  v.margin = margin_of(v);
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
-  v.sentence = fmt::format("{}, {}{} ({}), margin {:.0f} %: {}", value_in_words(v, remark), limits_of(claim), unit,
-                           v.author, 100 * v.margin, word_of(outcome));
-}
-
-bool within(const Claim& claim, double value) {
-  return (!claim.lower || value >= *claim.lower) && (!claim.upper || value <= *claim.upper) && !std::isnan(value);
-}
-
-/// Beyond this half-width an interval does not part orders 1 and 2 from their neighbours.
-constexpr double widest = 0.3;
-
-Verdict judge_slope(const Claim& claim, const Place& place, const ObservedOrder& order) {
-  Verdict v = verdict_of(claim, place, order.order);
-  const bool sure = std::isnan(order.order) || order.half_width < widest;
-  conclude(v, claim,
-           !sure                        ? Outcome::inconclusive
-           : within(claim, order.order) ? Outcome::holds
-                                        : Outcome::fails,
-           fmt::format(" +- {:.2g} over {} levels", order.half_width, order.levels.size()));
+  v.sentence = fmt::format("{}, {}{} ({}), margin {:.0f} %: {}", value_in_words(v, remark), limits_of(v), unit,
+                           v.author, 100 * v.margin, word_of(v.outcome));
   return v;
 }
 
-Outcome outcome_of_convergence(const Claim& claim, const ObservedOrder& order, double slope, double half_width) {
-  if (order.trend == Trend::inconclusive) return std::isnan(slope) ? Outcome::fails : Outcome::inconclusive;
-  if (order.trend != Trend::converging) return Outcome::fails;
-  if (!(half_width < widest)) return Outcome::inconclusive;
-  return within(claim, slope) && slope - half_width > *claim.surely_above ? Outcome::holds : Outcome::fails;
+Verdict judge_slope(const Claim& claim, const Place& place, const ObservedOrder& order) {
+  Verdict v = verdict_of(claim, place, order.order);
+  v.half_width = order.half_width;
+  v.trend = order.trend;
+  return concluded(std::move(v), fmt::format(" +- {:.2g} over {} levels", order.half_width, order.levels.size()));
 }
 
 Verdict judge_convergence(const Claim& claim, const Place& place, const ObservedOrder& order) {
   const bool above_floor = !std::isnan(order.floor);
-  const double slope = above_floor ? order.order_to_floor : order.order;
-  const double half_width = above_floor ? order.order_to_floor_half_width : order.half_width;
-  Verdict v = verdict_of(claim, place, slope);
+  Verdict v = verdict_of(claim, place, above_floor ? order.order_to_floor : order.order);
+  v.half_width = above_floor ? order.order_to_floor_half_width : order.half_width;
+  v.trend = order.trend;
   const std::string floor = above_floor ? fmt::format(" above a floor of {:.3g}", order.floor) : "";
-  conclude(v, claim, outcome_of_convergence(claim, order, slope, half_width),
-           fmt::format(" +- {:.2g} over {} levels{}, {}, expected surely above {:g}", half_width, order.levels.size(),
-                       floor, name_of(order.trend), *claim.surely_above));
-  return v;
+  const std::string remark = fmt::format(" +- {:.2g} over {} levels{}, {}, expected surely above {:g}", *v.half_width,
+                                         order.levels.size(), floor, name_of(order.trend), *claim.surely_above);
+  return concluded(std::move(v), remark);
 }
 
 }  // namespace
@@ -113,9 +86,7 @@ bool Claim::covers(std::string_view its_level, double its_time) const {
 }
 
 Verdict judge(const Claim& claim, const Place& place, double value) {
-  Verdict v = verdict_of(claim, place, value);
-  conclude(v, claim, within(claim, value) ? Outcome::holds : Outcome::fails, "");
-  return v;
+  return concluded(verdict_of(claim, place, value), "");
 }
 
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order) {

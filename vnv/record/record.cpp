@@ -3,8 +3,10 @@
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/former.hpp"
 #include "vnv/record/json.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -18,7 +20,7 @@ TOUCHSTONE_FIELDS(Value, level, spacing, time, quantity, value)
 TOUCHSTONE_FIELDS(ObservedOrder, ladder, quantity, time, order, half_width, trend, asymptotic, floor, floor_half_width,
                   order_to_floor, order_to_floor_half_width, levels, spacings, errors, pairwise)
 TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, unit, kind, better, value, lower, upper,
-                  author, outcome, margin, sentence)
+                  surely_above, half_width, trend, author, outcome, margin, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
 TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
@@ -55,7 +57,6 @@ void bring_up_from_3(json::Json& json) {
     return json::Writer::json(with_heading(current_name(heading.get<std::string>())));
   };
   rename_former_keys(json);
-  json["schema"] = 4;
   json["values"] = std::move(json.at("errors"));
   for (auto& value : json.at("values")) value["quantity"] = declared(value.at("quantity"));
   for (auto& diagram : json.at("diagrams")) diagram["quantity"] = declared(diagram.at("quantity"));
@@ -67,19 +68,61 @@ void bring_up_from_3(json::Json& json) {
   }
 }
 
+/// Schema 4 had no intervals in verdicts on orders: they are such as make the recorded outcome. And a limit of zero
+/// stood where there is none.
+void bring_up_from_4(json::Json& json) {
+  if (!json.contains("histories")) json["histories"] = json::Json::array();  // written before there were any
+  for (auto& verdict : json.at("verdicts")) {
+    const bool is_order = verdict.at("quantity").get<std::string>().starts_with("order of ");
+    const bool fails = verdict.at("outcome") == "fails", holds = verdict.at("outcome") == "holds";
+    verdict["surely_above"] = is_order && fails ? json::Json(0) : json::Json();
+    verdict["half_width"] = !is_order ? json::Json() : fails || holds ? json::Json(0) : json::Json("inf");
+    verdict["trend"] = json::Writer::json(fails ? Trend::stalled : Trend::converging);
+    if (verdict.at("quantity") == never_accepted) verdict["upper"] = nullptr;
+  }
+  json["schema"] = Record{}.schema;
+}
+
+std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
+
+/// What contradicts a verdict in its own record; empty if nothing does.
+std::string contradiction(const Verdict& v, const Record& record) {
+  if (const Outcome judged = outcome_of(v); judged != v.outcome)
+    return fmt::format("says '{}', expected '{}' by value and limits", word_of(v.outcome), word_of(judged));
+  if (!v.level.empty() && !record.runs.empty() &&
+      std::ranges::find(record.runs, v.level, &RunSummary::level) == record.runs.end())
+    return "no such level was run";
+  for (const Value& measured : record.values)
+    if (measured.level == v.level && measured.quantity.name == v.quantity && same_time(measured.time, v.time) &&
+        measured.value != v.value && !(std::isnan(measured.value) && std::isnan(v.value)))
+      return fmt::format("expected {:.6g}, the value that was measured", measured.value);
+  return "";
+}
+
+/// A record is not believed: each verdict is judged again by its numbers, and one that the record contradicts fails.
+void judge_again(Record& record) {
+  for (Verdict& v : record.verdicts)
+    if (const std::string what = contradiction(v, record); !what.empty()) {
+      v.outcome = Outcome::fails;
+      v.margin = not_a_number;
+      v.sentence = fmt::format("{}.{}{}: inconsistent record: {} = {:.6g}: {}: FAILS", v.case_name, v.method,
+                               v.level.empty() ? "" : " " + v.level, v.quantity, v.value, what);
+    }
+}
+
 Record record_from(json::Json json) {
   int schema = 0;
   const json::Reader header(json);
   header("schema", schema);
-  if (schema == 3)
-    bring_up_from_3(json);
-  else if (schema != Record{}.schema)
-    throw json::Misfit{"schema", fmt::format("is {}, expected {} or 3, those known here", schema, Record{}.schema)};
-  if (!json.contains("histories")) json["histories"] = json::Json::array();  // written before there were any
+  if (schema != Record{}.schema && schema != 3 && schema != 4)
+    throw json::Misfit{"schema", fmt::format("is {}, expected {}, 4 or 3, those known here", schema, Record{}.schema)};
+  if (schema == 3) bring_up_from_3(json);
+  if (schema < Record{}.schema) bring_up_from_4(json);
   Record record;
   const json::Reader reader(json);
   describe(reader, record);
   check_lengths(record);
+  judge_again(record);
   return record;
 }
 
@@ -102,8 +145,11 @@ void write(const Record& record, const std::filesystem::path& file) {
 Record read_record(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return json::with_clear_errors(file.string(), "not a whole record",
-                                 [&] { return record_from(json::Json::parse(stream)); });
+  return record_in({std::istreambuf_iterator<char>(stream), {}}, file.string());
+}
+
+Record record_in(const std::string& text, const std::string& source) {
+  return json::with_clear_errors(source, "not a whole record", [&] { return record_from(json::Json::parse(text)); });
 }
 
 }  // namespace touchstone::vnv

@@ -59,7 +59,7 @@ inline constexpr std::string_view could_be_assessed = "assessed";
 inline constexpr std::string_view never_accepted = "values without an accepted baseline";
 
 struct Record {
-  int schema = 4;
+  int schema = 5;
   std::string case_name;    // "poiseuille"
   std::string title;        // "Start-up of plane Poiseuille flow"
   std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs
@@ -86,7 +86,11 @@ struct Record {
 /// Throws std::runtime_error naming the file and the cause.
 void write(const Record& record, const std::filesystem::path& file);
 
+/// A record is not believed but judged again: a verdict fails, and says "inconsistent record", where its outcome is not
+/// that of its value and limits, its value not the one that was measured, or its level one that was not run.
 /// Throws std::runtime_error naming the file and what is wrong with it.
 Record read_record(const std::filesystem::path& file);
+/// The same of a text at hand; `source` is its name in messages.
+Record record_in(const std::string& text, const std::string& source);
 
 }  // namespace touchstone::vnv

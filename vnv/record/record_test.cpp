@@ -80,8 +80,8 @@ Record full_record() {
                {2.5e-5, 1.25e-5},
                {0.03, 0.015},
                {1.02}}};
-  r.verdicts = {{"poiseuille", "mpm", "M1", 2.5e-5, 1.0, "L2 v_x", "%", Kind::norm, Better::smaller, 3.3, 1.0, 4.0,
-                 "theory", Outcome::fails, 0.17, "so"}};
+  r.verdicts = {{"poiseuille", "mpm", "M1", 2.5e-5, 1.0, "order of L2 v_x over grid", "%", Kind::norm, Better::smaller,
+                 4.3, 1.0, 4.0, 0.9, 0.1, Trend::converging, "theory", Outcome::fails, 0.17, "so"}};
   r.figures = {{"profile", "Profiles", "Figure 5", {"y [mm]", 1e3, true, 0.0, 1.0}, {"v", 2}, {"p [Pa]", 3}, true}};
   r.curves = {{"profile", "mpm", Role::published, {0, 0.1}, {1e-300, 1.0 / 3}, true}};
   r.clouds = {{"cloud", "MPM", "t = 0.32 s", {0.1}, {0.2}, {0.3}}};
@@ -110,15 +110,54 @@ TEST_F(RecordFile, StandsBesideTheHistoriesThatItLists) {
 
 TEST_F(RecordFile, IsReadWhereItWasWrittenBeforeThereWereHistories) {
   Record record = full_record();
-  write(record, file());
-  change(",\"histories\":[{\"level\":\"M1\",\"file\":\"histories/poiseuille.mpm.M1.csv\"}]", "");
   record.histories.clear();
-  EXPECT_EQ(read_record(file()), record);
+  record.schema = 4;
+  write(record, file());
+  change(",\"histories\":[]", "");
+  record = read_record(file());
+  EXPECT_TRUE(record.histories.empty());
+  EXPECT_EQ(record.schema, Record{}.schema);
+}
+
+/// One verdict that holds, 0.0334 of at most 0.04, and the value that it is of.
+Record record_that_holds() {
+  Record record = full_record();
+  Verdict& v = record.verdicts[0];
+  v.quantity = "L2 v_x";
+  v.value = record.values[0].value;
+  v.lower = v.surely_above = v.half_width = std::nullopt;
+  v.upper = 0.04;
+  v.outcome = Outcome::holds;
+  return record;
+}
+
+TEST_F(RecordFile, IsNotBelievedWhereItContradictsItself) {
+  write(record_that_holds(), file());
+  EXPECT_EQ(read_record(file()), record_that_holds());
+  const std::string plain = text();
+  using Words = std::pair<std::string, std::string>;
+  for (const auto& [changes, expected] :
+       {std::pair(std::vector{Words("0.0334,\"lower\"", "0.0434,\"lower\""), Words("0.0334", "0.0434")},
+                  "L2 v_x = 0.0434: says 'holds', expected 'fails' by value and limits"),
+        {{Words("0.0334,\"lower\"", "\"nan\",\"lower\"")}, "= nan: says 'holds', expected 'fails'"},
+        {{Words("\"upper\":0.04", "\"upper\":0.03")}, "says 'holds', expected 'fails'"},
+        {{Words("\"upper\":0.04", "\"upper\":null")}, "says 'holds', expected 'inconclusive'"},
+        {{Words("\"outcome\":\"holds\"", "\"outcome\":\"fails\"")}, "says 'fails', expected 'holds'"},
+        {{Words("0.0334,\"lower\"", "0.0333,\"lower\"")}, "= 0.0333: expected 0.0334, the value that was measured"},
+        {{Words("\"mpm\",\"level\":\"M1\"", "\"mpm\",\"level\":\"M9\"")},
+         "mpm M9: inconsistent record: L2 v_x = 0.0334: no such level was run: FAILS"}}) {
+    put(plain);
+    for (const auto& [from, to] : changes) change(from, to);
+    const Verdict verdict = read_record(file()).verdicts[0];
+    EXPECT_EQ(verdict.outcome, Outcome::fails) << expected;
+    EXPECT_NE(verdict.sentence.find(expected), std::string::npos) << verdict.sentence;
+  }
 }
 
 TEST_F(RecordFile, KeepsTheDifferenceBetweenNoLimitAndALimit) {
   Record record = full_record();
   record.verdicts[0].lower.reset();
+  record.verdicts[0].half_width.reset();
   write(record, file());
   EXPECT_FALSE(read_record(file()).verdicts[0].lower.has_value());
   EXPECT_EQ(read_record(file()).verdicts[0].upper, 4.0);
@@ -181,8 +220,8 @@ TEST_F(RecordFile, ThatIsTornIsRefusedWhereverItIsTorn) {
 
 TEST_F(RecordFile, OfAnUnknownSchemaIsRefused) {
   write(full_record(), file());
-  change("\"schema\":4", "\"schema\":7");
-  EXPECT_NE(refusal().find("schema is 7, expected 4 or 3"), std::string::npos) << refusal();
+  change("\"schema\":5", "\"schema\":7");
+  EXPECT_NE(refusal().find("schema is 7, expected 5, 4 or 3"), std::string::npos) << refusal();
 }
 
 TEST_F(RecordFile, WithAWordForANumberIsRefusedByPlace) {

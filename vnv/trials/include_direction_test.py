@@ -38,7 +38,7 @@ def allowed_includes():
     for name in REPORTS:
         allowed[f"reports/{name}"] = below
         below = below | {f"reports/{name}"}
-    return allowed | {"reports/browser": below, "reports": below}
+    return allowed | {"reports/browser": below, "reports": below, "vnv/trials/verdicts": below}
 
 
 def folder_of(file, folders):

@@ -1,0 +1,26 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// Who accepted what, when and why: the first lines of a file of baselines or of accepted claims.
+struct Acceptance {
+  std::string title, revision, date, reason;
+  std::vector<std::string> notes{};
+};
+
+/// What a test does must not change what it is judged by: throws std::invalid_argument where ctest has set one of these
+/// for a test of its.
+inline void require_no_test(std::string_view option) {
+  for (const char* mark : {"DASHBOARD_TEST_FROM_CTEST", "CTEST_INTERACTIVE_DEBUG_MODE"})
+    if (std::getenv(mark))
+      throw std::invalid_argument(fmt::format("{}: {} is set, as in a test of ctest; expected a person", option, mark));
+}
+
+}  // namespace touchstone::vnv

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Trials of verdicts: is a claim that holds seen to fail wherever its value would?
+
+Each claim that holds in the records of a suite is mutated, one at a time. The program of its case judges the values of the
+record anew, with the one that the claim reads just beyond its limit, not a number, missing, that of another level, or
+never measured (CASE --mutate). The report reads the record with the verdict changed in all ways that it could be wrong,
+and puts it on an index (touchstone_verdict_mutation). A few mutations are made for real: programs end with status 1, and
+the index is red. Exit status: 0 all were seen; 1 one survived; 3 bad input.
+
+Example: vnv/trials/verdicts/try.py build --records build/records/nightly
+"""
+
+import collections
+import concurrent.futures
+import csv
+import json
+import math
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import time
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+
+from shared import BadInput, Parser, exit_with, run  # noqa: E402
+
+ROOT = FOLDER.parents[2]
+
+
+def mutate_values(build, data, records, case):
+    """What the program of a case says, and whether all that it tried was seen."""
+    done = run([build / "vnv" / case, "--data", data, "--mutate", records])
+    if done.returncode not in (0, 1) or not re.search(r" claims hold:", done.stdout):
+        raise BadInput(f"{case} --mutate {records}: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
+    return done.stdout, done.returncode == 0
+
+
+def try_values(build, data, records, cases, jobs):
+    """Claims that hold, and {mutation: [seen, tried]}."""
+    claims, counts, survivors = 0, collections.defaultdict(lambda: [0, 0]), []
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for output, _ in pool.map(lambda case: mutate_values(build, data, records, case), cases):
+            survivors += [line for line in output.splitlines() if line.startswith("SURVIVED")]
+            for line in re.findall(r"^[\w.]+: (\d+ claims hold:.*)$", output, re.MULTILINE):
+                claims += int(line.split()[0])
+                for mutation, seen, tried in re.findall(r"(\w+) (\d+)/(\d+)", line):
+                    counts[mutation][0] += int(seen)
+                    counts[mutation][1] += int(tried)
+    return claims, counts, survivors
+
+
+def beyond(verdict):
+    value, lower, upper = (verdict[key] if verdict[key] is None else float(verdict[key])
+                           for key in ("value", "lower", "upper"))
+    above = lower is None or (upper is not None and upper - value <= value - lower)
+    return math.nextafter(upper, math.inf) if above else math.nextafter(lower, -math.inf)
+
+
+def report_on(build, data, folder):
+    """Exit status of the report on these records, and its index."""
+    done = run([build / "reports" / "touchstone_report", folder, folder / "site", "--claims", data / "claims"])
+    index = folder / "site" / "index.html"
+    if not index.is_file():
+        raise BadInput(f"touchstone_report {folder}: {done.stdout.strip().splitlines()[-1]}")
+    return done.returncode, index.read_text(encoding="utf-8")
+
+
+def is_red_for_real(build, data, file, folder):
+    """Whether the pages of a record are green, and red with its last value that holds beyond its limit."""
+    folder.mkdir()
+    shutil.copy(file, folder)
+    before, index = report_on(build, data, folder)
+    record = json.loads(file.read_text(encoding="utf-8"))
+    verdict = next(v for v in reversed(record["verdicts"]) if v["outcome"] == "holds")
+    verdict["value"] = beyond(verdict)
+    (folder / file.name).write_text(json.dumps(record), encoding="utf-8")
+    after, mutated = report_on(build, data, folder)
+    return (before == 0 and 'class="sum holds"' in index and after == 1 and 'class="sum fails"' in mutated
+            and "inconsistent record" in mutated)
+
+
+def fails_for_real(build, data, name, folder):
+    """Whether a method's program passes, and fails where one accepted value is another."""
+    case, method = name.split(".")
+    call = [build / "vnv" / case, "--method", method, "--data", folder / "data"]
+    shutil.copytree(data, folder / "data")
+    before = run(call).returncode
+    table = folder / "data" / "baselines" / f"{case}.csv"
+    rows = list(csv.reader(table.read_text(encoding="utf-8").splitlines()))
+    row = next(row for row in rows if row[0] == method)  # method, level, time, quantity, value, lower, upper, basis
+    row[4:7] = [repr(2 * float(row[6]) - float(row[4]) + 1e-9)] * 3  # as far beyond the upper limit as that is above
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(rows)
+    done = run(call)
+    return before == 0 and done.returncode == 1 and ": FAILS" in done.stdout
+
+
+def try_for_real(build, data, files, at_most):
+    """How many of how many were red."""
+    seen, tried = 0, 0
+    with tempfile.TemporaryDirectory(prefix="verdicts.") as scratch:
+        for file in files[:: max(1, math.ceil(len(files) / at_most))] if at_most else []:
+            tried += 1
+            seen += is_red_for_real(build, data, file, pathlib.Path(scratch) / file.stem)
+        cheapest = min(files, key=lambda file: sum(r["cost"]["wall"] for r in json.loads(file.read_text())["runs"]))
+        name, folder = cheapest.stem, pathlib.Path(scratch) / "program"
+        baselines = data / "baselines" / f"{name.split('.')[0]}.csv"
+        if at_most and baselines.is_file() and f"\n{name.split('.')[1]}," in baselines.read_text(encoding="utf-8"):
+            tried += 1
+            seen += fails_for_real(build, data, name, folder)
+    return seen, tried
+
+
+def options_of(arguments):
+    parser = Parser(__doc__)
+    parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
+    parser.add_argument("--records", type=pathlib.Path, help="folder of records; default: BUILD/records/acceptance")
+    parser.add_argument("--data", type=pathlib.Path, default=ROOT / "data", help="whose baselines and accepted claims")
+    parser.add_argument("--for-real", type=int, default=3, help="so many records at most are mutated for real")
+    parser.add_argument("--jobs", type=int, default=2, help="programs at once")
+    options = parser.parse_args(arguments)
+    options.build = options.build.resolve()
+    options.records = (options.records or options.build / "records" / "acceptance").resolve()
+    return options
+
+
+def main(arguments):
+    options, began = options_of(arguments), time.monotonic()
+    files = sorted(options.records.glob("*.json"))
+    cases = sorted({file.stem.split(".")[0] for file in files})
+    if not files:
+        raise BadInput(f"{options.records}: no records in it, expected *.json")
+    index = [options.build / "reports" / "touchstone_verdict_mutation", options.records, "--claims",
+             options.data / "claims"]
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        shown = pool.submit(run, index)
+        claims, counts, survivors = try_values(options.build, options.data, options.records, cases, options.jobs)
+        shown = shown.result()
+    print("\n".join(survivors + shown.stdout.splitlines()))
+    for mutation, (seen, tried) in counts.items():
+        print(f"{mutation}: {seen} of {tried} seen by the programs")
+    real, tried_for_real = try_for_real(options.build, options.data, files, options.for_real)
+    on_index = re.search(r"^value: (\d+) seen", shown.stdout, re.MULTILINE)
+    print(f"{claims} claims that hold, {counts['beyond'][0]} made to fail, {on_index[1] if on_index else 'none'} seen by "
+          f"the index; {real} of {tried_for_real} for real; {time.monotonic() - began:.0f} s")
+    is_seen = all(seen == tried for seen, tried in counts.values()) and counts["beyond"][1] == claims > 0
+    return 0 if is_seen and shown.returncode == 0 and real == tried_for_real else 1
+
+
+if __name__ == "__main__":
+    exit_with(main)
