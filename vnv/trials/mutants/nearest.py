@@ -46,8 +46,10 @@ class Nearest:
 
     def changed_objects(self, file):
         """Those that a file, or any of a folder, is compiled into."""
-        path = str(self.source.resolve() / file) + ("/" if file.endswith("/") else "")
-        return {name for name, files in self.headers.items() if any(other.startswith(path) for other in files)}
+        path = str(self.source.resolve() / file)
+        if not file.endswith("/"):
+            return {name for name, files in self.headers.items() if path in files}
+        return {name for name, files in self.headers.items() if any(other.startswith(path + "/") for other in files)}
 
     def is_compiled_into(self, file, program):
         """Whether the tests of a program, or the module that they are of, are compiled anew; of a case any of its objects."""

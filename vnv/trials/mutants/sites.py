@@ -8,6 +8,8 @@ types, preprocessor lines and what the compiler alone evaluates are left as they
 import dataclasses
 import re
 
+import seeded
+
 OPERATORS = {"+": "-", "-": "+", "*": "/", "/": "*", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=", "<": "<=", "<=": "<",
              ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||", "||": "&&"}
 WORDS = {"true": "false", "false": "true", "min": "max", "max": "min", "sin": "cos", "cos": "sin", "front": "back", "back": "front"}
@@ -28,9 +30,12 @@ class Site:
     becomes: str
     kind: str
 
-    @property
-    def name(self):
-        return f"{self.file}:{self.number}: {self.line}  ->  {self.becomes or '(dropped)'}"
+    def as_fault(self, root):
+        """The whole file before and after, since a line may stand in it more than once."""
+        before = (root / self.file).read_text(encoding="utf-8")
+        lines = before.splitlines(keepends=True)
+        lines[self.number - 1] = lines[self.number - 1].replace(self.line, self.becomes or ";")
+        return seeded.Fault(self.file, self.kind, False, (), (seeded.Change(self.file, before, "".join(lines), self.number),))
 
 
 def code_of(line):
@@ -80,11 +85,3 @@ def sites(file, text):
             if kind != "dropped statement" or begins:
                 found.append(Site(file, k + 1, line.strip(), becomes.strip() if kind != "dropped statement" else "", kind))
     return found
-
-
-def mutated(text, site):
-    """The text with one mutation."""
-    lines = text.splitlines(keepends=True)
-    line = lines[site.number - 1]
-    lines[site.number - 1] = line.replace(site.line, site.becomes or ";")
-    return "".join(lines)

@@ -24,6 +24,7 @@ import time
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER.parent / "faults"))
 
+import seeded  # noqa: E402
 import sites  # noqa: E402
 from scratch import ROOT, Scratch, digest  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
@@ -96,14 +97,11 @@ class Worker:
         self.nearest = Nearest(self.scratch.source, self.build, CASES, SAMPLE)
         self.nearest.measure(self.options.timeout)
 
-    def tried(self, site):
+    def tried(self, change):
         """Conclusion, and the test that noticed."""
-        path = self.scratch.source / site.file
-        before = path.read_text(encoding="utf-8")
         began = time.monotonic()
-        try:
-            path.write_text(sites.mutated(before, site), encoding="utf-8")
-            for program in self.nearest.of(site.file):
+        with self.scratch.with_change(change):
+            for program in self.nearest.of(change.changes[0].file):
                 if said := self.scratch.compile(self.build, [program.path]):
                     return (NOTICED, f"the build: {said}") if "static assertion" in said else (INVALID, said)
                 failed, _ = self.nearest.failing_test(program, self.options.timeout)
@@ -111,9 +109,7 @@ class Worker:
                     return NOTICED, failed
                 if time.monotonic() - began > self.options.seconds:
                     return SURVIVES, f"passed up to {program.name}"
-            return SURVIVES, "passed all near tests"
-        finally:
-            path.write_text(before, encoding="utf-8")
+        return SURVIVES, "passed all near tests"
 
 
 def row_of(site, conclusion, by, seconds):
@@ -213,7 +209,7 @@ class Trials:
                 if site is None:
                     return
                 at = time.monotonic()
-                conclusion, by = worker.tried(site)
+                conclusion, by = worker.tried(site.as_fault(worker.scratch.source))
                 self.keep(row_of(site, conclusion, by, time.monotonic() - at))
 
         with concurrent.futures.ThreadPoolExecutor(len(workers)) as pool:
@@ -239,6 +235,18 @@ def try_sample(options):
     return rows
 
 
+def try_faults(options):
+    """Seeded faults of which nobody has said who notices; whether all were noticed."""
+    survivors = []
+    worker = Worker(options.scratch.resolve() / "0", options)
+    worker.prepare()
+    for fault in seeded.read_all(options.faults):
+        conclusion, by = worker.tried(fault)
+        print(f"{conclusion}: {fault.name}: {fault.title}  [{by}]", flush=True)
+        survivors += [fault.name] if conclusion != NOTICED else []
+    return not survivors
+
+
 def options_of(arguments):
     parser = Parser(__doc__)
     parser.add_argument("--scratch", type=pathlib.Path, default=ROOT / "build-mutants", help="folder of the copies and their builds")
@@ -246,6 +254,7 @@ def options_of(arguments):
     parser.add_argument("--seed", type=int, default=1, help="of the sample")
     parser.add_argument("--fraction", type=float, default=1, help="of the sample of each module: " + str(SAMPLE))
     parser.add_argument("--survivors", action="store_true", help="try those again that survived, as after a new test")
+    parser.add_argument("--faults", type=pathlib.Path, help="try the seeded faults of this folder instead, by the tests nearest to each")
     parser.add_argument("--least", type=float, default=90, help="of each module's mutants that are to be noticed [%%]")
     parser.add_argument("--keep", action="store_true", help="write vnv/trials/mutants/trials.csv")
     parser.add_argument("--minutes", type=float, default=math.inf, help="begin no further trial after so long; 0: only report")
@@ -259,6 +268,8 @@ def options_of(arguments):
 
 def main(arguments):
     options = options_of(arguments)
+    if options.faults:
+        return 0 if try_faults(options) else 1
     return 0 if summary(try_sample(options), options.least) else 1
 
 
