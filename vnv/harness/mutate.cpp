@@ -182,6 +182,7 @@ std::optional<Parts> spoilt(Mutation mutation, const Verdict& v, Parts parts, co
   const Value original = value;
   if (mutation == Mutation::no_number) value.value = not_a_number;
   if (mutation == Mutation::elsewhere) {
+    if (value.level.empty()) return std::nullopt;  // of all levels together
     const auto other =
         std::ranges::find_if(parts.runs, [&](const RunSummary& run) { return run.level != value.level; });
     value.level = other == parts.runs.end() ? "nowhere" : other->level;
