@@ -1,5 +1,6 @@
 # Opens SITE in a browser and checks its pages; with MADE_UP_NIGHTS and REPORT makes a small site there first; WITHIN
 # is how soon [s] those beside the index have to open.
+cmake_minimum_required(VERSION 3.25)
 foreach(tool CHROMIUM PYTHON)
   if(NOT ${tool})
     message("SKIP: ${tool}: not found, so no page was opened")

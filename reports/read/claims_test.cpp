@@ -2,6 +2,7 @@
 
 #include "reports/testing.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
@@ -11,6 +12,7 @@ vnv::Record record_of(const std::string& method, std::size_t claims) {
   vnv::Record record = sample_record(method);
   record.suite = "acceptance";
   record.verdicts.assign(claims, sample_verdict(vnv::Outcome::holds, 0.06));
+  for (std::size_t k = 0; k < claims; ++k) record.verdicts[k].level = fmt::format("M{}", k);
   return record;
 }
 

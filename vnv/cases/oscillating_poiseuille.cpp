@@ -20,14 +20,8 @@ constexpr double omega = 2 * std::numbers::pi / period;
 
 const reference::OscillatingPoiseuille exact{.H = H, .F = F, .omega = omega, .nu = water.kinematic_viscosity()};
 
-const Scene<Newtonian, ForceField> scene{
-    .domain = {.box = gap, .periodic_x = true},
-    .fluid = water,
-    .filled = gap,
-    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
-    .body_force = {Oscillating{{F, 0}, omega}},
-    .start = start_of(exact),
-};
+const Scene<Newtonian, ForceField> scene =
+    between_plates(gap, water, no_slip(), no_slip(), ForceField{Oscillating{{F, 0}, omega}}, start_of(exact));
 
 }  // namespace
 

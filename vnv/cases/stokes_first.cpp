@@ -14,12 +14,7 @@ namespace {
 constexpr double V = 1 * mm;  // m/s
 
 /// At the end the layer is a tenth of the gap thick: at the ceiling the oracle is 1e-12 of the plate velocity.
-const Scene<Newtonian> scene{
-    .domain = {.box = gap, .periodic_x = true},
-    .fluid = water,
-    .filled = gap,
-    .walls = {floor_at(0, no_slip({V, 0})), ceiling_at(H, free_slip())},
-};
+const Scene<Newtonian> scene = between_plates(gap, water, no_slip({V, 0}), free_slip());
 constexpr double early = 2.5e-3, end = 10e-3;  // s
 
 const reference::StokesFirst exact{.V = V, .nu = water.kinematic_viscosity()};

@@ -19,13 +19,8 @@ constexpr double omega = 2 * std::numbers::pi / period;
 
 const reference::StokesSecond exact{.V = V, .omega = omega, .nu = water.kinematic_viscosity()};
 
-const Scene<Newtonian> scene{
-    .domain = {.box = gap, .periodic_x = true},
-    .fluid = water,
-    .filled = gap,
-    .walls = {floor_at(0, oscillating({V, 0}, omega)), ceiling_at(H, free_slip())},
-    .start = start_of(exact),
-};
+const Scene<Newtonian> scene =
+    between_plates(gap, water, oscillating({V, 0}, omega), free_slip(), NoForce{}, start_of(exact));
 
 }  // namespace
 

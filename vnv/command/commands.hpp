@@ -64,6 +64,26 @@ struct PlanOptions {
 };
 int plan(const Build& build, const PlanOptions& options);
 
+/// What is empty, or zero, is that of the published flow, or found in the files.
+struct SceneOptions {
+  std::string flow{};
+  std::vector<std::string> set{};  // "H=1"
+  double spacing = 0;              // m
+  bool as_json = false;
+  std::string particles{};  // a file to write
+};
+int scene(const Build& build, const SceneOptions& options);
+
+struct JudgeOptions {
+  std::string flow{}, name = "files";
+  std::vector<std::string> files{}, set{}, fields{}, units{};
+  std::string axes{}, only{}, records{};
+  std::vector<double> origin{};  // m
+  bool inside = false;
+  double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %
+};
+int judge(const Build& build, const JudgeOptions& options);
+
 /// What may follow a command on the command line.
 struct CommandWords {
   std::string name;

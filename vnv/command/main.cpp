@@ -114,6 +114,43 @@ void declare_plan(CLI::App& command, PlanOptions& options) {
   command.add_flag("--json", options.as_json, "one line of JSON per task; \"cpu\" is null where it is unknown");
 }
 
+void declare_scene(CLI::App& command, SceneOptions& options) {
+  command.add_option("FLOW", options.flow, "a flow; without one all are named");
+  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")->type_name("NAME=VALUE");
+  command.add_option("--spacing", options.spacing, "of the particles [m]; default: 40 across")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--json", options.as_json, "as JSON, for a solver");
+  command.add_option("--particles", options.particles, "file for the particles at the start, as CSV");
+}
+
+void declare_judge(CLI::App& command, JudgeOptions& options) {
+  command.add_option("FLOW", options.flow, "a flow that vnv scene names")->required();
+  command.add_option("FILES", options.files, "of one resolution or of several, at one time or at many")->required();
+  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")->type_name("NAME=VALUE");
+  command.add_option("--name", options.name, "of the code that is judged")->capture_default_str();
+  command
+      .add_option("--field", options.fields,
+                  "array of a field, velocity=U; fields: position, velocity, pressure, density, mass, volume")
+      ->type_name("FIELD=ARRAY");
+  command
+      .add_option("--unit", options.units,
+                  "of length, velocity, pressure, density or time, length=mm; default: in headings, else SI")
+      ->type_name("KIND=UNIT");
+  command.add_option("--axes", options.axes, "of the plane of the flow, in the coordinates of the files")
+      ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
+  command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
+  command.add_option("--only", options.only, "rows that are fluid, NAME=VALUE of an array");
+  command.add_flag("--inside", options.inside, "leave out rows outside the domain");
+  command.add_option("--time", options.time, "of files that have none [s]")->check(CLI::NonNegativeNumber);
+  command.add_option("--time-step", options.time_step, "between the indices of files that have no time [s]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--spacing", options.spacing, "of the particles [m]; default: by their number in the filled area")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--at-most", options.at_most, "a limit for each norm [%]")->check(CLI::PositiveNumber);
+  command.add_option("--records", options.records, "folder for the record, which vnv report turns into pages")
+      ->check(CLI::ExistingDirectory);
+}
+
 CommandWords words_of(const CLI::App& command) {
   CommandWords words{command.get_name(), {}, command.get_option_no_throw("PATTERN") != nullptr};
   for (const CLI::Option* option : command.get_options()) {
@@ -172,6 +209,18 @@ void add_subcommands(Session& session) {
       explain, declare_explain);
   add(session, "plan", "Lists the methods and levels that a suite runs, with their last recorded cost.",
       "Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json", plan, declare_plan);
+  add(session, "scene", "Says all that a solver needs to compute a flow, at any parameters.",
+      "Examples:\n  vnv scene\n  vnv scene poiseuille --set H=1 --set F=1e-5 --set nu=0.01\n"
+      "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
+      scene, declare_scene);
+  add(session, "judge", "Judges the output of any code by a flow: norms of the error, observed order, verdicts.",
+      "Reads VTP, VTU, legacy VTK, PVD and series of them, and tables of text (CSV, TSV, ;). Files of equal spacing are\n"
+      "times of one resolution; three resolutions show the observed order.\n"
+      "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
+      "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
+      "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
+      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz",
+      judge, declare_judge);
   add_completion(session);
 }
 

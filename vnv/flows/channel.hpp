@@ -2,6 +2,7 @@
 /// What flows along a channel share: geometry and water of Sun et al., table 1, and their methods in words.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/scene.hpp"
 #include "vnv/case.hpp"
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"
@@ -19,6 +20,18 @@ inline constexpr double dt = 5 * us;
 
 /// The box between the plates, periodic along x and full of water.
 inline const Box gap{.high = {L, H}};
+
+/// Fluid between plates along x, at the bottom and the top of a box that is periodic along x and full of it.
+template <class Force = NoForce>
+Scene<Newtonian, Force> between_plates(const Box& box, const Newtonian& fluid, WallVelocity floor, WallVelocity ceiling,
+                                       const Force& body_force = {}, Start start = {}) {
+  return {.domain = {.box = box, .periodic_x = true},
+          .fluid = fluid,
+          .filled = box,
+          .walls = {floor_at(box.low.y(), std::move(floor)), ceiling_at(box.high.y(), std::move(ceiling))},
+          .body_force = body_force,
+          .start = std::move(start)};
+}
 
 // Quantities that every method is judged by.
 inline const Quantity l2_rows{"L2 v_x, row means", "%", Kind::norm}, linf_rows{"Linf v_x, row means", "%", Kind::norm};

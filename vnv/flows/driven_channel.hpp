@@ -15,11 +15,7 @@ inline constexpr double drive = 8 * mm;  // m/s²  table 1
 
 template <class Force>
 Scene<Newtonian, Force> driven_by(const Force& body_force, const Newtonian& fluid = water) {
-  return {.domain = {.box = gap, .periodic_x = true},
-          .fluid = fluid,
-          .filled = gap,
-          .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
-          .body_force = body_force};
+  return between_plates(gap, fluid, no_slip(), no_slip(), body_force);
 }
 
 /// The paper's body force with a perturbation, a fraction of it, at wavelengths of a few cells: without it nothing

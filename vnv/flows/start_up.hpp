@@ -19,10 +19,7 @@ inline const reference::Poiseuille exact{.H = H, .F = drive, .nu = water.kinemat
 /// Section 3.2: the upper plate slides.
 namespace couette {
 inline constexpr double V = 0.1 * mm;  // m/s  table 1
-inline const Scene<Newtonian> scene{.domain = {.box = gap, .periodic_x = true},
-                                    .fluid = water,
-                                    .filled = gap,
-                                    .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip({V, 0}))}};
+inline const Scene<Newtonian> scene = between_plates(gap, water, no_slip(), no_slip({V, 0}));
 inline const reference::Couette exact{.H = H, .V = V, .nu = water.kinematic_viscosity()};
 }  // namespace couette
 

@@ -27,10 +27,7 @@ HistoryFile history_of(const Case& declared, const std::string& name, const Run&
     text += fmt::format("{}{}{}\n", run.history.time[k], headings.size() > 1 ? "," : "",
                         fmt::join(run.history.seen[k], ","));
   }
-  std::string stem = fmt::format("{}.{}", name, run.summary.level);
-  std::ranges::replace_if(
-      stem, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
-  return {run.summary.level, fmt::format("histories/{}.csv", stem), std::move(text)};
+  return {run.summary.level, fmt::format("histories/{}.csv", stem_of_files(name, run.summary.level)), std::move(text)};
 }
 
 /// Measures each run and keeps account in the record.
@@ -222,6 +219,13 @@ void judge_ends(const Method& method, Record& record) {
 }
 
 }  // namespace
+
+std::string stem_of_files(const std::string& name, const std::string& level) {
+  std::string stem = fmt::format("{}.{}", name, level);
+  std::ranges::replace_if(
+      stem, [](unsigned char c) { return !std::isalnum(c) && c != '.' && c != '-'; }, '_');
+  return stem;
+}
 
 Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
   Record record;

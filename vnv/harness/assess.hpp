@@ -7,6 +7,9 @@
 
 namespace touchstone::vnv {
 
+/// What files of a run are called, by its CASE.METHOD and its level: "couette.mpm.40_across".
+std::string stem_of_files(const std::string& name, const std::string& level);
+
 /// A record that says of whom it is, and nothing yet of any run.
 Record record_of(const std::string& case_name, const Case& declared, const Method& method, Suite suite);
 

@@ -8,6 +8,7 @@
 #include "vnv/harness/mutate.hpp"
 #include "vnv/harness/options.hpp"
 #include "vnv/harness/run_levels.hpp"
+#include "vnv/run/vtp_series.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -38,6 +39,15 @@ void print(const Record& record) {
   if (is_run_for_dashboard()) fmt::print("{}", measurement_lines(record));
 }
 
+/// The runs of a method, whose particles are kept as files where that is asked for.
+Results results_of(const Case& declared, const Method& method, Suite suite) {
+  Results results{method, suite, run_levels(case_name, declared, method, suite)};
+  if (!options.vtp.empty())
+    for (const Run& run : results.runs)
+      write_vtp_series(options.vtp, stem_of_files(case_name + "." + method.name, run.summary.level), run.samples);
+  return results;
+}
+
 /// A test is a method: it passes when every claim holds, and they are no fewer than accepted.
 class MethodTest : public testing::Test {
  public:
@@ -55,7 +65,7 @@ class MethodTest : public testing::Test {
 
  private:
   Record assessed() const try {
-    return assess(case_name, declared_, method_, options.suite, baselines_of_case());
+    return assess(case_name, declared_, results_of(declared_, method_, options.suite), baselines_of_case());
   } catch (const std::exception& error) {
     return failed(error.what());
   }
@@ -120,7 +130,7 @@ int explore(const Case& declared) {
     Case unjudged = declared;
     unjudged.claims.clear();
     unjudged.plots.clear();
-    const Record record = assess(case_name, unjudged, custom, Suite::acceptance, std::nullopt);
+    const Record record = assess(case_name, unjudged, results_of(unjudged, custom, Suite::acceptance), std::nullopt);
     print(record);
     for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);
     if (!record.runs.front().finished) return EXIT_FAILURE;
@@ -143,7 +153,7 @@ int accept(const Case& declared) {
   std::erase_if(baselines.rows, is_gone);
   std::erase_if(claims.rows, is_gone);
   for (const Method* method : chosen_methods(declared)) {
-    const Results results{*method, options.suite, run_levels(case_name, declared, *method, options.suite)};
+    const Results results = results_of(declared, *method, options.suite);
     const Record record = assess(case_name, declared, results, std::nullopt);
     print(record);
     for (const Verdict& verdict : record.verdicts)

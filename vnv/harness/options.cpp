@@ -22,6 +22,9 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
   app.add_option_function<std::string>(
       "--records", [this](const std::string& folder) { records = folder; }, "folder to write a record per method into");
   app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
+  app.add_option_function<std::string>(
+      "--vtp", [this](const std::string& folder) { vtp = folder; },
+      "folder for the particles of each run at the times of the case, a series of .vtp for ParaView");
   app.add_option("--spacing", spacing, "one run at this particle spacing [m], measured and not judged");
   const auto positive = CLI::PositiveNumber;
   app.add_option("--cell", cell,

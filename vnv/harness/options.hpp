@@ -16,6 +16,7 @@ struct Options {
   double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
   bool accepts = false;
   std::string accept_reason{};
+  std::filesystem::path vtp{};      // folder for the particles of each run; empty: none
   std::filesystem::path mutated{};  // records whose verdicts are mutated; empty: none are
   bool mutates_samples = false;     // and those of a run that is made for it
   bool list = false, describes = false;

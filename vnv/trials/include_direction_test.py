@@ -10,14 +10,14 @@ import sys
 
 # The folders of vnv/, lowest layer first: each may include all layers below its own, and solvers/ from `run` on.
 LAYERS = ("files programs", "record", "judge", "run", "case", "methods measures", "plots", "studies", "harness flows",
-          "stability bench", "cases", "trials")
+          "stability bench doors", "cases", "trials")
 WITHOUT_SOLVERS = ("files", "programs", "record", "judge")
-WITH_ORACLES = ("flows", "cases", "trials")
+WITH_ORACLES = ("flows", "doors", "cases", "trials")
 RECORDS = {"vnv/files", "vnv/programs", "vnv/record"}  # what is known where no solver is
 REPORTS = ("text", "read", "compare", "figures", "pages")  # lowest first
 
 # What tests may include besides, as they compare a thing with what is made of it.
-OF_TESTS = {"solvers": {"solvers/sph"}, "vnv/files": {"solvers"}, "vnv/run": {"vnv/stability"},
+OF_TESTS = {"solvers": {"solvers/sph"}, "vnv/files": {"solvers"}, "vnv/run": {"vnv/stability", "vnv/doors/read"},
             "vnv/studies": {"vnv/harness"}, "vnv/bench": {"reference"}, "reports/read": {"reports/pages"},
             "reports/compare": {"reports/figures"}}
 # Run back today: no others may.
@@ -27,13 +27,15 @@ KNOWN = {("reports/browser/made_up_nights.cpp", "reports")}  # samples that it s
 def allowed_includes():
     """{folder: the others that its files may include}"""
     allowed = {"solvers": set(), "solvers/mpm": {"solvers"}, "solvers/sph": {"solvers"}, "reference": set(),
-               "vnv/gate": RECORDS, "vnv/command": RECORDS | {"vnv/judge", "vnv/gate"}}
+               "vnv/gate": RECORDS, "vnv/doors/read": {"vnv/files"},
+               "vnv/command": RECORDS | {"vnv/judge", "vnv/gate", "vnv/doors"}}
     solvers, below = {"solvers", "solvers/mpm", "solvers/sph"}, set()
     for layer in LAYERS:
         for name in layer.split():
             more = set() if name in WITHOUT_SOLVERS else solvers
             allowed[f"vnv/{name}"] = below | more | ({"reference"} if name in WITH_ORACLES else set())
         below = below | {f"vnv/{name}" for name in layer.split()}
+    allowed["vnv/doors"] |= {"vnv/doors/read"}
     below = RECORDS
     for name in REPORTS:
         allowed[f"reports/{name}"] = below

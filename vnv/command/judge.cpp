@@ -1,0 +1,70 @@
+/// vnv judge: the output of any code, judged by a flow.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/command/settings.hpp"
+#include "vnv/command/terminal.hpp"
+#include "vnv/doors/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace touchstone::vnv::command {
+namespace {
+
+doors::JudgeRequest request_of(const JudgeOptions& options) {
+  doors::JudgeRequest request{.name = options.name};
+  for (const std::string& file : options.files) request.files.emplace_back(file);
+  doors::Mapping& mapping = request.mapping;
+  mapping.arrays = pairs_of("--field", options.fields);
+  mapping.units = pairs_of("--unit", options.units);
+  mapping.axes = options.axes;
+  mapping.only = options.only;
+  mapping.inside = options.inside;
+  if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};
+  if (options.time >= 0) mapping.time = options.time;
+  if (options.time_step > 0) mapping.time_step = options.time_step;
+  if (options.spacing > 0) request.spacing = options.spacing;
+  if (options.at_most > 0) request.at_most = options.at_most;
+  return request;
+}
+
+void print_values(const Record& record) {
+  fmt::print("\n{:24} {:>12} {:32} {:>12}\n", "level", "time [s]", "quantity", "value");
+  for (const Value& v : record.values)
+    fmt::print("{:24} {:12.6g} {:32} {:12.6g}\n", v.level, v.time, v.quantity.heading(), v.value);
+  for (const ObservedOrder& order : record.orders)
+    if (order.levels.size() > 2)
+      fmt::print("observed order of {} at {:g} s: {:.3f} +- {:.2g} over {} resolutions\n", order.quantity, order.time,
+                 order.order, order.half_width, order.levels.size());
+}
+
+}  // namespace
+
+int judge(const Build&, const JudgeOptions& options) {
+  const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
+  const doors::Judgement judgement = doors::judge_files(flow, request_of(options));
+  const Record& record = judgement.record;
+  fmt::print("{}\n", flow.judged.title);
+  for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
+  print_values(record);
+  fmt::print("\n");
+  for (const std::string& line : judgement.not_judged) fmt::print("not judged: {}\n", line);
+  long failing = 0, judged = 0;
+  for (const Verdict& v : record.verdicts) {
+    if (v.quantity == "end time reached") continue;  // files have no other end than their last time
+    ++judged;
+    failing += v.outcome != Outcome::holds;
+    fmt::print("{}\n", v.sentence);
+  }
+  if (!options.records.empty())
+    write(record, std::filesystem::path(options.records) / fmt::format("{}.{}.json", record.case_name, record.method));
+  if (judged == 0)
+    fmt::print("nothing was claimed: three resolutions show the order, --at-most PERCENT sets a limit\n");
+  else
+    fmt::print("{} of {} claims hold\n", judged - failing, judged);
+  return failing == 0 && judged > 0 ? all_holds : something_fails;
+}
+
+}  // namespace touchstone::vnv::command

@@ -1,0 +1,27 @@
+/// vnv scene: all that a solver needs to compute a flow.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/command/settings.hpp"
+#include "vnv/doors/scene.hpp"
+#include "vnv/files/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace touchstone::vnv::command {
+
+int scene(const Build&, const SceneOptions& options) {
+  if (options.flow.empty()) {
+    for (const std::string& name : doors::flow_names())
+      fmt::print("{:24} {}\n", name, doors::flow_named(name).judged.title);
+    return all_holds;
+  }
+  const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
+  const double spacing = options.spacing > 0 ? options.spacing : flow.across / 40;
+  if (!options.particles.empty()) files::write_whole(options.particles, doors::particles_as_csv(flow, spacing));
+  fmt::print("{}", options.as_json ? doors::scene_as_json(flow, spacing) : doors::scene_in_words(flow, spacing));
+  return all_holds;
+}
+
+}  // namespace touchstone::vnv::command

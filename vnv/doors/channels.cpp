@@ -1,0 +1,126 @@
+/// Flows between plates.
+
+#include "reference/couette.hpp"
+#include "reference/oscillating_poiseuille.hpp"
+#include "reference/poiseuille.hpp"
+#include "reference/stokes.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+#include "solvers/walls/oscillating.hpp"
+#include "vnv/doors/flows.hpp"
+#include "vnv/flows/driven_channel.hpp"
+
+#include <numbers>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+/// What all of them ask for: the gap and the fluid in it, those of Sun et al. (table 1) where nothing is set.
+struct Channel {
+  Box gap;
+  Newtonian fluid;
+
+  explicit Channel(Settings& set) {
+    gap.high.y() = set.positive("H", channel::H, "m", "distance between the plates");
+    gap.high.x() = set.positive("L", channel::L, "m", "length of the periodic box");
+    const double rho = set.positive("rho", channel::water.density, "kg/m³", "density at rest");
+    const double nu = set.positive("nu", channel::water.kinematic_viscosity(), "m²/s", "kinematic viscosity");
+    const double c = set.positive("c", channel::water.sound_speed(), "m/s", "speed of sound at rest");
+    fluid = {{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma}, rho * nu};
+  }
+  double H() const { return gap.high.y(); }
+  double nu() const { return fluid.kinematic_viscosity(); }
+
+  /// The flow between two plates whose velocity along them is `exact`, from its state at t = 0 on.
+  Flow flow(std::string title, std::string description, std::vector<double> times, WallVelocity floor,
+            WallVelocity ceiling, const Truth& exact) const {
+    Flow made;
+    set_scene(made, channel::between_plates(gap, fluid, std::move(floor), std::move(ceiling), NoForce{},
+                                            {.velocity = [exact](const Vec2& x) -> Vec2 {
+                                              return {exact(x.y(), 0), 0};
+                                            }}));
+    made.across = H();
+    made.judged.title = std::move(title);
+    made.judged.description = std::move(description);
+    made.judged.times = std::move(times);
+    made.judged.claims = {is_consistent(channel::l2)};
+    made.measured = {{{"velocity"}, norms_of("v_x, per particle", channel::by_particles, exact)}};
+    return made;
+  }
+};
+
+/// Times at which a flow is sampled: fractions of the time in which viscosity crosses the gap.
+std::vector<double> times_of(const Channel& channel, const std::vector<double>& fractions) {
+  std::vector<double> times;
+  for (const double fraction : fractions) times.push_back(fraction * channel.H() * channel.H() / channel.nu());
+  return times;
+}
+
+}  // namespace
+
+Flow poiseuille(Settings& set) {
+  const Channel channel(set);
+  const double F = set("F", channel::drive, "m/s²", "body force along x, per mass, from t = 0 on");
+  Flow flow = channel.flow(
+      "Start-up of plane Poiseuille flow",
+      "Fluid at rest between two plates at rest is driven along them by a body force from t = 0. The oracle is the "
+      "exact series of Morris, Fox & Zhu (1997).",
+      times_of(channel, {0.05, 0.1, 0.2, 1}), no_slip(), no_slip(),
+      reference::Poiseuille{.H = channel.H(), .F = F, .nu = channel.nu()});
+  flow.drive = {{F, 0}};
+  return flow;
+}
+
+Flow couette(Settings& set) {
+  const Channel channel(set);
+  const double V = set("V", 0.1 * mm, "m/s", "velocity of the upper plate from t = 0 on");
+  return channel.flow(
+      "Start-up of plane Couette flow",
+      "Fluid at rest between two plates, of which the upper one slides from t = 0. The oracle is the exact series of "
+      "Morris, Fox & Zhu (1997).",
+      times_of(channel, {0.05, 0.1, 0.2, 1}), no_slip(), no_slip({V, 0}),
+      reference::Couette{.H = channel.H(), .V = V, .nu = channel.nu()});
+}
+
+Flow oscillating_poiseuille(Settings& set) {
+  const Channel channel(set);
+  const double F = set("F", 40 * mm, "m/s²", "amplitude of the body force along x, per mass");
+  const double period = set.positive("period", 0.1, "s", "of the body force");
+  const double omega = 2 * std::numbers::pi / period;
+  Flow flow = channel.flow(
+      "Oscillating Poiseuille flow",
+      "A body force along a channel oscillates as cos(2 pi t / period). The oracle is the plane form of Womersley's "
+      "(1955) solution for a force that has always oscillated; its velocity at t = 0 is the initial state.",
+      {period / 4, 3 * period / 4}, no_slip(), no_slip(),
+      reference::OscillatingPoiseuille{.H = channel.H(), .F = F, .omega = omega, .nu = channel.nu()});
+  flow.drive = {{F, 0}, omega};
+  return flow;
+}
+
+Flow stokes_first(Settings& set) {
+  const Channel channel(set);
+  const double V = set("V", 1 * mm, "m/s", "velocity of the plate from t = 0 on");
+  return channel.flow(
+      "Stokes' first problem",
+      "A plate below fluid at rest slides from t = 0. The oracle is Stokes' (1851), for fluid without an upper bound: the "
+      "boundary layer has to stay below the free-slip ceiling.",
+      times_of(channel, {2.5e-3, 0.01}), no_slip({V, 0}), free_slip(),
+      reference::StokesFirst{.V = V, .nu = channel.nu()});
+}
+
+Flow stokes_second(Settings& set) {
+  const Channel channel(set);
+  const double V = set("V", 1 * mm, "m/s", "amplitude of the plate's velocity");
+  const double period = set.positive("period", 0.02, "s", "of the plate");
+  const double omega = 2 * std::numbers::pi / period;
+  Flow flow = channel.flow(
+      "Stokes' second problem",
+      "A plate below fluid oscillates along itself as cos(2 pi t / period). The oracle is Stokes' (1851) for a plate "
+      "that has always oscillated; its velocity at t = 0 is the initial state. The free-slip ceiling is far above the layer.",
+      {period / 4, 3 * period / 4}, oscillating({V, 0}, omega), free_slip(),
+      reference::StokesSecond{.V = V, .omega = omega, .nu = channel.nu()});
+  flow.wall_frequency = omega;
+  return flow;
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,310 @@
+#include "vnv/doors/fields.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+/// Common names of fields, without case, units and what joins words.
+const std::map<std::string, std::vector<std::string>> common_names{
+    {"position", {"points", "position", "positions", "pos", "coordinates", "cellcentres", "r", "x"}},
+    {"velocity", {"velocity", "velocities", "vel", "v", "u", "uvel"}},
+    {"pressure", {"pressure", "press", "p"}},
+    {"density", {"density", "rho", "rhop", "dens"}},
+    {"mass", {"mass", "masses", "m"}},
+    {"volume", {"volume", "volumes", "vol", "cellvolumes"}},
+};
+
+struct Unit {
+  const char* kind;
+  const char* name;
+  double si;
+};
+constexpr std::array units{
+    Unit{"length", "m", 1},         Unit{"length", "cm", 1e-2},     Unit{"length", "mm", 1e-3},
+    Unit{"length", "um", 1e-6},     Unit{"length", "km", 1e3},      Unit{"velocity", "m/s", 1},
+    Unit{"velocity", "cm/s", 1e-2}, Unit{"velocity", "mm/s", 1e-3}, Unit{"pressure", "Pa", 1},
+    Unit{"pressure", "hPa", 1e2},   Unit{"pressure", "kPa", 1e3},   Unit{"pressure", "MPa", 1e6},
+    Unit{"pressure", "bar", 1e5},   Unit{"density", "kg/m3", 1},    Unit{"density", "kg/m^3", 1},
+    Unit{"density", "kg/m³", 1},    Unit{"density", "g/cm3", 1e3},  Unit{"time", "s", 1},
+    Unit{"time", "ms", 1e-3},       Unit{"time", "us", 1e-6},       Unit{"mass", "kg", 1},
+    Unit{"mass", "kg/m", 1},        Unit{"mass", "g", 1e-3},        Unit{"volume", "m2", 1},
+    Unit{"volume", "m²", 1},        Unit{"volume", "m3", 1},        Unit{"volume", "m³", 1},
+    Unit{"volume", "m^3", 1},
+};
+
+double si(const std::string& kind, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Unit& unit : units) {
+    if (kind != unit.kind) continue;
+    if (name == unit.name) return unit.si;
+    known.emplace_back(unit.name);
+  }
+  throw Unreadable(fmt::format("unit of {} '{}', expected one of: {}", kind, name, fmt::join(known, ", ")));
+}
+
+/// A name without its unit, "Vel.x [m/s]" -> "velx", and that unit.
+std::string plain(const std::string& name) {
+  std::string found;
+  for (const char c : name.substr(0, name.find_first_of("[(")))
+    if (std::isalnum(static_cast<unsigned char>(c))) found += static_cast<char>(std::tolower(c));
+  return found;
+}
+std::string unit_in(const std::string& name) {
+  const std::size_t open = name.find('['), close = name.find(']');
+  return open == name.npos || close == name.npos ? "" : name.substr(open + 1, close - open - 1);
+}
+
+/// One field: an array of so many components, or several columns.
+struct Found {
+  std::vector<const Array*> columns{};
+  std::string words{};
+
+  bool there() const { return !columns.empty(); }
+  std::size_t components() const {
+    return columns.size() > 1 ? columns.size() : static_cast<std::size_t>(columns[0]->components);
+  }
+  double operator()(std::size_t row, std::size_t component) const {
+    return columns.size() > 1 ? columns[component]->values[row]
+                              : columns[0]->values[row * static_cast<std::size_t>(columns[0]->components) + component];
+  }
+};
+
+/// Columns of the components of a vector by its base name: "vx" and "vy", "v_0" and "v_1"; those of a velocity may be
+/// "u" and "v", those of a place "x" and "y".
+std::vector<const Array*> components_of(const Dataset& data, const std::string& field, const std::string& base) {
+  const auto column = [&](const std::string& name) -> const Array* {
+    for (const Array& array : data.arrays)
+      if (array.components == 1 && plain(array.name) == name) return &array;
+    return nullptr;
+  };
+  std::vector<std::array<std::string, 3>> patterns{{base + "x", base + "y", base + "z"},
+                                                   {base + "0", base + "1", base + "2"}};
+  if (field == "velocity" && base == "u") patterns.push_back({"u", "v", "w"});
+  if (field == "position" && base == "x") patterns = {{"x", "y", "z"}};
+  for (const auto& [x, y, z] : patterns) {
+    std::vector<const Array*> columns;
+    for (const Array* one : {column(x), column(y), column(z)})
+      if (one) columns.push_back(one);
+    if (columns.size() > 1) return columns;
+  }
+  return {};
+}
+
+Found found_as(const Dataset& data, const std::string& field, const std::string& base) {
+  const bool is_vector = field == "position" || field == "velocity";
+  for (const Array& array : data.arrays)
+    if (plain(array.name) == base && (array.components > 1) == is_vector) return {{&array}, array.name};
+  if (!is_vector) return {};
+  Found found{components_of(data, field, base)};
+  std::vector<std::string> names;
+  for (const Array* column : found.columns) names.push_back(column->name);
+  found.words = fmt::format("{}", fmt::join(names, ", "));
+  return found;
+}
+
+Found find(const Dataset& data, const std::string& field, const Mapping& mapping) {
+  if (const auto said = mapping.arrays.find(field); said != mapping.arrays.end()) {
+    if (const Array* array = data.array(said->second)) return {{array}, array->name};
+    if (const Found columns = found_as(data, field, plain(said->second)); columns.there()) return columns;
+    std::vector<std::string> names;
+    for (const Array& array : data.arrays) names.push_back(array.name);
+    throw Unreadable(fmt::format("{}: no array '{}' for {}, expected one of: {}", data.source, said->second, field,
+                                 fmt::join(names, ", ")));
+  }
+  std::vector<Found> all;
+  for (const std::string& base : common_names.at(field)) {
+    const Found one = found_as(data, field, base);
+    const auto is_known = [&](const Found& other) { return other.columns == one.columns; };
+    if (one.there() && std::ranges::none_of(all, is_known)) all.push_back(one);
+  }
+  if (all.size() > 1)
+    throw Unreadable(fmt::format("{}: {} may be '{}' or '{}': say which, --field {}=NAME", data.source, field,
+                                 all[0].words, all[1].words, field));
+  return all.empty() ? Found{} : all[0];
+}
+
+/// To SI, by what the user says of the kind or else by the unit in the name.
+double factor(const Found& found, const std::string& kind, const Mapping& mapping, std::string& words) {
+  const auto said = mapping.units.find(kind);
+  const std::string unit = said != mapping.units.end() ? said->second : unit_in(found.columns[0]->name);
+  if (unit.empty()) return 1;
+  words += fmt::format(" in {}", unit);
+  return si(kind, unit);
+}
+
+/// The axes of the plane in which places lie; throws where they lie in none.
+std::array<std::size_t, 2> plane_of(const Dataset& data, const Found& places, const Mapping& mapping) {
+  const auto axis = [](char letter) { return static_cast<std::size_t>(letter - 'x'); };
+  std::array<double, 3> spread{};
+  for (std::size_t c = 0; c < std::min<std::size_t>(places.components(), 3); ++c) {
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t row = 0; row < data.rows(); ++row) {
+      low = std::min(low, places(row, c));
+      high = std::max(high, places(row, c));
+    }
+    spread[c] = high - low;
+  }
+  const double flat = 1e-6 * std::ranges::max(spread);
+  std::array<std::size_t, 2> plane{0, spread[1] <= flat && spread[2] > flat ? 2ul : 1ul};
+  if (!mapping.axes.empty()) plane = {axis(mapping.axes[0]), axis(mapping.axes[1])};
+  const std::size_t across = 3 - plane[0] - plane[1];
+  if (data.rows_are == Rows::particles && spread[across] > flat)
+    throw Unreadable(
+        fmt::format("{}: places spread over {:.4g} along {} and {:.4g} along {} and {:.4g} along {}, expected a cloud "
+                    "in a plane; say which with --axes",
+                    data.source, spread[0], 'x', spread[1], 'y', spread[2], 'z'));
+  if (std::max(plane[0], plane[1]) >= places.components())
+    throw Unreadable(fmt::format("{}: places of {} components, expected those along {}", data.source,
+                                 places.components(), mapping.axes));
+  return plane;
+}
+
+/// Which rows are fluid.
+std::vector<std::size_t> chosen_rows(const Dataset& data, const Mapping& mapping) {
+  std::vector<std::size_t> rows;
+  const std::size_t equals = mapping.only.find('=');
+  const Array* by = nullptr;
+  double value = 0;
+  if (!mapping.only.empty()) {
+    by = data.array(mapping.only.substr(0, equals));
+    const std::string number = equals == mapping.only.npos ? "" : mapping.only.substr(equals + 1);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (!by || by->components != 1 || error != std::errc{} || end != number.data() + number.size())
+      throw Unreadable(
+          fmt::format("{}: --only '{}', expected NAME=VALUE of an array of one component", data.source, mapping.only));
+  }
+  for (std::size_t row = 0; row < data.rows(); ++row)
+    if (!by || by->values[row] == value) rows.push_back(row);
+  return rows;
+}
+
+double time_of(const Dataset& data, const Mapping& mapping, std::string& words) {
+  const auto unit = mapping.units.find("time");
+  const double to_si = unit == mapping.units.end() ? 1 : si("time", unit->second);
+  if (data.time) {
+    words = "of the file";
+    return *data.time * to_si;
+  }
+  if (mapping.time_step && data.index) {
+    words = fmt::format("index {} times the step", *data.index);
+    return static_cast<double>(*data.index) * *mapping.time_step;
+  }
+  if (mapping.time) {
+    words = "as said";
+    return *mapping.time;
+  }
+  throw Unreadable(fmt::format("{}: no time in it, expected one: --time or --time-step", data.source));
+}
+
+/// What places outside the domain might be: in another unit, if a power of ten brings them in.
+std::string guess_of_unit(const Vectors& x, const Domain& domain) {
+  for (const auto& [factor, unit] : {std::pair(1e-3, "mm"), std::pair(1e-2, "cm"), std::pair(1e-6, "um")}) {
+    bool fits = true;
+    for (Eigen::Index p = 0; p < x.cols(); ++p) fits &= domain.box.contains(factor * x.col(p));
+    if (fits) return fmt::format("; they fit times {:g}: --unit length={}?", factor, unit);
+  }
+  return "";
+}
+
+}  // namespace
+
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain) {
+  Reading reading;
+  Samples& s = reading.samples;
+  std::vector<std::size_t> rows = chosen_rows(data, mapping);
+  if (rows.empty()) throw Unreadable(fmt::format("{}: no row that is fluid, expected at least one", data.source));
+  const auto say = [&](const std::string& field, const std::string& as) {
+    reading.words.push_back(fmt::format("{}: {}", field, as));
+  };
+  say("file", fmt::format("{}, {}, {} {}", data.source, data.format, rows.size(),
+                          data.rows_are == Rows::cells ? "cells" : "particles"));
+  std::string words;
+  s.time = time_of(data, mapping, words);
+  say("time", fmt::format("{:g} s, {}", s.time, words));
+
+  const Found places = find(data, "position", mapping);
+  if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));
+  const auto plane = plane_of(data, places, mapping);
+  const auto vectors = [&](const Found& found, const std::string& field, const std::string& kind) {
+    std::string as = found.words;
+    const double to_si = factor(found, kind, mapping, as);
+    Vectors all(2, static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t p = 0; p < rows.size(); ++p)
+      for (const int k : {0, 1}) {
+        const double value = found(rows[p], plane[static_cast<std::size_t>(k)]);
+        if (!std::isfinite(value))
+          throw Unreadable(fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, rows[p] + 1,
+                                       found.words, value));
+        all(k, static_cast<Eigen::Index>(p)) = to_si * value;
+      }
+    say(field, as + fmt::format(", along {} and {}", "xyz"[plane[0]], "xyz"[plane[1]]));
+    return all;
+  };
+  s.x = vectors(places, "position", "length").colwise() - mapping.origin;
+
+  // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
+  const double off = 1e-6 * domain.box.size().norm();
+  std::vector<std::size_t> within;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    for (const int axis : {0, 1}) s.x(axis, p) = domain.wrapped(axis, s.x(axis, p));
+    Vec2 nearest = s.x.col(p).cwiseMax(domain.box.low).cwiseMin(domain.box.high);
+    if ((nearest - s.x.col(p)).norm() > off) continue;
+    s.x.col(p) = nearest;
+    kept.push_back(p);
+    within.push_back(rows[static_cast<std::size_t>(p)]);
+  }
+  if (const std::size_t outside = rows.size() - within.size(); outside > 0) {
+    if (!mapping.inside || within.empty())
+      throw Unreadable(
+          fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
+                      "fluid, --only NAME=VALUE or --inside, or where the origin is, --origin{}",
+                      data.source, outside, rows.size(), domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
+                      domain.box.high.y(), guess_of_unit(s.x, domain)));
+    say("left out", fmt::format("{} rows outside the domain", outside));
+    s.x = Vectors(s.x(Eigen::all, kept));
+    rows = within;
+  }
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  if (const Found velocity = find(data, "velocity", mapping); velocity.there()) {
+    s.v = vectors(velocity, "velocity", "velocity");
+    reading.fields.emplace_back("velocity");
+  } else {
+    s.v = Vectors::Constant(2, count, NAN);
+  }
+  const auto scalars = [&](const std::string& field, const std::string& kind) {
+    const Found found = find(data, field, mapping);
+    if (!found.there()) return Scalars(Scalars::Constant(count, NAN));
+    std::string as = found.words;
+    const double to_si = factor(found, kind, mapping, as);
+    Scalars all(count);
+    for (Eigen::Index p = 0; p < count; ++p) all[p] = to_si * found(rows[static_cast<std::size_t>(p)], 0);
+    say(field, as);
+    reading.fields.push_back(field);
+    return all;
+  };
+  s.pressure = scalars("pressure", "pressure");
+  s.density = scalars("density", "density");
+  s.mass = scalars("mass", "mass");
+  const Scalars volume = scalars("volume", "volume");
+  const auto known = [](const Scalars& field) { return field.allFinite() && (field > 0).all(); };
+  if (known(volume)) {  // the weight of a row in a norm is its volume
+    if (!known(s.density)) s.density = Scalars::Ones(count);
+    s.mass = volume * s.density;
+  } else if (!known(s.mass) || !known(s.density)) {
+    s.mass = s.density = Scalars::Ones(count);
+    say("weights", "equal, since there is neither a volume nor both mass and density");
+  }
+  return reading;
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,38 @@
+#pragma once
+/// Which array of a file is which field of a flow, and in which unit.
+
+#include "solvers/samples.hpp"
+#include "solvers/scene.hpp"
+#include "vnv/doors/read/dataset.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv::doors {
+
+/// What a user says of files. What is empty is found by its common names and units, where that is unique.
+struct Mapping {
+  std::map<std::string, std::string> arrays{};  // field -> name of an array: "velocity" -> "U"
+  std::map<std::string, std::string> units{};   // kind -> unit: "length" -> "mm", "velocity", "pressure", "time"
+  std::string axes{};                           // of the plane, "xy", "xz", ...; empty: that in which the places lie
+  Vec2 origin = Vec2::Zero();                   // m  the flow's origin, in the coordinates of the files
+  std::string only{};                           // "NAME=VALUE": rows that are fluid
+  bool inside = false;                          // leave out rows outside the domain
+  std::optional<double> time{};                 // s  of a file that has none
+  std::optional<double> time_step{};            // s  of files with an index and no time
+};
+
+/// The particles of a file at a time, and what was read as what, line by line.
+struct Reading {
+  Samples samples{};
+  std::vector<std::string> fields{};  // "velocity", "pressure", "density", "mass": what was found
+  std::vector<std::string> words{};
+};
+
+/// Throws Unreadable: no places, two candidates for one field, a cloud that is not flat, rows outside the domain, what
+/// is not a finite number, no time.
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain);
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,75 @@
+#include "vnv/doors/flow.hpp"
+
+#include "vnv/doors/flows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+struct Named {
+  std::string name;
+  Flow (*at)(Settings&);
+};
+const std::vector<Named> all_flows{
+    {"couette", couette},           {"oscillating_poiseuille", oscillating_poiseuille},
+    {"poiseuille", poiseuille},     {"shear_wave", shear_wave},
+    {"stokes_first", stokes_first}, {"stokes_second", stokes_second},
+    {"taylor_green", taylor_green},
+};
+
+}  // namespace
+
+double Settings::operator()(const std::string& name, double published, const std::string& unit,
+                            const std::string& words) {
+  const auto set = set_.find(name);
+  const double value = set == set_.end() ? published : set->second;
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} = {}, expected a finite number", name, value));
+  asked_.push_back({name, unit, words, value});
+  return value;
+}
+
+double Settings::positive(const std::string& name, double published, const std::string& unit,
+                          const std::string& words) {
+  const double value = (*this)(name, published, unit, words);
+  if (!(value > 0)) throw std::invalid_argument(fmt::format("{} = {} {}, expected more than 0", name, value, unit));
+  return value;
+}
+
+const std::vector<Parameter>& Settings::all_of(std::string_view flow) const {
+  std::vector<std::string> known;
+  for (const Parameter& parameter : asked_) known.push_back(parameter.name);
+  for (const auto& [name, value] : set_)
+    if (std::ranges::find(known, name) == known.end())
+      throw std::invalid_argument(
+          fmt::format("{}: no parameter '{}', expected one of: {}", flow, name, fmt::join(known, ", ")));
+  return asked_;
+}
+
+Claim is_consistent(const Quantity& quantity) {
+  return order_at_least(ladder_of_files, quantity, 0.9, 0.5, theory("a consistent method is of first order at least"))
+      .over(3);
+}
+
+std::vector<std::string> flow_names() {
+  std::vector<std::string> names;
+  for (const Named& one : all_flows) names.push_back(one.name);
+  return names;
+}
+
+Flow flow_named(const std::string& name, Settings settings) {
+  const auto found = std::ranges::find(all_flows, name, &Named::name);
+  if (found == all_flows.end())
+    throw std::invalid_argument(fmt::format("no flow '{}', expected one of: {}", name, fmt::join(flow_names(), ", ")));
+  Flow flow = found->at(settings);
+  flow.name = name;
+  flow.parameters = settings.all_of(name);
+  return flow;
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,162 @@
+#include "vnv/doors/read/delimited.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <optional>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+/// What separates the cells of a line: the first of these that is in it, else blanks.
+char separator_of(std::string_view line) {
+  for (const char separator : {';', '\t', ','})
+    if (line.find(separator) != line.npos) return separator;
+  return ' ';
+}
+
+/// The next cell of a line, which is taken from it; names may stand between double quotes.
+std::string_view next_cell(std::string_view& line, char separator) {
+  if (separator == ' ') {
+    line = trimmed(line);
+    const std::string_view cell = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(cell.size());
+    return cell;
+  }
+  const std::size_t from = line.starts_with('"') ? line.find('"', 1) : 0;
+  const std::size_t end = std::min(line.find(separator, from == line.npos ? 0 : from), line.size());
+  const std::string_view cell = line.substr(0, end);
+  line.remove_prefix(std::min(end + 1, line.size()));
+  return cell;
+}
+
+std::vector<std::string> names_in(std::string_view line, char separator) {
+  std::vector<std::string> names;
+  for (line = trimmed(line); !line.empty();) {
+    std::string_view cell = trimmed(next_cell(line, separator));
+    if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
+    if (separator == ' ' && cell.starts_with('[') && !names.empty())
+      names.back() += fmt::format(" {}", cell);  // a unit apart from its name
+    else
+      names.emplace_back(cell);
+  }
+  return names;
+}
+
+class Table {
+ public:
+  Table(const std::filesystem::path& file, const Limits& limits) : file_(file), limits_(limits) {}
+
+  void add(std::string_view line, long at) {
+    const bool is_comment = line.starts_with('#') || line.starts_with('%');
+    if (trimmed(line).empty() || (is_comment && !columns_.empty())) return;
+    if (columns_.empty()) {
+      const std::string_view words = is_comment ? line.substr(line.find_first_not_of("#% \t")) : line;
+      std::string_view rest = trimmed(words);
+      separator_ = separator_of(rest);
+      if (is_comment || !number(next_cell(rest, separator_))) {
+        heading_ = std::string(words);
+        return;
+      }
+      begin(line);
+    }
+    std::string_view rest = trimmed(line);
+    for (Array& column : columns_) {
+      const std::string_view cell = next_cell(rest, separator_);
+      const std::optional<double> value = number(cell);
+      if (!value)
+        throw Unreadable(fmt::format("{}:{}: column {}: '{}', expected a number", file_.string(), at, column.name,
+                                     cell.substr(0, 40)));
+      column.values.push_back(*value);
+    }
+    if (!trimmed(rest).empty())
+      throw Unreadable(fmt::format("{}:{}: more cells than columns, expected {}", file_.string(), at, columns_.size()));
+    if (columns_.front().values.size() * columns_.size() * sizeof(double) > limits_.most_bytes)
+      throw Unreadable(fmt::format("{}:{}: more than {} bytes", file_.string(), at, limits_.most_bytes));
+  }
+
+  std::vector<Dataset> datasets() && {
+    if (columns_.empty())
+      throw Unreadable(
+          fmt::format("{}: no row of numbers, expected a table of text or a format that is known: VTP, VTU, "
+                      "legacy VTK, PVD",
+                      file_.string()));
+    const auto time = std::ranges::find_if(columns_, [](const Array& column) {
+      const std::string name = column.name.substr(0, column.name.find_first_of(" [("));
+      return name == "time" || name == "Time" || name == "t";
+    });
+    Dataset whole{.source = file_.string(),
+                  .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_)};
+    if (time == columns_.end()) {
+      whole.arrays = std::move(columns_);
+      return {whole};
+    }
+    std::map<double, std::vector<std::size_t>> rows;
+    for (std::size_t k = 0; k < time->values.size(); ++k) rows[time->values[k]].push_back(k);
+    std::vector<Dataset> all;
+    for (const auto& [now, of_it] : rows) {
+      Dataset one = whole;
+      one.time = now;
+      for (const Array& column : columns_) {
+        Array part{.name = column.name};
+        for (const std::size_t k : of_it) part.values.push_back(column.values[k]);
+        one.arrays.push_back(std::move(part));
+      }
+      all.push_back(std::move(one));
+    }
+    return all;
+  }
+
+ private:
+  /// The columns, by the heading or, without one, by the first row.
+  void begin(std::string_view first_row) {
+    separator_ = separator_of(trimmed(first_row));
+    const std::size_t count = names_in(first_row, separator_).size();
+    std::vector<std::string> names = names_in(heading_, separator_of(heading_));
+    if (names.size() != count && !heading_.empty()) names = names_in(heading_, separator_);
+    if (!heading_.empty() && names.size() != count)
+      throw Unreadable(fmt::format("{}: {} names of columns, '{}', expected {} as in the first row", file_.string(),
+                                   names.size(), heading_.substr(0, 80), count));
+    for (std::size_t k = 0; k < count; ++k)
+      columns_.push_back({.name = names.empty() ? fmt::format("column {}", k + 1) : names[k]});
+  }
+
+  const std::filesystem::path& file_;
+  const Limits& limits_;
+  std::string heading_{};
+  char separator_ = ' ';
+  std::vector<Array> columns_{};
+};
+
+}  // namespace
+
+std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+  if (bytes.find('\0') != bytes.npos)
+    throw Unreadable(fmt::format("{}: not text and no format that is known: VTP, VTU, legacy VTK, PVD", file.string()));
+  Table table(file, limits);
+  for (long at = 1; !bytes.empty(); ++at) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    table.add(bytes.substr(0, end), at);
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+  return std::move(table).datasets();
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,55 @@
+#include "vnv/doors/read/vtk_numbers.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv::doors::vtk {
+
+void refuse(const std::string& where, const std::string& what) { throw Unreadable(where + ": " + what); }
+
+std::size_t whole_number(std::string_view text, const std::string& where) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size())
+    refuse(where, fmt::format("'{}', expected a whole number from 0", text.substr(0, 40)));
+  return number;
+}
+
+std::size_t Budget::take(std::size_t rows, std::size_t components, const std::string& where) {
+  if (components < 1 || components > limits_.most_components)
+    refuse(where, fmt::format("'{}' components, expected 1 to {}", components, limits_.most_components));
+  if (rows > left_ / components)
+    refuse(where, fmt::format("'{}' rows of {} numbers, expected no more than {} bytes of numbers in a file", rows,
+                              components, limits_.most_bytes));
+  left_ -= rows * components;
+  return rows * components;
+}
+
+std::string_view next_word(std::string_view& text) {
+  constexpr std::string_view blanks = " \t\n\r\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+double time_of(double stored, Type type) {
+  return type == Type::float32 ? std::strtod(fmt::format("{}", static_cast<float>(stored)).c_str(), nullptr) : stored;
+}
+
+std::optional<int> rank_as_time(std::string_view name) {
+  constexpr std::array<std::string_view, 5> names = {"TimeValue", "TIME", "Time", "time", "TimeStep"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return {};
+  return static_cast<int>(found - names.begin());
+}
+
+std::optional<long> number_of(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t first = stem.find_last_not_of("0123456789") + 1;  // 0 where all are digits
+  long number = 0;
+  const auto [end, error] = std::from_chars(stem.data() + first, stem.data() + stem.size(), number);
+  if (error != std::errc{}) return {};
+  return number;
+}
+
+}  // namespace touchstone::vnv::doors::vtk

@@ -1,0 +1,133 @@
+#pragma once
+/// Numbers as VTK files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "vnv/doors/read/dataset.hpp"
+
+namespace touchstone::vnv::doors::vtk {
+
+enum class Type { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// Calls with a number of the type.
+template <class Call>
+decltype(auto) with_type(Type type, Call&& call) {
+  switch (type) {
+    case Type::int8:
+      return call(std::int8_t{});
+    case Type::uint8:
+      return call(std::uint8_t{});
+    case Type::int16:
+      return call(std::int16_t{});
+    case Type::uint16:
+      return call(std::uint16_t{});
+    case Type::int32:
+      return call(std::int32_t{});
+    case Type::uint32:
+      return call(std::uint32_t{});
+    case Type::int64:
+      return call(std::int64_t{});
+    case Type::uint64:
+      return call(std::uint64_t{});
+    case Type::float32:
+      return call(float{});
+    case Type::float64:
+      break;
+  }
+  return call(double{});
+}
+
+inline std::size_t bytes_of(Type type) {
+  return with_type(type, [](auto number) { return sizeof(number); });
+}
+inline bool is_whole(Type type) { return type < Type::float32; }
+
+/// Throws Unreadable.
+[[noreturn]] void refuse(const std::string& where, const std::string& what);
+
+/// A count as a file writes it. Throws Unreadable unless it is digits only.
+std::size_t whole_number(std::string_view text, const std::string& where);
+
+/// What the arrays of a file may still take.
+class Budget {
+ public:
+  explicit Budget(const Limits& limits) : limits_(limits), left_(limits.most_bytes / sizeof(double)) {}
+
+  /// Rows times components, both of which the file claims, taken from what is left. Throws Unreadable.
+  std::size_t take(std::size_t rows, std::size_t components, const std::string& where);
+
+ private:
+  Limits limits_;
+  std::size_t left_;
+};
+
+template <class From>
+From load(const char* bytes, std::endian order) {
+  std::array<char, sizeof(From)> copy;
+  std::copy_n(bytes, sizeof(From), copy.begin());
+  if (order != std::endian::native) std::reverse(copy.begin(), copy.end());
+  return std::bit_cast<From>(copy);
+}
+
+/// Appends all numbers that the bytes hold.
+template <class To>
+void append_bytes(std::string_view bytes, Type type, std::endian order, std::vector<To>& to) {
+  with_type(type, [&]<class From>(From) {
+    const std::size_t count = bytes.size() / sizeof(From), first = to.size();
+    to.resize(first + count);
+    const auto convert = [&](std::endian known) {
+      for (std::size_t i = 0; i < count; ++i)
+        to[first + i] = static_cast<To>(load<From>(bytes.data() + i * sizeof(From), known));
+    };
+    order == std::endian::native ? convert(std::endian::native) : convert(order);
+  });
+}
+
+/// The text up to the next blank, which is cut off with what stands before it; empty at the end.
+std::string_view next_word(std::string_view& text);
+
+/// Appends `count` numbers and cuts them off the text. Throws Unreadable.
+template <class To>
+void append_text(std::string_view& text, std::size_t count, Type type, const std::string& where, std::vector<To>& to) {
+  if (count > text.size() / 2 + 1)  // a digit and a blank each
+    refuse(where, "ends within its numbers, expected " + std::to_string(count));
+  if (to.empty()) to.reserve(count);
+  with_type(type, [&]<class From>(From number) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string_view word = next_word(text);
+      const std::string_view whole = word;
+      if (word.starts_with('+')) word.remove_prefix(1);
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+      if constexpr (std::is_floating_point_v<From>)  // too small or too large for the type: 0 or infinite
+        if (error == std::errc::result_out_of_range)
+          number = static_cast<From>(std::strtod(std::string(word).c_str(), nullptr));
+      const bool is_read =
+          error == std::errc{} || (std::is_floating_point_v<From> && error == std::errc::result_out_of_range);
+      if (!is_read || end != word.data() + word.size() || word.empty())
+        refuse(where, "number " + std::to_string(i + 1) + " '" + std::string(whole.substr(0, 40)) + "', expected " +
+                          (is_whole(type) ? "a whole number of its type" : "a number"));
+      to.push_back(static_cast<To>(number));
+    }
+  });
+}
+
+/// A time of single precision is the shortest decimal that is stored so: 0.01, not 0.00999999977648258.
+double time_of(double stored, Type type);
+
+/// How well the name of an array of fields says that it is the time, 0 best; none where it says so not at all.
+std::optional<int> rank_as_time(std::string_view name);
+
+/// The number that ends the name of a file before its extension: 12 of "out_12.vtp".
+std::optional<long> number_of(const std::filesystem::path& file);
+
+}  // namespace touchstone::vnv::doors::vtk

@@ -1,0 +1,106 @@
+#include "vnv/doors/scene.hpp"
+
+#include "solvers/lattice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a wall does to the fluid, by what it answers.
+bool holds_fluid(const Wall& wall) { return wall.at_wall({1, 2}, 0) == wall.at_wall({-3, 5}, 0); }
+std::string condition_of(const Wall& wall) { return holds_fluid(wall) ? "no slip" : "free slip"; }
+Vec2 velocity_of(const Wall& wall) { return holds_fluid(wall) ? wall.at_wall({0, 0}, 0) : Vec2(0, 0); }
+
+Json pair(const Vec2& v) { return {v.x(), v.y()}; }
+
+std::string in_words(const Vec2& v) { return fmt::format("({:g}, {:g})", v.x(), v.y()); }
+
+std::set<std::string> fields_of(const Flow& flow) {
+  std::set<std::string> fields{"position"};
+  for (const Measured& one : flow.measured) fields.insert(one.fields.begin(), one.fields.end());
+  return fields;
+}
+
+std::string oscillation(double angular_frequency) {
+  return angular_frequency == 0 ? "" : fmt::format(" times cos({:.10g} t)", angular_frequency);
+}
+
+}  // namespace
+
+std::string scene_in_words(const Flow& flow, double spacing) {
+  std::string text = fmt::format("{}: {}\n{}\n\n", flow.name, flow.judged.title, flow.judged.description);
+  for (const Parameter& p : flow.parameters)
+    text += fmt::format("  {} = {:.10g} {}  {}\n", p.name, p.value, p.unit, p.words);
+  const auto periodic = [&](int axis) { return flow.domain.periodic(axis) ? "periodic" : "not periodic"; };
+  text += fmt::format("\ndomain: {} to {} m, {} along x, {} along y\n", in_words(flow.domain.box.low),
+                      in_words(flow.domain.box.high), periodic(0), periodic(1));
+  text += fmt::format(
+      "fluid: p = K ((rho / rho0)^7 - 1), rho0 = {:.10g} kg/m³, K = {:.10g} Pa, sound at {:.10g} m/s, viscosity "
+      "{:.10g} Pa s\n",
+      flow.fluid.density, flow.fluid.bulk_modulus, flow.fluid.sound_speed(), flow.fluid.viscosity);
+  for (const Wall& wall : flow.walls)
+    text += fmt::format("wall: {} = {:g} m, {}, velocity {} m/s{}\n", wall.axis == 0 ? "x" : "y", wall.position,
+                        condition_of(wall), in_words(velocity_of(wall)),
+                        velocity_of(wall).isZero() ? "" : oscillation(flow.wall_frequency));
+  if (!flow.drive.amplitude.isZero())
+    text += fmt::format("body force: {} m/s²{}\n", in_words(flow.drive.amplitude),
+                        oscillation(flow.drive.angular_frequency));
+  text +=
+      fmt::format("start: {} particles with a spacing of {:g} m; places, velocities and pressures: --particles FILE\n",
+                  lattice(flow.filled, spacing).places().cols(), spacing);
+  text += fmt::format("output: {} at t = {:.10g} s; more times are judged, too\n", fmt::join(fields_of(flow), ", "),
+                      fmt::join(flow.judged.times, ", "));
+  return text;
+}
+
+std::string scene_as_json(const Flow& flow, double spacing) {
+  Json json{{"schema", "touchstone scene 1"},
+            {"flow", flow.name},
+            {"title", flow.judged.title},
+            {"description", flow.judged.description}};
+  for (const Parameter& p : flow.parameters)
+    json["parameters"][p.name] = {{"value", p.value}, {"unit", p.unit}, {"words", p.words}};
+  json["domain"] = {{"low [m]", pair(flow.domain.box.low)},
+                    {"high [m]", pair(flow.domain.box.high)},
+                    {"periodic", {flow.domain.periodic_x, flow.domain.periodic_y}}};
+  json["fluid"] = {{"law", "p = K ((rho / rho0)^gamma - 1)"},          {"density [kg/m³]", flow.fluid.density},
+                   {"bulk modulus K [Pa]", flow.fluid.bulk_modulus},   {"gamma [-]", Tait::gamma},
+                   {"speed of sound [m/s]", flow.fluid.sound_speed()}, {"viscosity [Pa s]", flow.fluid.viscosity}};
+  json["filled"] = {{"low [m]", pair(flow.filled.low)}, {"high [m]", pair(flow.filled.high)}};
+  json["walls"] = Json::array();
+  for (const Wall& wall : flow.walls)
+    json["walls"].push_back({{"axis", wall.axis == 0 ? "x" : "y"},
+                             {"position [m]", wall.position},
+                             {"fluid", wall.inward > 0 ? "above" : "below"},
+                             {"condition", condition_of(wall)},
+                             {"velocity [m/s]", pair(velocity_of(wall))},
+                             {"angular frequency [1/s]", velocity_of(wall).isZero() ? 0 : flow.wall_frequency}});
+  json["body force"] = {{"amplitude [m/s²]", pair(flow.drive.amplitude)},
+                        {"angular frequency [1/s]", flow.drive.angular_frequency}};
+  json["spacing [m]"] = spacing;
+  json["times [s]"] = flow.judged.times;
+  json["fields"] = fields_of(flow);
+  return json.dump(2) + "\n";
+}
+
+std::string particles_as_csv(const Flow& flow, double spacing) {
+  const Lattice regular = lattice(flow.filled, spacing);
+  const Vectors places = places_in(flow.domain.box, flow.start, regular);
+  std::string text = "x [m],y [m],v_x [m/s],v_y [m/s],p [Pa],rho [kg/m³],mass [kg/m]\n";
+  for (Eigen::Index p = 0; p < places.cols(); ++p) {
+    const Vec2 x = places.col(p), v = flow.start.velocity_at(x);
+    const double pressure = flow.start.pressure_at(x);
+    text += fmt::format("{},{},{},{},{},{},{}\n", x.x(), x.y(), v.x(), v.y(), pressure, flow.fluid.density_at(pressure),
+                        flow.fluid.density * regular.volume());
+  }
+  return text;
+}
+
+}  // namespace touchstone::vnv::doors
