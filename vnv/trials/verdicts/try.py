@@ -121,6 +121,7 @@ def options_of(arguments):
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
     parser.add_argument("--records", type=pathlib.Path, help="folder of records; default: BUILD/records/acceptance")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "data", help="whose baselines and accepted claims")
+    parser.add_argument("--every", type=int, default=1, help="one record of so many, as the test of the day does")
     parser.add_argument("--for-real", type=int, default=3, help="so many records at most are mutated for real")
     parser.add_argument("--jobs", type=int, default=2, help="programs at once")
     options = parser.parse_args(arguments)
@@ -130,16 +131,24 @@ def options_of(arguments):
 
 
 def main(arguments):
-    options, began = options_of(arguments), time.monotonic()
-    files = sorted(options.records.glob("*.json"))
+    options = options_of(arguments)
+    chosen = sorted(options.records.glob("*.json"))[::options.every]
+    with tempfile.TemporaryDirectory(prefix="records.") as folder:
+        for file in chosen if options.every > 1 else []:
+            shutil.copy(file, folder)
+        return mutate_all(options, pathlib.Path(folder) if options.every > 1 else options.records)
+
+
+def mutate_all(options, records):
+    began, files = time.monotonic(), sorted(records.glob("*.json"))
     cases = sorted({file.stem.split(".")[0] for file in files})
     if not files:
         raise BadInput(f"{options.records}: no records in it, expected *.json")
-    index = [options.build / "reports" / "touchstone_verdict_mutation", options.records, "--claims",
+    index = [options.build / "reports" / "touchstone_verdict_mutation", records, "--claims",
              options.data / "claims"]
     with concurrent.futures.ThreadPoolExecutor(1) as pool:
         shown = pool.submit(run, index)
-        claims, counts, survivors = try_values(options.build, options.data, options.records, cases, options.jobs)
+        claims, counts, survivors = try_values(options.build, options.data, records, cases, options.jobs)
         shown = shown.result()
     print("\n".join(survivors + shown.stdout.splitlines()))
     for mutation, (seen, tried) in counts.items():
