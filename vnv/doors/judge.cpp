@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -28,6 +29,13 @@ bool has(const std::vector<std::string>& fields, const std::string& name) {
   return std::ranges::find(fields, name) != fields.end();
 }
 
+/// Of a mesh its cells: what stands at its corners is interpolated from them.
+std::vector<Dataset> rows_to_judge(std::vector<Dataset> all) {
+  const auto is_of_cells = [](const Dataset& data) { return data.rows_are == Rows::cells; };
+  if (std::ranges::any_of(all, is_of_cells)) std::erase_if(all, std::not_fn(is_of_cells));
+  return all;
+}
+
 /// Rows of a flow that fills its domain reach over most of it; those in another unit do not.
 void require_filled(const Flow& flow, const std::string& source, const Samples& samples) {
   const Vec2 spread = samples.x.rowwise().maxCoeff() - samples.x.rowwise().minCoeff(), size = flow.filled.size();
@@ -36,6 +44,10 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
       fmt::format("{}: rows spread over {:.4g} m by {:.4g} m, expected most of the {:.4g} m by {:.4g} m that the flow "
                   "fills: --unit length=..., or --set its size",
                   source, spread.x(), spread.y(), size.x(), size.y()));
+}
+
+void say_once(Judgement& judgement, const std::string& line) {
+  if (std::ranges::find(judgement.words, line) == judgement.words.end()) judgement.words.push_back(line);
 }
 
 /// A run of what was given, as if it had been computed here.
@@ -72,10 +84,9 @@ Judgement judge_files(const Flow& flow, const JudgeRequest& request) {
   std::vector<Given> levels;
   std::optional<std::vector<std::string>> fields;  // that all files have
   for (const std::filesystem::path& file : request.files)
-    for (const Dataset& data : read_datasets(file)) {
+    for (const Dataset& data : rows_to_judge(read_datasets(file))) {
       Reading reading = reading_of(data, request.mapping, flow.domain);
-      for (const std::string& line : reading.words)  // of several files each line once
-        if (std::ranges::find(judgement.words, line) == judgement.words.end()) judgement.words.push_back(line);
+      for (const std::string& line : reading.words) say_once(judgement, line);
       require_filled(flow, data.source, reading.samples);
       if (fields)
         std::erase_if(*fields, [&](const std::string& name) { return !has(reading.fields, name); });
@@ -83,6 +94,9 @@ Judgement judge_files(const Flow& flow, const JudgeRequest& request) {
         fields = reading.fields;
       const double area = flow.filled.size().prod(),
                    spacing = request.spacing.value_or(std::sqrt(area / static_cast<double>(reading.samples.size())));
+      say_once(judgement,
+               fmt::format("spacing: {:.4g} m, {}", spacing,
+                           request.spacing ? "as said" : "the root of the filled area over the number of rows"));
       const double time = reading.samples.time;
       if (!level_of(levels, spacing).at.emplace(time, std::move(reading.samples)).second)
         throw std::invalid_argument(
