@@ -191,15 +191,15 @@ double time_of(const Dataset& data, const Mapping& mapping, std::string& words) 
   const auto unit = mapping.units.find("time");
   const double to_si = unit == mapping.units.end() ? 1 : si("time", unit->second);
   if (data.time) {
-    words = "of the file";
+    words = "as it says";
     return *data.time * to_si;
   }
   if (mapping.time_step && data.index) {
-    words = fmt::format("index {} times the step", *data.index);
+    words = fmt::format("by its index {} times the step", *data.index);
     return static_cast<double>(*data.index) * *mapping.time_step;
   }
   if (mapping.time) {
-    words = "as said";
+    words = "as the user says";
     return *mapping.time;
   }
   throw Unreadable(fmt::format("{}: no time in it, expected one: --time or --time-step", data.source));
@@ -225,11 +225,10 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   const auto say = [&](const std::string& field, const std::string& as) {
     reading.words.push_back(fmt::format("{}: {}", field, as));
   };
-  say("file", fmt::format("{}, {}, {} {}", data.source, data.format, rows.size(),
-                          data.rows_are == Rows::cells ? "cells" : "particles"));
   std::string words;
   s.time = time_of(data, mapping, words);
-  say("time", fmt::format("{:g} s, {}", s.time, words));
+  say("file", fmt::format("{}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
+                          data.rows_are == Rows::cells ? "cells" : "particles", s.time, words));
 
   const Found places = find(data, "position", mapping);
   if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));
