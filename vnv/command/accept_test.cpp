@@ -28,6 +28,7 @@ class AcceptedClaimsOfRecords : public testing::Test {
     record.verdicts.resize(claims);
     for (Verdict& v : record.verdicts) {
       v.author = "theory: made up";
+      v.time = static_cast<double>(&v - record.verdicts.data());
       v.value = outcome == Outcome::holds ? 1 : 2;
       v.upper = 1;
       v.outcome = outcome;

@@ -273,7 +273,10 @@ std::vector<std::string> complaints(const Record& record, const AcceptedClaims& 
   const std::string name = record.case_name + "." + record.method;
   if (!claims_more_than_ends(record)) lines.push_back(name + ": nothing was judged, expected at least one claim");
   for (const Verdict& verdict : record.verdicts)
-    if (verdict.outcome != Outcome::holds) lines.push_back(verdict.sentence);
+    if (verdict.outcome != Outcome::holds)
+      lines.push_back(verdict.sentence);
+    else if (const std::string what = contradiction(verdict, record); !what.empty())
+      lines.push_back(fmt::format("{}: {}", verdict.sentence, what));
   const ClaimCount* last = accepted.find(record.case_name, record.method, record.suite);
   const ClaimCount found = claims_in(record);
   if (const long missing = last ? missing_of(*last, found) : 0; lines.empty() && missing > 0)

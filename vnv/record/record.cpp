@@ -85,7 +85,8 @@ void bring_up_from_4(json::Json& json) {
 
 std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
 
-/// What contradicts a verdict in its own record; empty if nothing does.
+}  // namespace
+
 std::string contradiction(const Verdict& v, const Record& record) {
   if (const Outcome judged = outcome_of(v); judged != v.outcome)
     return fmt::format("says '{}', expected '{}' by value and limits", word_of(v.outcome), word_of(judged));
@@ -98,6 +99,8 @@ std::string contradiction(const Verdict& v, const Record& record) {
       return fmt::format("expected {:.6g}, the value that was measured", measured.value);
   return "";
 }
+
+namespace {
 
 /// A record is not believed: each verdict is judged again by its numbers, and one that the record contradicts fails.
 void judge_again(Record& record) {

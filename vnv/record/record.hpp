@@ -82,6 +82,10 @@ struct Record {
   bool operator==(const Record&) const = default;
 };
 
+/// What contradicts a verdict in its own record: its numbers come to another outcome, its level was not run, or what
+/// was measured there is another number. Empty if nothing does.
+std::string contradiction(const Verdict& verdict, const Record& record);
+
 /// Writes the record whole or not at all, after the histories that it lists.
 /// Throws std::runtime_error naming the file and the cause.
 void write(const Record& record, const std::filesystem::path& file);
