@@ -116,7 +116,9 @@ void declare_plan(CLI::App& command, PlanOptions& options) {
 
 void declare_scene(CLI::App& command, SceneOptions& options) {
   command.add_option("FLOW", options.flow, "a flow; without one all are named");
-  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")->type_name("NAME=VALUE");
+  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   command.add_option("--spacing", options.spacing, "of the particles [m]; default: 40 across")
       ->check(CLI::PositiveNumber);
   command.add_flag("--json", options.as_json, "as JSON, for a solver");
@@ -126,16 +128,20 @@ void declare_scene(CLI::App& command, SceneOptions& options) {
 void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("FLOW", options.flow, "a flow that vnv scene names")->required();
   command.add_option("FILES", options.files, "of one resolution or of several, at one time or at many")->required();
-  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")->type_name("NAME=VALUE");
+  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   command.add_option("--name", options.name, "of the code that is judged")->capture_default_str();
   command
       .add_option("--field", options.fields,
                   "array of a field, velocity=U; fields: position, velocity, pressure, density, mass, volume")
-      ->type_name("FIELD=ARRAY");
+      ->type_name("FIELD=ARRAY")
+      ->allow_extra_args(false);
   command
       .add_option("--unit", options.units,
                   "of length, velocity, pressure, density or time, length=mm; default: in headings, else SI")
-      ->type_name("KIND=UNIT");
+      ->type_name("KIND=UNIT")
+      ->allow_extra_args(false);
   command.add_option("--axes", options.axes, "of the plane of the flow, in the coordinates of the files")
       ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
   command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
