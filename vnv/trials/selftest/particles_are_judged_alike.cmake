@@ -1,0 +1,12 @@
+# What a case measures of its own particles, `vnv judge` measures of the files that it wrote of them, to the last digit printed.
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/particles_are_judged_alike)
+file(REMOVE_RECURSE ${folder})
+execute_process(COMMAND ${PROGRAM} --method mpm --spacing 5e-5 --until 0.1 --vtp ${folder} OUTPUT_VARIABLE inner RESULT_VARIABLE ended)
+if(NOT ended EQUAL 0 OR NOT inner MATCHES "L2 v_x, per particle \\[%\\] = ([0-9.]+) at 0.1 s")
+  message(FATAL_ERROR "${PROGRAM}: ended with '${ended}', expected its error at 0.1 s; it said: ${inner}")
+endif()
+set(error ${CMAKE_MATCH_1})
+execute_process(COMMAND ${VNV} judge poiseuille --set H=0.001 ${folder}/poiseuille.mpm.custom.pvd --at-most 2 OUTPUT_VARIABLE judged RESULT_VARIABLE ended)
+if(NOT ended EQUAL 0 OR NOT judged MATCHES " 0.1 L2 v_x, per particle \\[%\\] +${error}\n")
+  message(FATAL_ERROR "vnv judge: ended with '${ended}', expected L2 ${error} % at 0.1 s; it said: ${judged}")
+endif()
