@@ -5,6 +5,7 @@
 #include "vnv/gate/gate.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,12 @@ struct JudgeOptions {
   double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %
 };
 int judge(const Build& build, const JudgeOptions& options);
+
+struct OrderOptions {
+  std::string file{};
+  std::optional<double> surely_above{};
+};
+int order(const Build& build, const OrderOptions& options);
 
 /// What may follow a command on the command line.
 struct CommandWords {

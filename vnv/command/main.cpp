@@ -157,6 +157,12 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       ->check(CLI::ExistingDirectory);
 }
 
+void declare_order(CLI::App& command, OrderOptions& options) {
+  command.add_option("FILE", options.file, "a table: a column of spacings, then columns of errors")->required();
+  command.add_option("--surely-above", options.surely_above,
+                     "exit status 1 unless each 95 % interval lies above this order");
+}
+
 CommandWords words_of(const CLI::App& command) {
   CommandWords words{command.get_name(), {}, command.get_option_no_throw("PATTERN") != nullptr};
   for (const CLI::Option* option : command.get_options()) {
@@ -227,6 +233,10 @@ void add_subcommands(Session& session) {
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
       "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz",
       judge, declare_judge);
+  add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
+      "The first column holds spacings, each other one errors; rows in any order. CSV, TSV, ; or blanks.\n"
+      "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5",
+      order, declare_order);
   add_completion(session);
 }
 
