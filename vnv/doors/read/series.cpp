@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "vnv/doors/read/files_beside.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "vnv/doors/read/vtk_numbers.hpp"
 

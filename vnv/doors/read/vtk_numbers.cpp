@@ -4,7 +4,11 @@
 
 namespace touchstone::vnv::doors::vtk {
 
-void refuse(const std::string& where, const std::string& what) { throw Unreadable(where + ": " + what); }
+void refuse(const std::string& where, const std::string& what) {
+  std::string line = where + ": " + what;
+  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  throw Unreadable(line);
+}
 
 std::size_t whole_number(std::string_view text, const std::string& where) {
   std::size_t number = 0;

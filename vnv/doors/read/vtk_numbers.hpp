@@ -52,7 +52,7 @@ inline std::size_t bytes_of(Type type) {
 }
 inline bool is_whole(Type type) { return type < Type::float32; }
 
-/// Throws Unreadable.
+/// Throws Unreadable in one line, whatever characters of a file it quotes.
 [[noreturn]] void refuse(const std::string& where, const std::string& what);
 
 /// A count as a file writes it. Throws Unreadable unless it is digits only.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "vnv/doors/read/vtk_grid.hpp"
 #include "vnv/doors/read/vtk_xml_file.hpp"
 
@@ -118,7 +121,7 @@ class Pieces {
   }
 
   Cells cells_of_grid(XmlFile& file, const pugi::xml_node& piece, bool have_arrays) {
-    const std::size_t count = file.count(piece, "NumberOfCells", true);
+    const std::size_t count = file.count(piece, "NumberOfCells");
     const pugi::xml_node element = piece.child("Cells");
     Cells cells;
     if (count == 0) return cells;
