@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "vnv/doors/read/vtk_testing.hpp"
+
+namespace touchstone::vnv::doors::vtk {
+namespace mutations_test {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> all_samples() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(sample("")))
+    if (entry.is_regular_file() && entry.path().filename().string().find("make_") != 0 &&
+        entry.path().extension() != ".md")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// One change of a few: a byte, a number, an end too early, a part that is twice there or is not there.
+std::string mutated(std::string bytes, std::mt19937& random) {
+  const auto place = [&] { return random() % bytes.size(); };
+  switch (random() % 5) {
+    case 0:
+      bytes[place()] = static_cast<char>(random());
+      break;
+    case 1:
+      bytes.resize(place());
+      break;
+    case 2:
+      bytes.erase(place(), random() % 40);
+      break;
+    case 3:
+      bytes.insert(place(), bytes.substr(place(), random() % 40));
+      break;
+    default: {
+      const std::size_t digit = bytes.find_first_of("0123456789", place());
+      constexpr std::array<const char*, 6> numbers = {"-1", "0", "4294967295", "18446744073709551615", "1e999", "nan"};
+      if (digit != bytes.npos) bytes.replace(digit, 1, numbers[random() % numbers.size()]);
+    }
+  }
+  return bytes;
+}
+
+/// Datasets of equally many rows, or one line that says why there are none.
+void expect_rows_or_one_line(const fs::path& file, const std::string& bytes) {
+  const Limits limits{.most_bytes = 1 << 24};
+  const std::string extension = file.extension().string();
+  try {
+    const std::vector<Dataset> datasets = extension == ".vtk"      ? read_vtk_legacy(file, bytes, limits)
+                                          : extension == ".series" ? read_series(file, bytes, limits)
+                                                                   : read_vtk_xml(file, bytes, limits);
+    for (const Dataset& dataset : datasets)
+      for (const Array& array : dataset.arrays) ASSERT_EQ(array.rows(), dataset.rows()) << file << " " << array.name;
+  } catch (const Unreadable& error) {
+    const std::string_view line = error.what();
+    EXPECT_TRUE(std::none_of(line.begin(), line.end(), [](unsigned char c) { return c < ' '; })) << line;
+    EXPECT_NE(line.find(": "), line.npos) << line;
+  }
+}
+
+TEST(MutatedSamples, AreReadOrRefusedInOneLine) {
+  std::mt19937 random(1);
+  const std::vector<fs::path> samples = all_samples();
+  EXPECT_GT(samples.size(), 50u);
+  for (const fs::path& file : samples) {
+    const std::string bytes = files::read_whole(file);
+    expect_rows_or_one_line(file, bytes);
+    for (int i = 0; i < 50; ++i) expect_rows_or_one_line(file, mutated(bytes, random));
+  }
+}
+
+}  // namespace mutations_test
+}  // namespace touchstone::vnv::doors::vtk
