@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,10 +74,12 @@ class Budget {
 
 template <class From>
 From load(const char* bytes, std::endian order) {
-  std::array<char, sizeof(From)> copy;
-  std::copy_n(bytes, sizeof(From), copy.begin());
-  if (order != std::endian::native) std::reverse(copy.begin(), copy.end());
-  return std::bit_cast<From>(copy);
+  From number;
+  std::memcpy(&number, bytes, sizeof(From));
+  if (order == std::endian::native) return number;
+  auto reversed = std::bit_cast<std::array<char, sizeof(From)>>(number);
+  std::reverse(reversed.begin(), reversed.end());
+  return std::bit_cast<From>(reversed);
 }
 
 /// Appends all numbers that the bytes hold.
@@ -85,11 +88,13 @@ void append_bytes(std::string_view bytes, Type type, std::endian order, std::vec
   with_type(type, [&]<class From>(From) {
     const std::size_t count = bytes.size() / sizeof(From), first = to.size();
     to.resize(first + count);
-    const auto convert = [&](std::endian known) {
+    const char* from = bytes.data();
+    To* out = to.data() + first;
+    if (order == std::endian::native)
       for (std::size_t i = 0; i < count; ++i)
-        to[first + i] = static_cast<To>(load<From>(bytes.data() + i * sizeof(From), known));
-    };
-    order == std::endian::native ? convert(std::endian::native) : convert(order);
+        out[i] = static_cast<To>(load<From>(from + i * sizeof(From), std::endian::native));
+    else
+      for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<To>(load<From>(from + i * sizeof(From), order));
   });
 }
 
