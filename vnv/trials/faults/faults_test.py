@@ -134,6 +134,14 @@ class ABuild(InAFolder):
         self.assertEqual(left(["poiseuille"]), {"poiseuille", "libvnv.a"})
 
 
+    def test_is_not_named_in_what_the_compiler_says(self):
+        copy = scratch.Scratch.__new__(scratch.Scratch)
+        copy.source, copy.jobs = self.folder / "source", 1
+        said = f"{copy.source}/solvers/a.hpp:1:2: error: static assertion failed\n"
+        with unittest.mock.patch.object(scratch, "run", lambda words: types.SimpleNamespace(returncode=1, stdout=said)):
+            self.assertEqual(copy.compile(self.folder / "build", ["all"]), "solvers/a.hpp:1:2: error: static assertion failed")
+
+
 class ATrial(InAFolder):
     def conclusion(self, failures, text=TEXT, name="thick.fault"):
         tests = {test: {"failed": failed} for test, failed in failures.items()}

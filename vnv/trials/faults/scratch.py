@@ -115,7 +115,11 @@ class Scratch:
         if done.returncode == 0:
             return ""
         said = [line for line in done.stdout.splitlines() if "error: " in line] or done.stdout.splitlines()
-        return said[0][:300]
+        return self.without_place(said[0])[:300]
+
+    def without_place(self, text):
+        """What a compiler or a test says, without where the copy lies, which is of no interest to who reads it."""
+        return text.replace(f"{self.source}/", "").replace("../source/", "")
 
     @contextlib.contextmanager
     def with_change(self, fault):

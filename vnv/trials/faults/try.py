@@ -107,8 +107,8 @@ def tried(scratch, fault, options):
             targets = ["all"] if options.suite else scratch.targets(build, fault.tests)
             said = scratch.make(build, targets) if targets else ""
             tests = {} if said else run_tests(scratch.source, build, fault.tests, fault.environment, options)
-            for test in tests.values():  # where the copy lies is of no interest
-                test["sentence"] = test["sentence"].replace(f"{scratch.source}/", "").replace("../source/", "")
+            for test in tests.values():
+                test["sentence"] = scratch.without_place(test["sentence"])
     finally:
         if own_build:
             shutil.rmtree(build, ignore_errors=True)
