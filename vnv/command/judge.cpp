@@ -2,7 +2,6 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/command/settings.hpp"
-#include "vnv/command/terminal.hpp"
 #include "vnv/doors/judge.hpp"
 
 #include <fmt/format.h>
@@ -51,20 +50,16 @@ int judge(const Build&, const JudgeOptions& options) {
   print_values(record);
   fmt::print("\n");
   for (const std::string& line : judgement.not_judged) fmt::print("not judged: {}\n", line);
-  long failing = 0, judged = 0;
-  for (const Verdict& v : record.verdicts) {
-    if (v.quantity == "end time reached") continue;  // files have no other end than their last time
-    ++judged;
-    failing += v.outcome != Outcome::holds;
-    fmt::print("{}\n", v.sentence);
-  }
+  for (const Verdict& v : record.verdicts) fmt::print("{}\n", v.sentence);
   if (!options.records.empty())
     write(record, std::filesystem::path(options.records) / fmt::format("{}.{}.json", record.case_name, record.method));
-  if (judged == 0)
+  if (record.verdicts.empty()) {
     fmt::print("nothing was claimed: three resolutions show the order, --at-most PERCENT sets a limit\n");
-  else
-    fmt::print("{} of {} claims hold\n", judged - failing, judged);
-  return failing == 0 && judged > 0 ? all_holds : something_fails;
+    return something_fails;
+  }
+  const auto held = std::ranges::count(record.verdicts, Outcome::holds, &Verdict::outcome);
+  fmt::print("{} of {} claims hold\n", held, record.verdicts.size());
+  return held == std::ssize(record.verdicts) ? all_holds : something_fails;
 }
 
 }  // namespace touchstone::vnv::command

@@ -53,6 +53,7 @@ TEST_F(Doors, FindTheErrorThatWasPutIn) {
   const Record record = judged("poiseuille", {poiseuille(20, 0.03)}).record;
   ASSERT_EQ(record.values.size(), 2u);
   for (const Value& value : record.values) EXPECT_NEAR(value.value, 3, 1e-9) << value.quantity.name;
+  EXPECT_TRUE(record.verdicts.empty()) << "nothing is claimed of one resolution";
 }
 
 TEST_F(Doors, ObserveTheOrderOverThreeResolutions) {
@@ -111,6 +112,8 @@ TEST_F(Doors, RefuseInOneLineWhatIsNoSuchFlow) {
   EXPECT_TRUE(says(
       refusal("poiseuille", write("g.csv", "x,y,vx,vy\n1e-6,1e-6,0,0\n2e-6,1e-6,0,0\n1e-6,2e-6,0,0\n2e-6,2e-6,0,0\n")),
       "expected most of the 0.0005 m by 0.001 m"));
+  EXPECT_TRUE(says(refusal("poiseuille", write("h.csv", "x [mm],y [m],vx,vy\n1e-4,1e-4,0,0\n")),
+                   "x [mm], y [m]: two units, expected the same of all columns"));
   EXPECT_TRUE(says(refusal("no_flow", poiseuille(4)), "no flow 'no_flow', expected one of: couette"));
 }
 

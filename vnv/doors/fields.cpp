@@ -135,7 +135,11 @@ Found find(const Dataset& data, const std::string& field, const Mapping& mapping
 /// To SI, by what the user says of the kind or else by the unit in the name.
 double factor(const Found& found, const std::string& kind, const Mapping& mapping, std::string& words) {
   const auto said = mapping.units.find(kind);
-  const std::string unit = said != mapping.units.end() ? said->second : unit_in(found.columns[0]->name);
+  const std::string of_first = unit_in(found.columns[0]->name),
+                    unit = said != mapping.units.end() ? said->second : of_first;
+  for (const Array* column : found.columns)
+    if (unit_in(column->name) != of_first)
+      throw Unreadable(fmt::format("{}: two units, expected the same of all columns", found.words));
   if (unit.empty()) return 1;
   words += fmt::format(" in {}", unit);
   return si(kind, unit);

@@ -64,8 +64,7 @@ Measurement where_defined(const Measurement& measurement, std::vector<std::strin
   return [&not_judged, measurement](const Level& level, const Run& run) {
     std::vector<Value> all;
     for (const Samples& samples : run.samples) {
-      Run one = run;
-      one.samples = {samples};
+      const Run one{.summary = run.summary, .samples = {samples}};
       try {
         const std::vector<Value> values = measurement(level, one);
         all.insert(all.end(), values.begin(), values.end());
@@ -124,6 +123,8 @@ Judgement judge_files(const Flow& flow, const JudgeRequest& request) {
     for (const Claim& claim : flow.judged.claims)
       judged.claims.push_back(at_most(claim.quantity, *request.at_most, baseline("limit of the user")));
   judgement.record = assess(flow.name, judged, results, std::nullopt);
+  std::erase_if(judgement.record.verdicts,  // files have no other end than their last time
+                [](const Verdict& v) { return v.quantity == end_time_reached; });
   return judgement;
 }
 
