@@ -49,6 +49,16 @@ struct Channel {
   }
 };
 
+/// What oscillates as cos(omega t), by the period that a user sets; sampled a quarter and three quarters through it.
+struct Oscillation {
+  double period;  // s
+
+  Oscillation(Settings& set, double published, const std::string& words)
+      : period(set.positive("period", published, "s", words)) {}
+  double omega() const { return 2 * std::numbers::pi / period; }  // 1/s
+  std::vector<double> times() const { return {period / 4, 3 * period / 4}; }
+};
+
 /// Times at which a flow is sampled: fractions of the time in which viscosity crosses the gap.
 std::vector<double> times_of(const Channel& channel, const std::vector<double>& fractions) {
   std::vector<double> times;
@@ -85,15 +95,14 @@ Flow couette(Settings& set) {
 Flow oscillating_poiseuille(Settings& set) {
   const Channel channel(set);
   const double F = set("F", 40 * mm, "m/s²", "amplitude of the body force along x, per mass");
-  const double period = set.positive("period", 0.1, "s", "of the body force");
-  const double omega = 2 * std::numbers::pi / period;
+  const Oscillation force(set, 0.1, "of the body force");
   Flow flow = channel.flow(
       "Oscillating Poiseuille flow",
       "A body force along a channel oscillates as cos(2 pi t / period). The oracle is the plane form of Womersley's "
       "(1955) solution for a force that has always oscillated; its velocity at t = 0 is the initial state.",
-      {period / 4, 3 * period / 4}, no_slip(), no_slip(),
-      reference::OscillatingPoiseuille{.H = channel.H(), .F = F, .omega = omega, .nu = channel.nu()});
-  flow.drive = {{F, 0}, omega};
+      force.times(), no_slip(), no_slip(),
+      reference::OscillatingPoiseuille{.H = channel.H(), .F = F, .omega = force.omega(), .nu = channel.nu()});
+  flow.drive = {{F, 0}, force.omega()};
   return flow;
 }
 
@@ -111,15 +120,14 @@ Flow stokes_first(Settings& set) {
 Flow stokes_second(Settings& set) {
   const Channel channel(set);
   const double V = set("V", 1 * mm, "m/s", "amplitude of the plate's velocity");
-  const double period = set.positive("period", 0.02, "s", "of the plate");
-  const double omega = 2 * std::numbers::pi / period;
+  const Oscillation plate(set, 0.02, "of the plate");
   Flow flow = channel.flow(
       "Stokes' second problem",
       "A plate below fluid oscillates along itself as cos(2 pi t / period). The oracle is Stokes' (1851) for a plate "
       "that has always oscillated; its velocity at t = 0 is the initial state. The free-slip ceiling is far above the layer.",
-      {period / 4, 3 * period / 4}, oscillating({V, 0}, omega), free_slip(),
-      reference::StokesSecond{.V = V, .omega = omega, .nu = channel.nu()});
-  flow.wall_frequency = omega;
+      plate.times(), oscillating({V, 0}, plate.omega()), free_slip(),
+      reference::StokesSecond{.V = V, .omega = plate.omega(), .nu = channel.nu()});
+  flow.wall_frequency = plate.omega();
   return flow;
 }
 
