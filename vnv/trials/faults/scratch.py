@@ -31,6 +31,13 @@ def digest(*texts):
     return sums.hexdigest()[:16]
 
 
+def empty_records(build):
+    """The folders of the records, as the tests that make room for a suite leave them, which a trial leaves out."""
+    shutil.rmtree(build / "records", ignore_errors=True)
+    for suite in ("acceptance", "report", "nightly"):
+        (build / "records" / suite).mkdir(parents=True)
+
+
 def programs_of_tests(source, pattern):
     """The programs of unit tests; all of the folder where no file names them in so many words."""
     files = [file for name, file in seeded.unit_tests(source).items() if re.fullmatch(pattern, name)]

@@ -22,7 +22,7 @@ import xml.etree.ElementTree
 
 import matrix
 import seeded
-from scratch import ROOT, UNREAD, Scratch, digest
+from scratch import ROOT, UNREAD, Scratch, digest, empty_records
 from shared import BadInput, Parser, exit_with, run
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -37,9 +37,7 @@ def run_tests(source, build, patterns, environment, options):
         if not tests.exists():
             tests.write_text("", encoding="utf-8")
     records, report = build / "records", build / "faults.xml"
-    shutil.rmtree(records, ignore_errors=True)
-    for suite in ("acceptance", "report", "nightly"):
-        (records / suite).mkdir(parents=True)
+    empty_records(build)
     report.unlink(missing_ok=True)
     names = [pattern for pattern in patterns if pattern != seeded.THE_BUILD]
     if not names and not options.suite:

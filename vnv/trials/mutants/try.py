@@ -26,7 +26,7 @@ sys.path.insert(0, str(FOLDER.parent / "faults"))
 
 import seeded  # noqa: E402
 import sites  # noqa: E402
-from scratch import ROOT, Scratch, digest  # noqa: E402
+from scratch import ROOT, Scratch, digest, empty_records  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
 from nearest import Nearest  # noqa: E402
@@ -94,6 +94,7 @@ class Worker:
         if said := self.scratch.compile(self.build, programs):
             raise BadInput(f"{self.build}: {said}")
         self.scratch.jobs = 1
+        empty_records(self.build)
         self.nearest = Nearest(self.scratch.source, self.build, CASES, SAMPLE)
         self.nearest.measure(self.options.timeout)
 
