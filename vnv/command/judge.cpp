@@ -12,22 +12,19 @@
 namespace touchstone::vnv::command {
 namespace {
 
-doors::JudgeRequest request_of(const JudgeOptions& options) {
-  doors::JudgeRequest request{.name = options.name};
-  for (const std::string& file : options.files) request.files.emplace_back(file);
-  doors::Mapping& mapping = request.mapping;
-  mapping.arrays = pairs_of("--field", options.fields);
-  mapping.units = pairs_of("--unit", options.units);
-  mapping.axes = options.axes;
-  mapping.only = options.only;
-  mapping.inside = options.inside;
+doors::Mapping mapping_of(const JudgeOptions& options) {
+  doors::Mapping mapping{.arrays = pairs_of("--field", options.fields),
+                         .units = pairs_of("--unit", options.units),
+                         .axes = options.axes,
+                         .only = options.only,
+                         .inside = options.inside};
   if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};
   if (options.time >= 0) mapping.time = options.time;
   if (options.time_step > 0) mapping.time_step = options.time_step;
-  if (options.spacing > 0) request.spacing = options.spacing;
-  if (options.at_most > 0) request.at_most = options.at_most;
-  return request;
+  return mapping;
 }
+
+std::optional<double> where_positive(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
 
 void print_values(const Record& record) {
   fmt::print("\n{:24} {:>12} {:32} {:>12}\n", "level", "time [s]", "quantity", "value");
@@ -43,7 +40,9 @@ void print_values(const Record& record) {
 
 int judge(const Build&, const JudgeOptions& options) {
   const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
-  const doors::Judgement judgement = doors::judge_files(flow, request_of(options));
+  const doors::Judgement judgement = doors::judge_files(
+      flow, {options.files.begin(), options.files.end()}, mapping_of(options), where_positive(options.spacing),
+      {.name = options.name, .at_most = where_positive(options.at_most)});
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.judged.title);
   for (const std::string& line : judgement.words) fmt::print("  {}\n", line);

@@ -32,7 +32,7 @@ class Doors : public testing::Test {
   Judgement judged(const std::string& flow, const std::vector<std::filesystem::path>& files,
                    Mapping mapping = {}) const {
     if (!mapping.time) mapping.time = 1;
-    return judge_files(flow_named(flow), {.files = files, .mapping = mapping});
+    return judge_files(flow_named(flow), files, mapping);
   }
   std::string refusal(const std::string& flow, const std::filesystem::path& file, const Mapping& mapping = {}) const {
     try {

@@ -30,7 +30,7 @@ double Settings::operator()(const std::string& name, double published, const std
   const auto set = set_.find(name);
   const double value = set == set_.end() ? published : set->second;
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} = {}, expected a finite number", name, value));
-  asked_.push_back({name, unit, words, value});
+  asked_.push_back({name, unit, words, value, value == published});
   return value;
 }
 
@@ -49,6 +49,13 @@ const std::vector<Parameter>& Settings::all_of(std::string_view flow) const {
       throw std::invalid_argument(
           fmt::format("{}: no parameter '{}', expected one of: {}", flow, name, fmt::join(known, ", ")));
   return asked_;
+}
+
+std::string Flow::case_name() const {
+  std::string all = name;
+  for (const Parameter& p : parameters)
+    if (!p.is_published) all += fmt::format("_{}={:g}", p.name, p.value);
+  return all;
 }
 
 Claim is_consistent(const Quantity& quantity) {

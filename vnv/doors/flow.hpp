@@ -18,6 +18,7 @@ namespace touchstone::vnv::doors {
 struct Parameter {
   std::string name, unit, words;
   double value;
+  bool is_published = true;  // nothing else was set
 };
 
 /// The parameters that a user sets, by name; each other one has the value of the published flow.
@@ -65,6 +66,10 @@ struct Flow {
   double wall_frequency = 0;  // 1/s  walls move with their velocity times cos(frequency t)
   Drive drive{};
   Start start{};
+
+  /// The name by which records of it are compared: with each parameter that is not the published one,
+  /// "poiseuille_H=1_F=1e-05".
+  std::string case_name() const;
 };
 
 /// Of a scene all but its body force, which a flow says in words.

@@ -6,18 +6,53 @@
 #include "vnv/record/record.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace touchstone::vnv {
+struct Baselines;
+}
+
 namespace touchstone::vnv::doors {
 
-struct JudgeRequest {
-  std::string name = "files";                  // of the code, as a method
-  std::vector<std::filesystem::path> files{};  // of one resolution or of several
-  Mapping mapping{};
-  std::optional<double> spacing{};  // m  of the particles; else the root of the filled area over their number
-  std::optional<double> at_most{};  // %  a limit of the user's for each norm
+/// One resolution of a code: what its files hold at their times, how it ended and what it took.
+struct GivenLevel {
+  double spacing;                    // m
+  std::map<double, Samples> at{};    // s
+  std::string outcome = "finished";  // or why there is no answer
+  Cost cost{.cpu = not_a_number,
+            .cpu_lowest = not_a_number,
+            .cpu_highest = not_a_number,
+            .wall = not_a_number,
+            .peak_memory = not_a_number};
+};
+
+/// What files of a code hold, by resolutions, and what was read as what.
+struct Given {
+  std::vector<GivenLevel> levels{};
+  std::optional<std::vector<std::string>> fields{};  // that all files have
+  std::vector<std::string> words{};
+
+  /// Says a thing once.
+  void say(const std::string& line);
+};
+
+/// Reads a file into the levels of its spacing [m], which is counted from the number of its rows where none is said.
+/// Throws Unreadable, and std::invalid_argument where spacing and time were there before.
+void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
+               std::optional<double> spacing);
+
+/// What is judged, and what is claimed of it besides the claims of its flow.
+struct Judged {
+  std::string name = "files";  // of the code, as a method
+  std::string description = "Files of another code.";
+  Suite suite = Suite::report;
+  std::optional<double> at_most{};         // %  of each norm at the finest resolution
+  std::optional<double> order_at_least{};  // of each norm of which the flow claims an order
+  const Baselines* baselines = nullptr;
+  std::vector<double> times{};  // s  asked for; empty: those of the flow
 };
 
 /// What was read as what, what could not be judged and why, and the record.
@@ -26,8 +61,12 @@ struct Judgement {
   Record record{};
 };
 
-/// Files of equal spacing are times of one level; levels of different spacings are a ladder. Throws Unreadable, and
-/// std::invalid_argument where two files have the same spacing and time.
-Judgement judge_files(const Flow& flow, const JudgeRequest& request);
+/// Judges levels of equal spacing as times of one resolution, and several of them as a ladder. A sample within 1 % of a
+/// time that was asked for is judged at its own time and counts as of that.
+Judgement judge_given(const Flow& flow, Given given, const Judged& what);
+
+/// The same of files, whose ends are those of their times and not claimed.
+Judgement judge_files(const Flow& flow, const std::vector<std::filesystem::path>& files, const Mapping& mapping = {},
+                      std::optional<double> spacing = std::nullopt, const Judged& what = {});
 
 }  // namespace touchstone::vnv::doors
