@@ -2,8 +2,8 @@
 /// records that are there already.
 
 #include "vnv/command/changes.hpp"
-#include "vnv/command/commands.hpp"
 #include "vnv/command/patterns.hpp"
+#include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/gate/source.hpp"
 #include "vnv/record/accepted_claims.hpp"
@@ -109,11 +109,24 @@ int accept_claims(const Build& build, const AcceptOptions& options) {
 
 }  // namespace
 
-int accept(const Build& build, const AcceptOptions& options) {
+/// Judged without what was accepted before.
+void accept_solver(const doors::Solver& solver, const AcceptOptions& options) {
+  require_no_test("accept");
+  doors::Solver unaccepted = solver;
+  unaccepted.baselines.clear();
+  const programs::ScratchFolder records;
+  accept(solver, run_and_record(unaccepted, options.suite, records.path()).record, options.reason);
+  fmt::print("{}: accepted in {}\n", solver.case_and_method(), solver.baseline_file().string());
+}
+
+int accept(const Build& build, const AcceptOptions& chosen) {
+  AcceptOptions options = chosen;
   if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw std::invalid_argument(
         fmt::format("--reason '{}': expected the reason why the new values are right", options.reason));
   if (!options.claims.empty()) return accept_claims(build, options);
+  for (const doors::Solver& solver : take_solvers(options.patterns)) accept_solver(solver, options);
+  if (options.patterns.empty()) return all_holds;
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
   long refused = 0;

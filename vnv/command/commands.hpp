@@ -85,6 +85,16 @@ struct JudgeOptions {
 };
 int judge(const Build& build, const JudgeOptions& options);
 
+struct PrepareOptions {
+  std::string solver{}, folder{};
+};
+int prepare(const Build& build, const PrepareOptions& options);
+
+struct CollectOptions {
+  std::string solver{}, folder{}, suite = "acceptance", records{};
+};
+int collect(const Build& build, const CollectOptions& options);
+
 struct OrderOptions {
   std::string file{};
   std::optional<double> surely_above{};

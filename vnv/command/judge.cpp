@@ -1,8 +1,8 @@
-/// vnv judge: the output of any code, judged by a flow.
+/// vnv judge, prepare and collect: the output of any code, judged by a flow.
 
-#include "vnv/command/commands.hpp"
+#include "vnv/command/inputs.hpp"
 #include "vnv/command/settings.hpp"
-#include "vnv/doors/judge.hpp"
+#include "vnv/command/solvers.hpp"
 
 #include <fmt/format.h>
 
@@ -36,22 +36,17 @@ void print_values(const Record& record) {
                  order.order, order.half_width, order.levels.size());
 }
 
-}  // namespace
-
-int judge(const Build&, const JudgeOptions& options) {
-  const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
-  const doors::Judgement judgement = doors::judge_files(
-      flow, {options.files.begin(), options.files.end()}, mapping_of(options), where_positive(options.spacing),
-      {.name = options.name, .at_most = where_positive(options.at_most)});
+/// What was read, measured and claimed; keeps the record where a folder is named.
+int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const std::string& records) {
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.judged.title);
+  for (const std::string& line : judgement.files) fmt::print("  {}\n", line);
   for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
   print_values(record);
   fmt::print("\n");
   for (const std::string& line : judgement.not_judged) fmt::print("not judged: {}\n", line);
   for (const Verdict& v : record.verdicts) fmt::print("{}\n", v.sentence);
-  if (!options.records.empty())
-    write(record, std::filesystem::path(options.records) / fmt::format("{}.{}.json", record.case_name, record.method));
+  if (!records.empty()) write(record, record_file(records, record.case_name + "." + record.method));
   if (record.verdicts.empty()) {
     fmt::print("nothing was claimed: three resolutions show the order, --at-most PERCENT sets a limit\n");
     return something_fails;
@@ -59,6 +54,29 @@ int judge(const Build&, const JudgeOptions& options) {
   const auto held = std::ranges::count(record.verdicts, Outcome::holds, &Verdict::outcome);
   fmt::print("{} of {} claims hold\n", held, record.verdicts.size());
   return held == std::ssize(record.verdicts) ? all_holds : something_fails;
+}
+
+}  // namespace
+
+int judge(const Build&, const JudgeOptions& options) {
+  const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
+  return conclude(flow,
+                  doors::judge_files(flow, {options.files.begin(), options.files.end()}, mapping_of(options),
+                                     where_positive(options.spacing),
+                                     {.name = options.name, .at_most = where_positive(options.at_most)}),
+                  options.records);
+}
+
+int prepare(const Build&, const PrepareOptions& options) {
+  const doors::Solver solver = doors::read_solver(options.solver);
+  doors::prepare(solver, options.folder);
+  fmt::print("{}: {} folders, each with run.sh\n", options.folder, solver.spacings.size());
+  return all_holds;
+}
+
+int collect(const Build&, const CollectOptions& options) {
+  const doors::Solver solver = doors::read_solver(options.solver);
+  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)), options.records);
 }
 
 }  // namespace touchstone::vnv::command

@@ -1,6 +1,6 @@
 /// vnv list: cases, methods, levels, and which suite runs what.
 
-#include "vnv/command/commands.hpp"
+#include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,11 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
 
 }  // namespace
 
-int list(const Build& build, const ListOptions& options) {
+int list(const Build& build, const ListOptions& chosen) {
+  ListOptions options = chosen;
+  const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
+  print_solvers(solvers);
+  if (!solvers.empty() && options.patterns.empty()) return all_holds;
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   if (!options.names_only) warn_of_not_built(catalogue);
   const std::vector<Chosen> methods = choose(catalogue, options.patterns, options.suite);

@@ -39,7 +39,9 @@ CLI::Option* add_suite(CLI::App& command, std::string& suite) {
 }
 
 CLI::Option* add_patterns(CLI::App& command, Patterns& patterns) {
-  return command.add_option("PATTERN", patterns, "a case, CASE.METHOD, a glob or a part of one; default: all");
+  return command.add_option(
+      "PATTERN", patterns,
+      "a case, CASE.METHOD, a glob or a part of one, or the file of a solver, .toml; default: all");
 }
 
 void add_at_once(CLI::App& command, int& at_once) {
@@ -77,7 +79,7 @@ void declare_report(CLI::App& command, ReportOptions& options) {
 }
 
 void declare_accept(CLI::App& command, AcceptOptions& options) {
-  add_patterns(command, options.patterns)->required()->description("a case, CASE.METHOD, a glob or a part of one");
+  add_patterns(command, options.patterns)->required();
   command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
   add_suite(command, options.suite);
   command
@@ -157,6 +159,20 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       ->check(CLI::ExistingDirectory);
 }
 
+void declare_prepare(CLI::App& command, PrepareOptions& options) {
+  command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
+  command.add_option("FOLDER", options.folder, "for a folder of each resolution; what was in these is gone")
+      ->required();
+}
+
+void declare_collect(CLI::App& command, CollectOptions& options) {
+  command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
+  command.add_option("FOLDER", options.folder, "that was prepared")->required()->check(CLI::ExistingDirectory);
+  add_suite(command, options.suite);
+  command.add_option("--records", options.records, "folder for the record, which vnv report turns into pages")
+      ->check(CLI::ExistingDirectory);
+}
+
 void declare_order(CLI::App& command, OrderOptions& options) {
   command.add_option("FILE", options.file, "a table: a column of spacings, then columns of errors")->required();
   command.add_option("--surely-above", options.surely_above,
@@ -195,7 +211,8 @@ void add_subcommands(Session& session) {
       "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
   add(session, "run", "Runs methods and judges them by their claims.",
       "A method is skipped if the folder of records has one of the same program, data and suite.\n"
-      "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine",
+      "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine\n"
+      "  vnv run mine.toml",
       run, declare_run);
   add(session, "report", "Turns records into pages and prints the path of the first.",
       "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,
@@ -207,8 +224,8 @@ void add_subcommands(Session& session) {
       "  vnv accept couette.old --claims build/records/acceptance --reason \"a method less\"",
       accept, declare_accept);
   add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
-      "BEFORE and AFTER are records, folders of records, build folders, or git revisions, which are built in temporary\n"
-      "folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
+      "BEFORE and AFTER are records, folders of records, build folders, files of solvers (.toml), which are run, or git\n"
+      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
       "95 % confidence interval.\n"
       "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
@@ -233,6 +250,12 @@ void add_subcommands(Session& session) {
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
       "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz",
       judge, declare_judge);
+  add(session, "prepare", "Makes a folder for each resolution of a solver, to be run elsewhere.",
+      "Each holds scene.json, particles.csv and run.sh; when all have run, vnv collect judges what they wrote.\n"
+      "Example:\n  vnv prepare mine.toml runs && for run in runs/*/run.sh; do sbatch \"$run\"; done",
+      prepare, declare_prepare);
+  add(session, "collect", "Judges what the runs of a prepared solver wrote.",
+      "Example:\n  vnv collect mine.toml runs --records build/records/acceptance", collect, declare_collect);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
       "The first column holds spacings, each other one errors; rows in any order. CSV, TSV, ; or blanks.\n"
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5",

@@ -3,6 +3,7 @@
 #include "vnv/command/commands.hpp"
 #include "vnv/command/inputs.hpp"
 #include "vnv/command/outcome.hpp"
+#include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
@@ -140,6 +141,18 @@ std::vector<Job> skip_done(const Build& build, const RunOptions& options, const 
   return todo;
 }
 
+/// Another code is run anew each time: of what it is made from nothing is known.
+void run_solver(const doors::Solver& solver, const RunOptions& options, Sum& sum) {
+  const doors::Judgement judgement = run_and_record(solver, options.suite, options.records);
+  const std::string name = solver.case_and_method();
+  fmt::print("{}\n", name);
+  if (const auto& files = judgement.files; !files.empty())
+    fmt::print("  {}{}\n", files.front(), files.size() > 1 ? fmt::format(", and {} more", files.size() - 1) : "");
+  for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
+  for (const std::string& line : judgement.not_judged) fmt::print("  not judged: {}\n", line);
+  add(sum, name, outcome_in(judgement.record), false);
+}
+
 int conclude(const Sum& sum) {
   for (const std::string& sentence : sum.failures) fmt::print("{}\n", coloured(Colour::red, sentence));
   fmt::print("{} of {} methods hold, {} of {} claims", sum.methods - sum.failed, sum.methods, sum.held, sum.judged);
@@ -153,13 +166,17 @@ int conclude(const Sum& sum) {
 
 int run(const Build& build, const RunOptions& chosen) {
   RunOptions options = chosen;
-  const Catalogue catalogue = read_catalogue(build, options.patterns);
-  const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
+  const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   if (options.records.empty()) options.records = build.records(options.suite);
   fs::create_directories(options.records / "logs");
   Sum sum;
-  const std::vector<Job> todo = skip_done(build, options, methods, sum);
-  Runner(build, options, sum).run(todo);
+  if (solvers.empty() || !options.patterns.empty()) {
+    const Catalogue catalogue = read_catalogue(build, options.patterns);
+    const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
+    const std::vector<Job> todo = skip_done(build, options, methods, sum);
+    Runner(build, options, sum).run(todo);
+  }
+  for (const doors::Solver& solver : solvers) run_solver(solver, options, sum);
   return conclude(sum);
 }
 

@@ -231,8 +231,8 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   };
   std::string words;
   s.time = time_of(data, mapping, words);
-  say("file", fmt::format("{}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
-                          data.rows_are == Rows::cells ? "cells" : "particles", s.time, words));
+  reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
+                             data.rows_are == Rows::cells ? "cells" : "particles", s.time, words);
 
   const Found places = find(data, "position", mapping);
   if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));

@@ -28,6 +28,7 @@ struct Mapping {
 struct Reading {
   Samples samples{};
   std::vector<std::string> fields{};  // "velocity", "pressure", "density", "mass": what was found
+  std::string file{};                 // in words
   std::vector<std::string> words{};
 };
 

@@ -119,6 +119,7 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
                std::optional<double> said) {
   for (const Dataset& data : rows_to_judge(read_datasets(file))) {
     Reading reading = reading_of(data, mapping, flow.domain);
+    given.files.push_back(reading.file);
     for (const std::string& line : reading.words) given.say(line);
     require_filled(flow, data.source, reading.samples);
     if (given.fields)
@@ -137,7 +138,7 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
 }
 
 Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
-  Judgement judgement{.words = given.words};
+  Judgement judgement{.files = given.files, .words = given.words};
   std::ranges::sort(given.levels, std::greater{}, &GivenLevel::spacing);
   const std::vector<double>& times = what.times.empty() ? flow.judged.times : what.times;
   Case judged = case_of(flow, given, times, judgement.not_judged);

@@ -33,7 +33,8 @@ struct GivenLevel {
 struct Given {
   std::vector<GivenLevel> levels{};
   std::optional<std::vector<std::string>> fields{};  // that all files have
-  std::vector<std::string> words{};
+  std::vector<std::string> files{};                  // in words
+  std::vector<std::string> words{};                  // what was read as what
 
   /// Says a thing once.
   void say(const std::string& line);
@@ -55,9 +56,9 @@ struct Judged {
   std::vector<double> times{};  // s  asked for; empty: those of the flow
 };
 
-/// What was read as what, what could not be judged and why, and the record.
+/// Which files were read, what as what, what could not be judged and why, and the record.
 struct Judgement {
-  std::vector<std::string> words{}, not_judged{};
+  std::vector<std::string> files{}, words{}, not_judged{};
   Record record{};
 };
 

@@ -47,6 +47,7 @@ Flow taylor_green(Settings& set) {
   flow.judged.description =
       "Four vortices in a periodic square decay. The oracle is Taylor's (1923) solution for an incompressible fluid.";
   flow.judged.times = {vnv::taylor_green::early * L / U, vnv::taylor_green::end * L / U};
+  flow.judged.plots = errors_of_velocity("order", "L2 v [%]", l2_velocity, flow.judged.times.front());
   return flow;
 }
 
@@ -67,6 +68,7 @@ Flow shear_wave(Settings& set) {
   flow.judged.description =
       "The velocity along x is a sine of y and decays by viscosity alone: an exact solution of the Navier-Stokes equations.";
   flow.judged.times = {0.1 * L / U, L / U};
+  flow.judged.plots = errors_of_velocity("order", "L2 v [%]", l2_velocity, flow.judged.times.front());
   return flow;
 }
 

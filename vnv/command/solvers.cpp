@@ -1,0 +1,46 @@
+#include "vnv/command/solvers.hpp"
+
+#include "vnv/command/inputs.hpp"
+#include "vnv/command/outcome.hpp"
+#include "vnv/command/terminal.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace touchstone::vnv::command {
+
+namespace fs = std::filesystem;
+
+std::vector<doors::Solver> take_solvers(Patterns& patterns) {
+  std::vector<doors::Solver> solvers;
+  for (const std::string& pattern : patterns)
+    if (pattern.ends_with(".toml")) solvers.push_back(doors::read_solver(pattern));
+  std::erase_if(patterns, [](const std::string& pattern) { return pattern.ends_with(".toml"); });
+  return solvers;
+}
+
+void print_solvers(const std::vector<doors::Solver>& solvers) {
+  for (const doors::Solver& solver : solvers) {
+    std::vector<std::string> levels;
+    for (const double spacing : solver.spacings)
+      levels.push_back(fmt::format("{:.4g} across", solver.flow.across / spacing));
+    fmt::print("{}  {}\n  {}  {}\n    {}, at {} s\n", coloured(Colour::bold, solver.flow.case_name()),
+               solver.flow.judged.title, solver.name, solver.description, fmt::join(levels, ", "),
+               fmt::join(solver.times, ", "));
+  }
+}
+
+Suite suite_named(const std::string& name) {
+  return name == "acceptance" ? Suite::acceptance : name == "report" ? Suite::report : Suite::nightly;
+}
+
+doors::Judgement run_and_record(const doors::Solver& solver, const std::string& suite, const fs::path& records) {
+  const std::string name = solver.case_and_method();
+  forget(records, name);
+  doors::Judgement judgement = doors::run_solver(solver, records / "runs" / name, suite_named(suite));
+  fs::create_directories(records);
+  write(judgement.record, record_file(records, name));
+  return judgement;
+}
+
+}  // namespace touchstone::vnv::command

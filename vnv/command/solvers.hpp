@@ -1,0 +1,21 @@
+#pragma once
+/// Codes of others among what a command is asked for: a word that ends in .toml is the file of a solver.
+
+#include "vnv/command/commands.hpp"
+#include "vnv/doors/solver.hpp"
+
+namespace touchstone::vnv::command {
+
+/// Takes the solvers' files out of the patterns.
+std::vector<doors::Solver> take_solvers(Patterns& patterns);
+
+/// "poiseuille.pysph", as a case and its method.
+void print_solvers(const std::vector<doors::Solver>& solvers);
+
+/// Runs a solver in RECORDS/runs/CASE.METHOD and writes its record, RECORDS/CASE.METHOD.json.
+doors::Judgement run_and_record(const doors::Solver& solver, const std::string& suite,
+                                const std::filesystem::path& records);
+
+Suite suite_named(const std::string& name);
+
+}  // namespace touchstone::vnv::command

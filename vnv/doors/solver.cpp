@@ -1,0 +1,225 @@
+#include "vnv/doors/solver.hpp"
+
+#include "vnv/doors/scene.hpp"
+#include "vnv/files/whole_file.hpp"
+#include "vnv/harness/assess.hpp"
+#include "vnv/judge/baselines.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const Solver& solver, double spacing) {
+  return fmt::format("{:.4g}_across", solver.flow.across / spacing);
+}
+
+/// What a placeholder of the command stands for.
+std::map<std::string, std::string> placeholders(const Solver& solver, double spacing, const fs::path& folder) {
+  std::map<std::string, std::string> all{{"spacing", fmt::format("{}", spacing)},
+                                         {"across", fmt::format("{:.12g}", solver.flow.across / spacing)},
+                                         {"until", fmt::format("{}", solver.times.back())},
+                                         {"times", fmt::format("{}", fmt::join(solver.times, ","))},
+                                         {"scene", (folder / "scene.json").string()},
+                                         {"particles", (folder / "particles.csv").string()},
+                                         {"folder", folder.string()},
+                                         {"here", solver.file.parent_path().string()}};
+  for (const Parameter& p : solver.flow.parameters) all.emplace(p.name, fmt::format("{}", p.value));
+  return all;
+}
+
+/// In single quotes for a shell, wherever that reads it otherwise.
+std::string quoted(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-=:";
+  if (!text.empty() && text.find_first_not_of(plain) == text.npos) return text;
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? "'\\''" : std::string(1, c);
+  return all + "'";
+}
+
+/// A word of the command with its placeholders replaced; "{{" is a brace.
+std::string filled(const Solver& solver, const std::string& word, const std::map<std::string, std::string>& values) {
+  std::string text;
+  for (std::size_t k = 0; k < word.size(); ++k) {
+    if (word[k] != '{') {
+      text += word[k];
+      continue;
+    }
+    if (word.substr(k, 2) == "{{") {
+      text += word[k++];
+      continue;
+    }
+    const std::size_t close = word.find('}', k);
+    const auto value = values.find(word.substr(k + 1, close - k - 1));
+    if (close == word.npos || value == values.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, held] : values) known.push_back(name);
+      throw std::invalid_argument(
+          fmt::format("{}: command: '{}' is no placeholder, expected one of: {}; a brace is {{{{", solver.file.string(),
+                      word.substr(k, close - k + 1), fmt::join(known, ", ")));
+    }
+    text += solver.is_for_shell ? quoted(value->second) : value->second;
+    k = close;
+  }
+  return text;
+}
+
+/// The command as a line of a shell.
+std::string line_of(const Solver& solver, double spacing, const fs::path& folder) {
+  const auto values = placeholders(solver, spacing, folder);
+  std::vector<std::string> words;
+  for (const std::string& word : solver.command) {
+    const std::string text = filled(solver, word, values);
+    words.push_back(solver.is_for_shell ? text : quoted(text));
+  }
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// Files that fit the patterns, in the folder of a run.
+std::vector<fs::path> files_of(const Solver& solver, const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const std::string& pattern : solver.output) {
+    glob_t found{};
+    if (glob((folder / pattern).c_str(), 0, nullptr, &found) == 0)
+      for (std::size_t k = 0; k < found.gl_pathc; ++k) files.emplace_back(found.gl_pathv[k]);
+    globfree(&found);
+  }
+  return files;
+}
+
+/// Keeps, of each time that was asked for, the nearest sample within 1 %; why there is no answer where one is missing.
+std::string keep_asked(const std::vector<double>& times, std::map<double, Samples>& at) {
+  std::map<double, Samples> kept;
+  for (const double time : times) {
+    const auto distance = [&](const auto& one) { return std::abs(one.first - time); };
+    const auto nearest = std::ranges::min_element(at, {}, distance);
+    if (nearest == at.end() || distance(*nearest) > 0.01 * time) {
+      std::vector<double> there;
+      for (const auto& [t, samples] : at) there.push_back(t);
+      return fmt::format("no output at {:g} s, expected it within 1 %; output is at {:g} s", time,
+                         fmt::join(there, ", "));
+    }
+    kept.emplace(nearest->first, std::move(nearest->second));
+    at.erase(nearest);
+  }
+  at = std::move(kept);
+  return "";
+}
+
+constexpr std::string_view no_answer = "did not answer: ";
+
+/// Reads what a run wrote into its level.
+void read_level(const Solver& solver, double spacing, const fs::path& folder, Given& given) {
+  Given own{.fields = given.fields};
+  std::string why;
+  try {
+    const std::vector<fs::path> files = files_of(solver, folder);
+    if (files.empty()) why = fmt::format("wrote no file {}", fmt::join(solver.output, ", "));
+    for (const fs::path& file : files) read_into(own, solver.flow, solver.mapping, file, spacing);
+    if (why.empty()) why = keep_asked(solver.times, own.levels.front().at);
+  } catch (const std::exception& error) {
+    why = error.what();
+  }
+  given.files.insert(given.files.end(), own.files.begin(), own.files.end());
+  for (const std::string& line : own.words) given.say(line);
+  GivenLevel level{.spacing = spacing};
+  if (why.empty()) {
+    level.at = std::move(own.levels.front().at);
+    given.fields = own.fields;
+  } else {
+    level.outcome = fmt::format("{}{}", no_answer, why);
+  }
+  given.levels.push_back(std::move(level));
+}
+
+Judgement judged(const Solver& solver, Given given, Suite suite) {
+  const std::optional<Baselines> baselines =
+      solver.baselines.empty() ? std::nullopt : read_baselines(solver.baseline_file());
+  Judgement judgement = judge_given(solver.flow, std::move(given),
+                                    {.name = solver.name,
+                                     .description = solver.description,
+                                     .suite = suite,
+                                     .at_most = solver.at_most,
+                                     .order_at_least = solver.order_at_least,
+                                     .baselines = baselines ? &*baselines : nullptr,
+                                     .times = solver.times});
+  const auto has_answer = [](const RunSummary& run) { return run.finished; };
+  if (!std::ranges::all_of(judgement.record.runs, has_answer))  // said once, not of each order that is missing with it
+    std::erase_if(judgement.record.verdicts,
+                  [](const Verdict& v) { return std::isnan(v.value) && v.quantity != end_time_reached; });
+  return judgement;
+}
+
+}  // namespace
+
+void prepare(const Solver& solver, const fs::path& folder) {
+  for (const double spacing : solver.spacings) {
+    const fs::path own = fs::absolute(folder) / name_of(solver, spacing);
+    const std::string line = line_of(solver, spacing, own);  // before anything is removed
+    fs::remove_all(own);
+    fs::create_directories(own);
+    files::write_whole(own / "scene.json", scene_as_json(solver.flow, spacing));
+    files::write_whole(own / "particles.csv", particles_as_csv(solver.flow, spacing));
+    files::write_whole(own / "run.sh", fmt::format("#!/bin/sh\ncd {}\n{}\n", quoted(own.string()), line));
+    fs::permissions(own / "run.sh", fs::perms::owner_exec, fs::perm_options::add);
+  }
+}
+
+Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) {
+  prepare(solver, folder);
+  Given given;
+  for (const double spacing : solver.spacings) {
+    const fs::path own = fs::absolute(folder) / name_of(solver, spacing), log = own / "output.txt";
+    const programs::Ran ran = programs::run_limited(solver.case_and_method() + " " + name_of(solver, spacing),
+                                                    {"sh", (own / "run.sh").string()}, own, log, solver.limits);
+    if (ran.well()) {
+      read_level(solver, spacing, own, given);
+    } else {
+      std::string said = programs::last_lines(log, 3);
+      std::ranges::replace(said, '\n', ';');
+      given.levels.push_back(
+          {.spacing = spacing,
+           .outcome = fmt::format("{}{}{}{}", no_answer, ran.sentence(), said.empty() ? "" : "; it said: ", said)});
+    }
+    given.levels.back().cost = {.cpu = ran.cpu,
+                                .cpu_lowest = ran.cpu,
+                                .cpu_highest = ran.cpu,
+                                .wall = ran.wall,
+                                .peak_memory = ran.peak_memory};
+  }
+  return judged(solver, std::move(given), suite);
+}
+
+Judgement collect(const Solver& solver, const fs::path& folder, Suite suite) {
+  Given given;
+  for (const double spacing : solver.spacings) read_level(solver, spacing, folder / name_of(solver, spacing), given);
+  return judged(solver, std::move(given), suite);
+}
+
+void accept(const Solver& solver, const Record& record, const std::string& reason) {
+  if (solver.baselines.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: no key 'baselines', expected the folder for them", solver.file.string()));
+  for (const Verdict& v : record.verdicts)
+    if (v.outcome != Outcome::holds)
+      throw std::invalid_argument(fmt::format("nothing is accepted while a claim does not hold: {}", v.sentence));
+  fs::create_directories(solver.baselines);
+  Baselines all = read_baselines(solver.baseline_file()).value_or(Baselines{});
+  std::erase_if(all.rows, [&](const Baseline& row) { return row.method == solver.name; });
+  const std::vector<Baseline> rows =
+      baselines_from(record, {.relative = solver.tolerance, .basis = "tolerance of the solver's file"});
+  all.rows.insert(all.rows.end(), rows.begin(), rows.end());
+  all.acceptance = {fmt::format("Last accepted values of {}", record.case_name), record.revision, record.finished_at,
+                    reason};
+  write_baselines(solver.baseline_file(), all.rows, all.acceptance);
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,140 @@
+#include "vnv/doors/solver.hpp"
+
+#include "vnv/files/whole_file.hpp"
+#include "vnv/programs/scratch_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+/// A code that answers with the state that it starts from, as if no time had passed.
+constexpr std::string_view frozen = R"(name = "frozen"
+flow = "shear_wave"
+across = [10, 20, 40]
+times = [0.1]
+command = ["cp", "{particles}", "end.csv"]
+output = "end.csv"
+baselines = "accepted"
+[read]
+time = 0.1
+)";
+
+class OtherSolvers : public testing::Test {
+ protected:
+  Solver solver(std::string text, const std::string& part = "", const std::string& becomes = "") const {
+    if (!part.empty()) text.replace(text.find(part), part.size(), becomes);
+    files::write_whole(folder / "mine.toml", text);
+    return read_solver(folder / "mine.toml");
+  }
+  std::string refusal(const std::string& part, const std::string& becomes) const {
+    try {
+      prepare(solver(std::string(frozen), part, becomes), folder / "runs");
+    } catch (const std::invalid_argument& error) {
+      const std::string text = error.what();
+      return text.substr(std::min(text.size(), text.find("mine.toml")));
+    }
+    return "read without complaint";
+  }
+  Record run(const Solver& one) const { return run_solver(one, folder / "runs", Suite::acceptance).record; }
+
+  /// Why a command has no answer, by each resolution's own verdict.
+  std::string no_answer(const std::string& command, double limit = 60) const {
+    const Record record = run(
+        solver(fmt::format("{}[limits]\ntime = {}\n", frozen, limit), R"(["cp", "{particles}", "end.csv"])", command));
+    EXPECT_EQ(record.verdicts.size(), 3u) << "nothing else is said where nothing was answered";
+    for (const Verdict& v : record.verdicts) EXPECT_EQ(v.outcome, Outcome::fails);
+    return record.verdicts.front().sentence;
+  }
+
+  const programs::ScratchFolder folder;
+};
+
+TEST_F(OtherSolvers, AreRunMeasuredAndJudgedAtEachResolution) {
+  const Solver frozen_solver = solver(std::string(frozen));
+  const Record record = run(frozen_solver);
+  ASSERT_EQ(record.runs.size(), 3u);
+  EXPECT_EQ(record.case_name + "." + record.method, "shear_wave.frozen");
+  const double nu = frozen_solver.flow.fluid.kinematic_viscosity(), k = 2 * std::numbers::pi;
+  for (const Value& value : record.values) {
+    EXPECT_NEAR(value.value, 100 * std::expm1(k * k * nu * 0.1), 1e-6) << value.quantity.heading();
+    EXPECT_EQ(value.time, 0.1);
+  }
+  for (const RunSummary& one : record.runs) {
+    EXPECT_TRUE(one.finished);
+    EXPECT_GT(one.cost.wall, 0);
+    EXPECT_GE(one.cost.cpu, 0);
+  }
+  const auto of_order =
+      std::ranges::find_if(record.verdicts, [](const Verdict& v) { return v.quantity.starts_with("order of"); });
+  ASSERT_NE(of_order, record.verdicts.end());
+  EXPECT_EQ(of_order->outcome, Outcome::fails) << "an error that does not fall is not consistent";
+}
+
+TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
+  const auto says = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find("10 across: did not answer: " + part), text.npos) << text;
+  };
+  says(no_answer(R"(["sh", "-c", "echo reads; echo 'no mesh' >&2; exit 3"])"),
+       "ended with status 3; it said: reads;no mesh");
+  says(no_answer(R"(["sleep", "60"])", 0.4), "was ended: took longer than 0.4 s");
+  says(no_answer(R"("true")"), "wrote no file end.csv");
+  says(no_answer(R"("kill -SEGV $$")"), "was killed by signal 11");
+  says(no_answer(R"("head -c 100 {particles} > end.csv")"), fmt::format("{}", (folder / "runs").string()));
+  const Record late = run(solver(std::string(frozen), "time = 0.1", "time = 0.2"));
+  says(late.verdicts.front().sentence, "no output at 0.1 s, expected it within 1 %; output is at 0.2 s");
+}
+
+TEST_F(OtherSolvers, FillPlaceholdersAlsoForAShellAndFromAPathWithBlanks) {
+  const Solver one = solver(std::string(frozen), R"(["cp", "{particles}", "end.csv"])",
+                            R"("echo {L} {across} ${{HOME} {until} > {folder}/said; cp {particles} end.csv")");
+  const std::filesystem::path runs = folder / "it's here";
+  EXPECT_EQ(run_solver(one, runs, Suite::acceptance).record.runs.size(), 3u);
+  EXPECT_EQ(files::read_whole(runs / "20_across" / "said"), fmt::format("1 20 {} 0.1\n", std::getenv("HOME")));
+}
+
+TEST_F(OtherSolvers, ArePreparedForOthersToRunAndCollected) {
+  const Solver one = solver(std::string(frozen));
+  prepare(one, folder / "runs");
+  for (const char* level : {"10_across", "20_across"})
+    std::filesystem::copy(folder / "runs" / level / "particles.csv", folder / "runs" / level / "end.csv");
+  const Record record = collect(one, folder / "runs", Suite::acceptance).record;
+  EXPECT_TRUE(record.runs[0].finished && record.runs[1].finished);
+  EXPECT_EQ(record.runs[2].outcome, "did not answer: wrote no file end.csv");
+}
+
+TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
+  const Solver one = solver(std::string(frozen));
+  Record record = run(one);
+  EXPECT_THROW(accept(one, record, "none"), std::invalid_argument) << "its order does not hold";
+  std::erase_if(record.verdicts, [](const Verdict& v) { return v.outcome != Outcome::holds; });
+  accept(one, record, "first values");
+  const auto failing = [](const Record& judged) {
+    return std::ranges::count_if(judged.verdicts, [](const Verdict& v) {
+      return v.author.starts_with("baseline") && v.outcome != Outcome::holds;
+    });
+  };
+  EXPECT_EQ(failing(run(one)), 0);
+  EXPECT_GT(failing(run(solver(std::string(frozen), "times = [0.1]", "times = [0.1005]"))), 0)
+      << "other times, other values";
+}
+
+TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
+  EXPECT_EQ(refusal("across = [10, 20, 40]", "across = 10"), "mine.toml:3: across = 10, expected an array of numbers");
+  EXPECT_EQ(refusal("times = [0.1]", "times = [\"soon\"]"),
+            "mine.toml:4: times = 'soon', expected an array of numbers");
+  EXPECT_EQ(refusal("across", "levels"), "mine.toml: no key 'across', which is needed");
+  EXPECT_EQ(refusal("time = 0.1", "tine = 0.1").substr(0, 47), "mine.toml:9: unknown key 'tine' of read, expect");
+  EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
+  EXPECT_EQ(refusal("{particles}", "{particle}"),
+            "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
+            "particles, rho, scene, spacing, times, until; a brace is {{");
+  EXPECT_EQ(refusal("\"frozen\"", "\"../frozen\""),
+            "mine.toml: name = '../frozen', expected one without points, slashes and blanks");
+}
+
+}  // namespace
+}  // namespace touchstone::vnv::doors
