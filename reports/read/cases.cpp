@@ -25,10 +25,10 @@ std::vector<fs::path> record_files(const fs::path& folder) {
 
 // Names become names of files and folders, and parts of a shell's command.
 void require_file_name(const std::string& name, const char* what, const fs::path& file) {
-  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '='; };
   if (!name.empty() && std::all_of(name.begin(), name.end(), fits)) return;
   throw std::runtime_error(
-      fmt::format("{}: {} '{}', expected letters, digits, '_' and '-'", file.string(), what, name));
+      fmt::format("{}: {} '{}', expected letters, digits, '_', '=' and '-'", file.string(), what, name));
 }
 
 vnv::Record read_checked(const fs::path& file) {
@@ -81,6 +81,7 @@ std::vector<CaseRecords> read_cases(const fs::path& folder) {
   std::vector<CaseRecords> cases;
   for (auto& [name, records] : by_name) cases.push_back(std::move(records));
   for (auto& records : cases) {
+    std::ranges::stable_sort(records.records, {}, &vnv::Record::another_code);  // a page speaks in the case's own words
     check_figures(records);
     check_tables(records);
   }

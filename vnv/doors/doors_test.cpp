@@ -122,6 +122,9 @@ TEST(Flows, AreAskedAtOtherParametersAndRefuseUnknownOnes) {
   EXPECT_EQ(flow.filled.high.y(), 1);
   EXPECT_DOUBLE_EQ(flow.fluid.kinematic_viscosity(), 0.01);
   EXPECT_EQ(flow.drive.amplitude.x(), 1e-5);
+  EXPECT_EQ(flow.case_name(), "poiseuille_H=1_nu=1e-2_F=1e-05");
+  EXPECT_EQ(flow_named("poiseuille", Settings({{"H", 1e-3}, {"nu", 0.0125}, {"F", -1.5e-5}})).case_name(),
+            "poiseuille_nu=125e-4_F=-15e-6");
   EXPECT_THROW(flow_named("poiseuille", Settings({{"h", 1}})), std::invalid_argument);
   EXPECT_THROW(flow_named("poiseuille", Settings({{"H", -1}})), std::invalid_argument);
 }

@@ -52,9 +52,19 @@ const std::vector<Parameter>& Settings::all_of(std::string_view flow) const {
 }
 
 std::string Flow::case_name() const {
+  const auto without_point = [](double value) {  // 0.015 -> "15e-3": a point would part the case from its method
+    std::string digits = fmt::format("{}", value);
+    const std::size_t e = digits.find('e'), point = digits.find('.');
+    if (point == digits.npos) return digits;
+    const int exponent = (e == digits.npos ? 0 : std::stoi(digits.substr(e + 1))) -
+                         static_cast<int>(std::min(e, digits.size()) - point - 1);
+    digits = digits.substr(0, std::min(e, digits.size())).erase(point, 1);
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    return fmt::format("{}e{}", digits, exponent);
+  };
   std::string all = name;
   for (const Parameter& p : parameters)
-    if (!p.is_published) all += fmt::format("_{}={:g}", p.name, p.value);
+    if (!p.is_published) all += fmt::format("_{}={}", p.name, without_point(p.value));
   return all;
 }
 

@@ -68,7 +68,7 @@ struct Flow {
   Start start{};
 
   /// The name by which records of it are compared: with each parameter that is not the published one,
-  /// "poiseuille_H=1_F=1e-05".
+  /// "poiseuille_H=1_F=1e-05_nu=15e-3".
   std::string case_name() const;
 };
 

@@ -154,6 +154,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   method.claims = own_claims(flow, what, method.levels.back().name);
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
+  judgement.record.another_code = true;
   return judgement;
 }
 

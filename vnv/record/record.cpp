@@ -30,9 +30,9 @@ TOUCHSTONE_FIELDS(WorkDiagram, id, title, caption, quantity, targets, ranked_by)
 TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles, per_step, error, cpu, cpu_lowest,
                   cpu_highest)
 TOUCHSTONE_FIELDS(HistoryFile, level, file)
-TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, suite, revision, compiler,
-                  flags, machine, finished_at, runs, values, orders, verdicts, figures, curves, clouds, tables,
-                  diagrams, work, histories)
+TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, another_code, suite,
+                  revision, compiler, flags, machine, finished_at, runs, values, orders, verdicts, figures, curves,
+                  clouds, tables, diagrams, work, histories)
 
 namespace {
 
@@ -121,6 +121,7 @@ Record record_from(json::Json json) {
     throw json::Misfit{"schema", fmt::format("is {}, expected {}, 4 or 3, those known here", schema, Record{}.schema)};
   if (schema == 3) bring_up_from_3(json);
   if (schema < Record{}.schema) bring_up_from_4(json);
+  if (!json.contains("another_code")) json["another_code"] = false;  // written before there was any
   Record record;
   const json::Reader reader(json);
   describe(reader, record);

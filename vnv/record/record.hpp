@@ -65,7 +65,8 @@ struct Record {
   std::string description;  // what is solved, with which oracle, for the page; plain text, blank lines part paragraphs
   std::string method;       // "mpm"
   std::string method_description;
-  std::string suite;  // "acceptance", "report" or "nightly"
+  bool another_code = false;  // by a code from elsewhere, of which nothing was accepted here
+  std::string suite;          // "acceptance", "report" or "nightly"
   std::string revision, compiler, flags, machine, finished_at;
   std::vector<RunSummary> runs;
   std::vector<Value> values;
