@@ -76,6 +76,20 @@ TEST_F(Doors, ReadOtherUnitsFromHeadingsOrAsTheUserSays) {
   EXPECT_TRUE(says(refusal("poiseuille", poiseuille(20, 0, 1e-3, "m")), "they fit times 0.001: --unit length=mm?"));
 }
 
+TEST_F(Doors, MultiplyAKinematicPressureByTheDensity) {
+  const Flow flow = flow_named("taylor_green");
+  std::string text = "x,y,vx,vy,p [m2/s2]\n";
+  const Vectors places = lattice(flow.filled, 0.05).places();
+  for (const auto& x : places.colwise())
+    text += fmt::format("{},{},0,0,{}\n", x.x(), x.y(), flow.start.pressure_at(x) / flow.fluid.density);
+  Mapping at_start;
+  at_start.time = 0;
+  const Record record = judged("taylor_green", {write("kinematic.csv", text)}, at_start).record;
+  const auto pressure = std::ranges::find(record.values, l2_pressure, &Value::quantity);
+  ASSERT_NE(pressure, record.values.end());
+  EXPECT_LT(pressure->value, 1e-9);
+}
+
 TEST_F(Doors, JudgeEachFlowByItsOwnInitialState) {
   for (const std::string& name : flow_names()) {
     const Flow flow = flow_named(name);

@@ -28,24 +28,47 @@ struct Unit {
   const char* name;
   double si;
 };
+constexpr double kinematic =
+    0;  // in the place of a factor: the density at rest, as a code without any density needs it
 constexpr std::array units{
-    Unit{"length", "m", 1},         Unit{"length", "cm", 1e-2},     Unit{"length", "mm", 1e-3},
-    Unit{"length", "um", 1e-6},     Unit{"length", "km", 1e3},      Unit{"velocity", "m/s", 1},
-    Unit{"velocity", "cm/s", 1e-2}, Unit{"velocity", "mm/s", 1e-3}, Unit{"pressure", "Pa", 1},
-    Unit{"pressure", "hPa", 1e2},   Unit{"pressure", "kPa", 1e3},   Unit{"pressure", "MPa", 1e6},
-    Unit{"pressure", "bar", 1e5},   Unit{"density", "kg/m3", 1},    Unit{"density", "kg/m^3", 1},
-    Unit{"density", "kg/m³", 1},    Unit{"density", "g/cm3", 1e3},  Unit{"time", "s", 1},
-    Unit{"time", "ms", 1e-3},       Unit{"time", "us", 1e-6},       Unit{"mass", "kg", 1},
-    Unit{"mass", "kg/m", 1},        Unit{"mass", "g", 1e-3},        Unit{"volume", "m2", 1},
-    Unit{"volume", "m²", 1},        Unit{"volume", "m3", 1},        Unit{"volume", "m³", 1},
+    Unit{"length", "m", 1},
+    Unit{"length", "cm", 1e-2},
+    Unit{"length", "mm", 1e-3},
+    Unit{"length", "um", 1e-6},
+    Unit{"length", "km", 1e3},
+    Unit{"velocity", "m/s", 1},
+    Unit{"velocity", "cm/s", 1e-2},
+    Unit{"velocity", "mm/s", 1e-3},
+    Unit{"pressure", "Pa", 1},
+    Unit{"pressure", "hPa", 1e2},
+    Unit{"pressure", "kPa", 1e3},
+    Unit{"pressure", "MPa", 1e6},
+    Unit{"pressure", "bar", 1e5},
+    Unit{"density", "kg/m3", 1},
+    Unit{"density", "kg/m^3", 1},
+    Unit{"density", "kg/m³", 1},
+    Unit{"density", "g/cm3", 1e3},
+    Unit{"time", "s", 1},
+    Unit{"time", "ms", 1e-3},
+    Unit{"time", "us", 1e-6},
+    Unit{"mass", "kg", 1},
+    Unit{"mass", "kg/m", 1},
+    Unit{"mass", "g", 1e-3},
+    Unit{"volume", "m2", 1},
+    Unit{"volume", "m²", 1},
+    Unit{"volume", "m3", 1},
+    Unit{"volume", "m³", 1},
     Unit{"volume", "m^3", 1},
+    Unit{"pressure", "m2/s2", kinematic},
+    Unit{"pressure", "m²/s²", kinematic},
 };
 
-double si(const std::string& kind, const std::string& name) {
+/// `density` [kg/m³] is that of the flow, by which a kinematic pressure is multiplied.
+double si(const std::string& kind, const std::string& name, double density) {
   std::vector<std::string> known;
   for (const Unit& unit : units) {
     if (kind != unit.kind) continue;
-    if (name == unit.name) return unit.si;
+    if (name == unit.name) return unit.si == kinematic ? density : unit.si;
     known.emplace_back(unit.name);
   }
   throw Unreadable(fmt::format("unit of {} '{}', expected one of: {}", kind, name, fmt::join(known, ", ")));
@@ -133,7 +156,7 @@ Found find(const Dataset& data, const std::string& field, const Mapping& mapping
 }
 
 /// To SI, by what the user says of the kind or else by the unit in the name.
-double factor(const Found& found, const std::string& kind, const Mapping& mapping, std::string& words) {
+double factor(const Found& found, const std::string& kind, const Mapping& mapping, double density, std::string& words) {
   const auto said = mapping.units.find(kind);
   const std::string of_first = unit_in(found.columns[0]->name),
                     unit = said != mapping.units.end() ? said->second : of_first;
@@ -142,7 +165,7 @@ double factor(const Found& found, const std::string& kind, const Mapping& mappin
       throw Unreadable(fmt::format("{}: two units, expected the same of all columns", found.words));
   if (unit.empty()) return 1;
   words += fmt::format(" in {}", unit);
-  return si(kind, unit);
+  return si(kind, unit, density);
 }
 
 /// The axes of the plane in which places lie; throws where they lie in none.
@@ -193,7 +216,7 @@ std::vector<std::size_t> chosen_rows(const Dataset& data, const Mapping& mapping
 
 double time_of(const Dataset& data, const Mapping& mapping, std::string& words) {
   const auto unit = mapping.units.find("time");
-  const double to_si = unit == mapping.units.end() ? 1 : si("time", unit->second);
+  const double to_si = unit == mapping.units.end() ? 1 : si("time", unit->second, 1);
   if (data.time) {
     words = "as it says";
     return *data.time * to_si;
@@ -221,7 +244,7 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 
 }  // namespace
 
-Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain) {
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {
   Reading reading;
   Samples& s = reading.samples;
   std::vector<std::size_t> rows = chosen_rows(data, mapping);
@@ -239,7 +262,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   const auto plane = plane_of(data, places, mapping);
   const auto vectors = [&](const Found& found, const std::string& field, const std::string& kind) {
     std::string as = found.words;
-    const double to_si = factor(found, kind, mapping, as);
+    const double to_si = factor(found, kind, mapping, density, as);
     Vectors all(2, static_cast<Eigen::Index>(rows.size()));
     for (std::size_t p = 0; p < rows.size(); ++p)
       for (const int k : {0, 1}) {
@@ -288,7 +311,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     const Found found = find(data, field, mapping);
     if (!found.there()) return Scalars(Scalars::Constant(count, NAN));
     std::string as = found.words;
-    const double to_si = factor(found, kind, mapping, as);
+    const double to_si = factor(found, kind, mapping, density, as);
     Scalars all(count);
     for (Eigen::Index p = 0; p < count; ++p) all[p] = to_si * found(rows[static_cast<std::size_t>(p)], 0);
     say(field, as);

@@ -32,8 +32,8 @@ struct Reading {
   std::vector<std::string> words{};
 };
 
-/// Throws Unreadable: no places, two candidates for one field, a cloud that is not flat, rows outside the domain, what
-/// is not a finite number, no time.
-Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain);
+/// `density` [kg/m³] is that of the fluid at rest. Throws Unreadable: no places, two candidates for one field, a cloud
+/// that is not flat, rows outside the domain, what is not a finite number, no time.
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density);
 
 }  // namespace touchstone::vnv::doors

@@ -118,7 +118,7 @@ void Given::say(const std::string& line) {
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> said) {
   for (const Dataset& data : rows_to_judge(read_datasets(file))) {
-    Reading reading = reading_of(data, mapping, flow.domain);
+    Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
     given.files.push_back(reading.file);
     for (const std::string& line : reading.words) given.say(line);
     require_filled(flow, data.source, reading.samples);

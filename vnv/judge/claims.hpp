@@ -66,8 +66,8 @@ inline Claim order_between(std::string_view ladder, const Quantity& quantity, do
 }
 
 /// The claim of a method that it converges: its order, above a floor if one was found, is no less than `low`, and the
-/// whole 95 % interval lies above `surely_above`. An inconclusive trend is inconclusive here too; stalled or diverging
-/// errors fail.
+/// whole 95 % interval lies above `surely_above`; one that lies above `low`, too, may be wide. An inconclusive trend is
+/// inconclusive here too; stalled or diverging errors fail.
 inline Claim order_at_least(std::string_view ladder, const Quantity& quantity, double low, double surely_above,
                             Author author) {
   Claim claim = at_least(quantity, low, std::move(author));

@@ -19,7 +19,9 @@ Outcome outcome_of(const Verdict& v) {
   if (!v.lower && !v.upper) return Outcome::inconclusive;
   if (!v.half_width || std::isnan(v.value)) return is_within_limits(v) ? Outcome::holds : Outcome::fails;
   if (v.surely_above && (v.trend == Trend::stalled || v.trend == Trend::diverging)) return Outcome::fails;
-  if (!(*v.half_width < widest) || (v.surely_above && v.trend != Trend::converging)) return Outcome::inconclusive;
+  if (v.surely_above && v.trend != Trend::converging) return Outcome::inconclusive;
+  const bool lies_above = v.lower && !v.upper && v.value - *v.half_width > *v.lower;  // all of it, however wide
+  if (!(*v.half_width < widest) && !lies_above) return Outcome::inconclusive;
   const bool is_sure = !v.surely_above || v.value - *v.half_width > *v.surely_above;
   return is_within_limits(v) && is_sure ? Outcome::holds : Outcome::fails;
 }
