@@ -145,6 +145,48 @@ TEST(Affine, DiagnosesACollapse) {
   EXPECT_THROW(run(squeezed, 20), Diverged);
 }
 
+/// A particle alone in the middle of a cell, at rest, around which the flow spreads so much in a step.
+auto spreading(double in_a_step) {
+  const Scene<Tait> scene{
+      .domain = {.box = {.high = {1, 1}}},
+      .fluid = soft_water,
+      .filled = {.low = {0.4, 0.4}, .high = {0.5, 0.5}},
+      .start = {.velocity = [=](const Vec2& x) -> Vec2 { return 50 * in_a_step * (x - Vec2(0.45, 0.45)); }}};
+  return affine(scene, {.cell = 0.1, .spacing = 0.1, .time_step = 0.01});
+}
+
+TEST(Affine, DiagnosesADensityThatIsNotPlausibleInAParticleThatStaysInItsCell) {
+  for (const double spread : {5.0, -0.85}) {  // a sixth of the density at rest, and seven times that
+    auto alone = spreading(spread);
+    EXPECT_THROW(alone.step(), Diverged) << spread;
+  }
+  for (const double spread : {3.5, -0.7}) {
+    auto alone = spreading(spread);
+    alone.step();
+    EXPECT_NEAR(alone.samples().density[0], 1000 / (1 + spread), 1e-9);
+  }
+}
+
+TEST(Affine, AStripMovesAlikeAtAPeriodicBoundaryAndAwayFromIt) {
+  const auto strip_at = [](double low) {
+    const Scene<Newtonian> scene{.domain = {.box = {.high = {0.7, 0.8}}, .periodic_x = true, .periodic_y = true},
+                                 .fluid = {soft_water, 20},
+                                 .filled = {.low = {0, low}, .high = {0.7, low + 0.2}},
+                                 .start = {.velocity = [=](const Vec2& x) -> Vec2 {
+                                   return {x.y() - low, std::sin(9 * x.x()) - 0.5};
+                                 }}};
+    auto strip = affine(scene, plates_settings);
+    run(strip, 3);
+    return strip.samples();
+  };
+  const Samples away = strip_at(0.3), at_boundary = strip_at(0);
+  for (int p = 0; p < away.size(); ++p) {
+    EXPECT_NEAR(at_boundary.v(0, p), away.v(0, p), 1e-12);
+    EXPECT_NEAR(at_boundary.v(1, p), away.v(1, p), 1e-12);
+    EXPECT_NEAR(std::remainder(at_boundary.x(1, p) - away.x(1, p) + 0.3, 0.8), 0, 1e-12);
+  }
+}
+
 TEST(Affine, RefusesAWallOffTheGridAndSettingsThatAreNotPositive) {
   auto off = plates();
   off.walls[1].position = 0.97;

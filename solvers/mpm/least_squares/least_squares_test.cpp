@@ -144,6 +144,20 @@ TEST(LeastSquaresMpm, ThreadsDoNotChangeABit) {
   EXPECT_EQ(one.pressure.matrix(), three.pressure.matrix());
 }
 
+TEST(LeastSquaresMpm, NamesTheAxisAlongWhichAParticleLeft) {
+  for (const auto& [velocity, axis] : {std::pair(Vec2(1e4, 0), "x [m]"), std::pair(Vec2(0, 1e4), "y [m]")}) {
+    auto scene = under_a_lid();
+    scene.start = uniform_flow(velocity);
+    auto blown_out = LeastSquaresMethod::solver(scene);
+    try {
+      for (int step = 0; step < 10; ++step) blown_out.step();
+      ADD_FAILURE() << axis << ": nothing left";
+    } catch (const Diverged& diverged) {
+      EXPECT_EQ(diverged.fault.quantity, axis);
+    }
+  }
+}
+
 TEST(LeastSquaresMpm, RefusesTooFewParticlesInACellAndWaterThatDoesNotFillTheDomain) {
   EXPECT_THROW(LeastSquaresMethod::solver(endless({}), {.cell = 0.1, .spacing = 0.1, .time_step = 1e-3}),
                std::invalid_argument);
