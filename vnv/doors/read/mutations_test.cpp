@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/vtk_testing.hpp"
 
 namespace touchstone::vnv::doors::vtk {
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> all_samples() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(sample("")))
+  for (const auto& entry : fs::recursive_directory_iterator(all_formats()))
     if (entry.is_regular_file() && entry.path().filename().string().find("make_") != 0 &&
         entry.path().extension() != ".md")
       files.push_back(entry.path());
@@ -50,9 +51,10 @@ void expect_rows_or_one_line(const fs::path& file, const std::string& bytes) {
   const Limits limits{.most_bytes = 1 << 24};
   const std::string extension = file.extension().string();
   try {
-    const std::vector<Dataset> datasets = extension == ".vtk"      ? read_vtk_legacy(file, bytes, limits)
-                                          : extension == ".series" ? read_series(file, bytes, limits)
-                                                                   : read_vtk_xml(file, bytes, limits);
+    const std::vector<Dataset> datasets = extension == ".vtk"            ? read_vtk_legacy(file, bytes, limits)
+                                          : extension == ".series"       ? read_series(file, bytes, limits)
+                                          : extension.starts_with(".np") ? read_npy(file, bytes, limits)
+                                                                         : read_vtk_xml(file, bytes, limits);
     for (const Dataset& dataset : datasets)
       for (const Array& array : dataset.arrays) ASSERT_EQ(array.rows(), dataset.rows()) << file << " " << array.name;
   } catch (const Unreadable& error) {

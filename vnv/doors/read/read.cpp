@@ -1,4 +1,5 @@
 #include "vnv/doors/read/delimited.hpp"
+#include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"
@@ -35,6 +36,7 @@ std::vector<Dataset> read_datasets(const std::filesystem::path& file, const Limi
   if (is_collection) return read_series(file, bytes, limits);
   if (head.starts_with("<?xml") || head.find("<VTKFile") != head.npos) return read_vtk_xml(file, bytes, limits);
   if (head.starts_with("# vtk DataFile")) return read_vtk_legacy(file, bytes, limits);
+  if (head.starts_with("PK\x03\x04") || head.starts_with("\x93NUMPY")) return read_npy(file, bytes, limits);
   return read_delimited(file, bytes, limits);
 }
 

@@ -6,7 +6,8 @@ namespace touchstone::vnv::doors::vtk {
 
 void refuse(const std::string& where, const std::string& what) {
   std::string line = where + ": " + what;
-  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
   throw Unreadable(line);
 }
 

@@ -17,9 +17,10 @@
 
 namespace touchstone::vnv::doors::vtk {
 
-inline std::filesystem::path sample(const std::string& name) {
-  return std::filesystem::path(TOUCHSTONE_DATA_DIR).parent_path() / "vnv/doors/read/samples/vtk" / name;
+inline std::filesystem::path all_formats() {
+  return std::filesystem::path(TOUCHSTONE_DATA_DIR).parent_path() / "vnv/doors/read/samples";
 }
+inline std::filesystem::path sample(const std::string& name) { return all_formats() / "vtk" / name; }
 
 /// By the reader of its extension.
 inline std::vector<Dataset> read_sample(const std::string& name) {
