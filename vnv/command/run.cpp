@@ -25,7 +25,7 @@ struct Job {
 
 /// What came of all methods.
 struct Sum {
-  long methods = 0, failed = 0, skipped = 0;
+  long methods = 0, failed = 0, skipped = 0, not_run = 0;
   long held = 0, judged = 0;  // claims
   std::vector<std::string> failures{};
 };
@@ -143,6 +143,11 @@ std::vector<Job> skip_done(const Build& build, const RunOptions& options, const 
 
 /// Another code is run anew each time: of what it is made from nothing is known.
 void run_solver(const doors::Solver& solver, const RunOptions& options, Sum& sum) {
+  if (const std::string missing = missing_here(solver); !missing.empty()) {
+    fmt::print("{}: not run: needs {}\n", solver.case_and_method(), missing);
+    ++sum.not_run;
+    return;
+  }
   const doors::Judgement judgement = run_and_record(solver, options.suite, options.records);
   const std::string name = solver.case_and_method();
   fmt::print("{}\n", name);
@@ -158,8 +163,9 @@ int conclude(const Sum& sum) {
   fmt::print("{} of {} methods hold, {} of {} claims", sum.methods - sum.failed, sum.methods, sum.held, sum.judged);
   if (sum.skipped > 0)
     fmt::print("; {} skipped, whose programs and data are as they were (--again runs them)", sum.skipped);
+  if (sum.not_run > 0) fmt::print("; {} not run, for want of programs", sum.not_run);
   fmt::print("\n");
-  return sum.failures.empty() ? all_holds : something_fails;
+  return sum.failures.empty() && sum.methods > 0 ? all_holds : something_fails;
 }
 
 }  // namespace

@@ -8,9 +8,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glob.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 
 namespace touchstone::vnv::doors {
@@ -159,6 +162,21 @@ Judgement judged(const Solver& solver, Given given, Suite suite) {
 }
 
 }  // namespace
+
+std::string missing_here(const Solver& solver) {
+  const char* path = std::getenv("PATH");
+  const auto is_here = [&](const std::string& what) {
+    if (what.find('/') != what.npos) return fs::exists(what);
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+      if (access((fs::path(folder) / what).c_str(), X_OK) == 0) return true;
+    return false;
+  };
+  std::vector<std::string> missing;
+  for (const auto& [what, how] : solver.needs)
+    if (!is_here(what)) missing.push_back(fmt::format("{} ({})", what, how));
+  return fmt::format("{}", fmt::join(missing, ", "));
+}
 
 void prepare(const Solver& solver, const fs::path& folder) {
   for (const double spacing : solver.spacings) {

@@ -12,9 +12,10 @@ struct Solver {
   std::filesystem::path file{};
   std::string name{}, description{};
   Flow flow{};
-  std::vector<double> spacings{};  // m  falling
-  std::vector<double> times{};     // s  rising
-  programs::Words command{};       // with placeholders, or one line for a shell
+  std::vector<double> spacings{};              // m  falling
+  std::vector<double> times{};                 // s  rising
+  std::map<std::string, std::string> needs{};  // a program or a file -> how to get it
+  programs::Words command{};                   // with placeholders, or one line for a shell
   bool is_for_shell = false;
   std::vector<std::string> output{};  // patterns of files, in the folder of a run
   Mapping mapping{};
@@ -26,6 +27,9 @@ struct Solver {
   std::filesystem::path baseline_file() const { return baselines / (flow.case_name() + ".csv"); }
   std::string case_and_method() const { return flow.case_name() + "." + name; }
 };
+
+/// What the solver needs and this machine has not, with how to get it; empty where it can run.
+std::string missing_here(const Solver& solver);
 
 /// Throws std::invalid_argument: file, line, key, what it holds and what was expected.
 Solver read_solver(const std::filesystem::path& file);

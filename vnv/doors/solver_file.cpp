@@ -169,6 +169,7 @@ Solver read_solver(const fs::path& file) {
     throw std::invalid_argument(
         fmt::format("{}: times = {}, expected rising ones above 0", file.string(), solver.times));
   read_command(keys, solver);
+  solver.needs = keys.table("needs").pairs<std::string>("how to get it");
   keys.require("output");
   solver.output = keys.texts("output");
   solver.mapping = mapping_of(keys.table("read"));

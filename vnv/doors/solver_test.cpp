@@ -122,6 +122,14 @@ TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
       << "other times, other values";
 }
 
+TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
+  const std::string needs =
+      "needs = { sh = \"any shell\", no_such_program = \"package none\", \"/no/such/file\" = \"by hand\" }\n";
+  EXPECT_EQ(missing_here(solver(std::string(frozen), "output", needs + "output")),
+            "/no/such/file (by hand), no_such_program (package none)");
+  EXPECT_EQ(missing_here(solver(std::string(frozen))), "");
+}
+
 TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("across = [10, 20, 40]", "across = 10"), "mine.toml:3: across = 10, expected an array of numbers");
   EXPECT_EQ(refusal("times = [0.1]", "times = [\"soon\"]"),

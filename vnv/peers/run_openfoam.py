@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs OpenFOAM (pimpleFoam, laminar, second order in space and time) on the scene in this folder; VTK/ has what it wrote.
 
-openfoam.py COURANT: the largest advective Courant number; a step is no longer than that of a viscous number of 1 either.
+run_openfoam.py COURANT: the largest advective Courant number; a step is no longer than that of a viscous number of 1 either.
 """
 
 import csv
