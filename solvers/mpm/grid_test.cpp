@@ -47,6 +47,29 @@ TEST(Lattice, FillsItsBoxEvenly) {
   EXPECT_NEAR(points.places().col(1).x() - points.places().col(0).x(), 0.61 / 6, 1e-12);
 }
 
+TEST(Lattice, HasNoMoreParticlesThanAnIntCounts) {
+  EXPECT_EQ(lattice({.high = {1e9, 1}}, 1).columns, 1000000000);
+  EXPECT_THROW(lattice({.high = {1e9 + 1, 1}}, 1), std::invalid_argument);
+}
+
+TEST(Scenes, MayFillADomainThatBeginsAnywhere) {
+  const Box box{.low = {-1, 2}, .high = {1, 3}};
+  EXPECT_NO_THROW(require_filled("method", box, box));
+  EXPECT_THROW(require_filled("method", {.low = {-1, 2.1}, .high = {1, 3}}, box), std::invalid_argument);
+  EXPECT_THROW(require_filled("method", {.low = {-1, 2}, .high = {0.9, 3}}, box), std::invalid_argument);
+}
+
+TEST(Scenes, NameTheParticleThatStartsOutsideTheDomain) {
+  const Box box{.high = {1, 1}};
+  const Start start{.places = [](const Vectors&) { return Vectors{{0.5, 2}, {0.5, 3}}; }};
+  try {
+    places_in(box, start, lattice(box, 0.5));
+    FAIL() << "started";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "scene: particle 1 starts at (2, 3) m, expected inside the domain (0, 0) to (1, 1) m");
+  }
+}
+
 /// A box of 4 x 3 cells of 0.1 m with one particle in the middle of each.
 struct Pool {
   Grid grid;

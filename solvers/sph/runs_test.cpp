@@ -129,6 +129,18 @@ TEST(Printed, FluidBetweenSlippingWallsFallsFreelyAcrossThePeriodicBoundary) {
   EXPECT_NEAR(samples.v.row(0).maxCoeff(), 8e-3 * solver.time(), 1e-12);
 }
 
+TEST(Printed, SamplesStandWithinThePeriodAlsoWhereTheFluidHasJustLeftIt) {
+  auto stream = between(free_slip(), free_slip());
+  stream.start = uniform_flow({0.1, 0});
+  auto solver = printed<CubicSpline>(stream, settings, all_terms());
+  for (int k = 0; k < 60; ++k) {  // the first column crosses the boundary in step 25
+    solver.step();
+    const Samples samples = solver.samples();
+    ASSERT_GE(samples.x.row(0).minCoeff(), 0) << k;
+    ASSERT_LT(samples.x.row(0).maxCoeff(), stream.domain.box.high.x()) << k;
+  }
+}
+
 TEST(TransportVelocity, FluidBetweenSlippingWallsFallsFreelyAcrossThePeriodicBoundary) {
   auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us}, regular_terms());
   for (int k = 0; k < 100; ++k) solver.step();  // before the square lattice turns into a denser one
