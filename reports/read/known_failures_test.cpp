@@ -91,6 +91,17 @@ TEST(AStanding, IsRedWhereTheFailureIsUnknown) {
   }
 }
 
+TEST(AStanding, IsRedWhereTheKnownFailureIsOfAnotherCaseMethodLevelOrQuantity) {
+  const auto cases = night_with(vnv::Outcome::fails);
+  for (std::string KnownFailure::* part :
+       {&KnownFailure::case_name, &KnownFailure::method, &KnownFailure::level, &KnownFailure::quantity})
+    for (const char* other : {"another", ""}) {
+      KnownFailure row = known();
+      row.*part = other;
+      EXPECT_EQ(standing(cases, {row}, today).reds(), 1u) << row.case_name << row.method << row.level << row.quantity;
+    }
+}
+
 TEST(AStanding, IsRedWhereTheRowHasExpired) {
   const auto cases = night_with(vnv::Outcome::fails);
   EXPECT_EQ(standing(cases, {known("2026-11-22")}, today).reds(), 0u);

@@ -61,10 +61,14 @@ TEST_F(NightFile, TellsLimitsFromErrorsAndAnOrderAboveItsFloor) {
   vnv::Record record = nightly_record();
   record.orders[0].floor = 0.1;
   record.orders[0].order_to_floor = 2.5;
+  record.orders[0].order_to_floor_half_width = 0.25;
   const Night night = night_of({{"poiseuille", {record}}});
   EXPECT_EQ(night.errors.size(), 1u);
   EXPECT_EQ(night.limits.at(0).quantity, "largest stable time step, lower bound [us]");
   EXPECT_EQ(night.orders.at(0).order, 2.5);
+  EXPECT_EQ(night.orders.at(0).half_width, 0.25);
+  EXPECT_EQ(sample_night().orders.at(0).order, sample_order().order);
+  EXPECT_EQ(sample_night().orders.at(0).half_width, sample_order().half_width);
 }
 
 TEST_F(NightFile, KeepsWhatIsNotANumber) {

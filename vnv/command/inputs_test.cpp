@@ -82,6 +82,23 @@ TEST_F(FinishedWork, IsDoneAnewAfterAnyInputChanged) {
   EXPECT_NE(hash(), other_baselines);
 }
 
+TEST_F(FinishedWork, IsDoneAnewAfterAnyByteOfAnyFolderOfDataChanged) {
+  std::string large(200000, 'x');  // more than is read at once
+  for (const char* name : {"program", "data/experiments/front.csv", "data/known_failures.csv"}) {
+    fs::create_directories((root_ / name).parent_path());
+    put(name, large);
+    const std::string before = hash();
+    for (const std::size_t place : {std::size_t{0}, std::size_t{1} << 16, large.size() - 1}) {
+      std::string other = large;
+      other[place] = 'y';
+      put(name, other);
+      EXPECT_NE(hash(), before) << name << ", byte " << place;
+    }
+    put(name, large + 'x');
+    EXPECT_NE(hash(), before) << name << ", a byte more";
+  }
+}
+
 TEST_F(FinishedWork, StandsWhenBaselinesOfOthersChange) {
   const std::string before = hash();
   put("data/baselines/other.csv", "3.1");

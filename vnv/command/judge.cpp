@@ -40,7 +40,7 @@ void print_values(const Record& record) {
 /// What was read, measured and claimed; keeps the record where a folder is named.
 int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const std::string& records) {
   const Record& record = judgement.record;
-  fmt::print("{}\n", flow.judged.title);
+  fmt::print("{}\n", flow.title());
   for (const std::string& line : judgement.files) fmt::print("  {}\n", line);
   for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
   print_values(record);

@@ -137,6 +137,7 @@ TEST(Flows, AreAskedAtOtherParametersAndRefuseUnknownOnes) {
   EXPECT_DOUBLE_EQ(flow.fluid.kinematic_viscosity(), 0.01);
   EXPECT_EQ(flow.drive.amplitude.x(), 1e-5);
   EXPECT_EQ(flow.case_name(), "poiseuille_H=1_nu=1e-2_F=1e-05");
+  EXPECT_EQ(flow.title(), "Start-up of plane Poiseuille flow, H = 1 m, nu = 0.01 m²/s, F = 1e-05 m/s²");
   EXPECT_EQ(flow_named("poiseuille", Settings({{"H", 1e-3}, {"nu", 0.0125}, {"F", -1.5e-5}})).case_name(),
             "poiseuille_nu=125e-4_F=-15e-6");
   EXPECT_THROW(flow_named("poiseuille", Settings({{"h", 1}})), std::invalid_argument);

@@ -68,6 +68,13 @@ std::string Flow::case_name() const {
   return all;
 }
 
+std::string Flow::title() const {
+  std::string all = judged.title;
+  for (const Parameter& p : parameters)
+    if (!p.is_published) all += fmt::format(", {} = {:g}{}", p.name, p.value, p.unit == "-" ? "" : " " + p.unit);
+  return all;
+}
+
 Claim is_consistent(const Quantity& quantity) {
   return order_at_least(ladder_of_files, quantity, 0.9, 0.5, theory("a consistent method is of first order at least"))
       .over(3);

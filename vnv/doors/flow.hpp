@@ -70,6 +70,8 @@ struct Flow {
   /// The name by which records of it are compared: with each parameter that is not the published one,
   /// "poiseuille_H=1_F=1e-05_nu=15e-3".
   std::string case_name() const;
+  /// The title with these parameters: "Start-up of plane Poiseuille flow, H = 1 m".
+  std::string title() const;
 };
 
 /// Of a scene all but its body force, which a flow says in words.

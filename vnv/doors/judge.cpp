@@ -98,6 +98,7 @@ Measurement where_defined(const Measurement& measurement, const std::vector<doub
 Case case_of(const Flow& flow, const Given& given, const std::vector<double>& times,
              std::vector<std::string>& not_judged) {
   Case judged = flow.judged;
+  judged.title = flow.title();
   for (const Measured& one : flow.measured) {
     const auto missing = std::ranges::find_if(
         one.fields, [&](const std::string& name) { return given.fields && !has(*given.fields, name); });

@@ -124,5 +124,24 @@ TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
     }
 }
 
+/// One vortex fills the cavity: fluid goes one way on the one side of its centre and back on the other; from Re 1000 on its
+/// core turns like a solid (Batchelor 1956), in a straight line but for 2 % of the lid.
+TEST(GhiasCentrelines, TurnOnceAndPassStraightThroughTheCoreOfTheVortex) {
+  for (const int Re : {100, 400, 1000, 3200, 5000, 7500, 10000})
+    for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
+      const auto [way, at, velocity] = ghia_centreline(TOUCHSTONE_DATA_DIR, direction, Re);
+      int turns = 0;
+      for (std::size_t k = 1; k < at.size(); ++k) turns += (velocity[k] > 0) != (velocity[k - 1] > 0);
+      EXPECT_EQ(turns, 1) << Re << norm_of("L2", way).name;
+      if (Re < 1000) continue;
+      std::size_t k = 1;  // the smallest velocity away from the walls
+      for (std::size_t other = 1; other + 1 < at.size(); ++other)
+        if (std::abs(velocity[other]) < std::abs(velocity[k])) k = other;
+      const double along = (at[k] - at[k - 1]) / (at[k + 1] - at[k - 1]),
+                   straight = velocity[k - 1] + along * (velocity[k + 1] - velocity[k - 1]);
+      EXPECT_NEAR(velocity[k], straight, 0.02) << Re << norm_of("L2", way).name << " at " << at[k];
+    }
+}
+
 }  // namespace centrelines_test
 }  // namespace touchstone::vnv

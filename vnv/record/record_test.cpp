@@ -154,6 +154,13 @@ TEST_F(RecordFile, IsNotBelievedWhereItContradictsItself) {
   }
 }
 
+TEST_F(RecordFile, MayBeMoreCautiousThanTheRuleOfToday) {
+  Record record = record_that_holds();
+  record.verdicts[0].outcome = Outcome::inconclusive;
+  write(record, file());
+  EXPECT_EQ(read_record(file()), record);
+}
+
 TEST_F(RecordFile, KeepsTheDifferenceBetweenNoLimitAndALimit) {
   Record record = full_record();
   record.verdicts[0].lower.reset();

@@ -1,0 +1,139 @@
+/// Each number on a page is that of the record, in the unit of its heading: numbers that are all different tell which
+/// is where.
+
+#include "reports/pages/case_tables.hpp"
+
+#include "reports/pages/verdicts.hpp"
+#include "reports/testing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace touchstone::reports {
+namespace case_tables_test {
+
+/// The text of each cell of the last row of a table, by the headings of the columns.
+std::map<std::string, std::string> last_row(const std::string& html) {
+  const auto texts = [](const std::string& row, const std::string& cell) {
+    std::vector<std::string> all;
+    const std::regex one("<" + cell + "[^>]*>([^\n]*?)</" + cell + ">");
+    for (std::sregex_iterator at(row.begin(), row.end(), one), end; at != end; ++at)
+      all.push_back(std::regex_replace(std::string((*at)[1]), std::regex("<[^>]*>"), ""));
+    return all;
+  };
+  const std::vector<std::string> headings = texts(html, "th"), cells = texts(html.substr(html.rfind("<tr")), "td");
+  EXPECT_EQ(headings.size(), cells.size()) << html;
+  std::map<std::string, std::string> row;
+  for (std::size_t k = 0; k < std::min(headings.size(), cells.size()); ++k) row[headings[k]] = cells[k];
+  return row;
+}
+
+using Row = std::map<std::string, std::string>;
+
+CaseRecords records_with(auto&& change) {
+  vnv::Record record = sample_record();
+  change(record);
+  return {"poiseuille", {record}};
+}
+
+TEST(TableOfErrors, HasSpacingsInMillimetresAndValuesInTheirUnit) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    record.values = {{"M2", 1.25e-3, 0.5, {"L2 v_x", "%", vnv::Kind::norm}, 3.75},
+                     {"M2", 1.25e-3, vnv::not_a_number, {"period", "s", vnv::Kind::value}, 0.625}};
+  });
+  EXPECT_EQ(last_row(errors_html(records)), (Row{{"method", "mpm"},
+                                                 {"level", "M2"},
+                                                 {"spacing [mm]", "1.25"},
+                                                 {"L2 vx [%]0.5\u202fs", "3.75"},
+                                                 {"period [s]", "0.625"}}));
+}
+
+TEST(TableOfOrders, HasTheFittedOrderItsFloorAndEachPairBesideItsOwnLevels) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    vnv::ObservedOrder order = sample_order();
+    order.time = 0.25;
+    order.order = 1.75;
+    order.half_width = 0.125;
+    order.asymptotic = true;
+    order.floor = 0.011;
+    order.floor_half_width = 0.002;
+    order.order_to_floor = 2.25;
+    order.order_to_floor_half_width = 0.0625;
+    order.pairwise = {1.5, 1.875};
+    record.orders = {order};
+  });
+  EXPECT_EQ(last_row(orders_html(records)), (Row{{"method", "mpm"},
+                                                 {"ladder", "grid"},
+                                                 {"quantity", "L2 vx [%]"},
+                                                 {"time [s]", "0.25"},
+                                                 {"order", "1.75 ± 0.125"},
+                                                 {"trend", "↘\u00a0converging"},
+                                                 {"floor", "0.011 ± 0.002 order 2.25 ± 0.0625 towards it"},
+                                                 {"pairwise", "1.5 M1–M2, 1.875 M2–M3"}}));
+}
+
+TEST(TableOfCost, HasEachNumberInTheUnitOfItsHeading) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    record.runs = {{.level = "M2",
+                    .spacing = 2.5e-3,
+                    .time_step = 5e-6,
+                    .end_time = 0.75,
+                    .finished = true,
+                    .outcome = "finished",
+                    .cost = {.particles = 800,
+                             .boundary_particles = 120,
+                             .steps = 500,
+                             .repeats = 3,
+                             .cpu = 0.5,
+                             .cpu_lowest = 0.4,
+                             .cpu_highest = 0.7,
+                             .wall = 1.1,
+                             .stepping = 0.9,
+                             .harness = 0.1,
+                             .peak_memory = 2.25e6}}};
+  });
+  EXPECT_EQ(last_row(cost_html(records)), (Row{{"method", "mpm"},
+                                               {"level", "M2"},
+                                               {"spacing [mm]", "2.5"},
+                                               {"step [µs]", "5"},
+                                               {"end [s]", "0.75"},
+                                               {"particles", "800"},
+                                               {"boundary particles", "120"},
+                                               {"steps completed", "500"},
+                                               {"CPU [s]", "0.5 0.4–0.7"},
+                                               {"runs", "3"},
+                                               {"wall [s]", "1.1"},
+                                               {"harness [%]", "10"},
+                                               {"memory [MB]", "2.25"},
+                                               {"ns per particle-step", "1250"},
+                                               {"million particle-steps/s", "0.8"},
+                                               {"outcome", "finished"}}));
+}
+
+TEST(TableOfClaims, HasValueLimitAndMarginOfEach) {
+  vnv::Verdict verdict = sample_verdict(vnv::Outcome::holds, 0.25);
+  verdict.spacing = 2.5e-3;
+  verdict.time = 0.75;
+  EXPECT_EQ(last_row(verdict_table({verdict})), (Row{{"outcome", "holds"},
+                                                     {"method", "mpm"},
+                                                     {"level", "M2"},
+                                                     {"spacing [mm]", "2.5"},
+                                                     {"quantity", "L2 vx"},
+                                                     {"time [s]", "0.75"},
+                                                     {"value", "1.5\u202f%"},
+                                                     {"limit", "≤ 1.59\u202f%"},
+                                                     {"margin", "25\u202f%"},
+                                                     {"limit set by", "literature: Sun et al., table 3"}}));
+}
+
+TEST(TableOfARecord, HasItsNumbersUnderTheirHeadings) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    record.tables = {
+        {"paper", "Table 3", "", {"model", "L2 [%]", "T_p [ms]"}, {{"M1", 3.34, 0.46}, {"M2", 1.59, 2.5}}}};
+  });
+  EXPECT_EQ(last_row(tables_html(records)), (Row{{"model", "M2"}, {"L2 [%]", "1.59"}, {"Tp [ms]", "2.5"}}));
+}
+
+}  // namespace case_tables_test
+}  // namespace touchstone::reports
