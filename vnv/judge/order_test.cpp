@@ -1,5 +1,7 @@
 #include "vnv/judge/order.hpp"
 
+#include "vnv/judge/error_law.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -149,6 +151,16 @@ TEST(AFloor, IsFoundWithTheOrderThatLeadsToIt) {
   EXPECT_NEAR(found.floor, 2e-4, 1e-9);
   EXPECT_NEAR(found.order_to_floor, 2, 1e-5);
   EXPECT_EQ(found.trend, Trend::stalled) << "the finest error is 2.5e-4";
+}
+
+TEST(ALawWithAFloor, FeelsTheErrorOfEachLevel) {
+  const std::vector<double> exact = errors_of([](double h) { return 2e-4 + 0.5 * h * h; });
+  EXPECT_LT(fit_law_with_floor(ladder, exact)->squares, 1e-12);
+  for (std::size_t k = 0; k < ladder.size(); ++k) {
+    std::vector<double> errors = exact;
+    errors[k] *= 1.05;
+    EXPECT_GT(fit_law_with_floor(ladder, errors)->squares, 1e-6) << ladder[k];
+  }
 }
 
 TEST(AFloor, OfANoisyLadderIsHeldByItsInterval) {
