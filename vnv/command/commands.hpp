@@ -78,7 +78,7 @@ int scene(const Build& build, const SceneOptions& options);
 struct JudgeOptions {
   std::string flow{}, name = "files";
   std::vector<std::string> files{}, set{}, fields{}, units{};
-  std::string axes{}, part{}, only{}, records{};
+  std::string axes{}, part{}, only{}, records{}, junit{};
   std::vector<double> origin{};  // m
   bool inside = false;
   double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %
@@ -91,7 +91,7 @@ struct PrepareOptions {
 int prepare(const Build& build, const PrepareOptions& options);
 
 struct CollectOptions {
-  std::string solver{}, folder{}, suite = "acceptance", records{};
+  std::string solver{}, folder{}, suite = "acceptance", records{}, junit{};
 };
 int collect(const Build& build, const CollectOptions& options);
 

@@ -1,8 +1,10 @@
 /// vnv judge, prepare and collect: the output of any code, judged by a flow.
 
 #include "vnv/command/inputs.hpp"
+#include "vnv/command/junit.hpp"
 #include "vnv/command/settings.hpp"
 #include "vnv/command/solvers.hpp"
+#include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +40,8 @@ void print_values(const Record& record) {
 }
 
 /// What was read, measured and claimed; keeps the record where a folder is named.
-int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const std::string& records) {
+int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const std::string& records,
+             const std::string& junit) {
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.title());
   for (const std::string& line : judgement.files) fmt::print("  {}\n", line);
@@ -48,6 +51,7 @@ int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const s
   for (const std::string& line : judgement.not_judged) fmt::print("not judged: {}\n", line);
   for (const Verdict& v : record.verdicts) fmt::print("{}\n", v.sentence);
   if (!records.empty()) write(record, record_file(records, record.case_name + "." + record.method));
+  if (!junit.empty()) files::write_whole(junit, junit_of(record));
   if (record.verdicts.empty()) {
     fmt::print("nothing was claimed: three resolutions show the order, --at-most PERCENT sets a limit\n");
     return something_fails;
@@ -65,7 +69,7 @@ int judge(const Build&, const JudgeOptions& options) {
                   doors::judge_files(flow, {options.files.begin(), options.files.end()}, mapping_of(options),
                                      where_positive(options.spacing),
                                      {.name = options.name, .at_most = where_positive(options.at_most)}),
-                  options.records);
+                  options.records, options.junit);
 }
 
 int prepare(const Build&, const PrepareOptions& options) {
@@ -77,7 +81,8 @@ int prepare(const Build&, const PrepareOptions& options) {
 
 int collect(const Build&, const CollectOptions& options) {
   const doors::Solver solver = doors::read_solver(options.solver);
-  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)), options.records);
+  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)), options.records,
+                  options.junit);
 }
 
 }  // namespace touchstone::vnv::command

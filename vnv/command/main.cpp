@@ -50,6 +50,14 @@ void add_at_once(CLI::App& command, int& at_once) {
       ->capture_default_str();
 }
 
+void add_results(CLI::App& command, std::string& records, std::string& junit) {
+  command
+      .add_option("--records", records,
+                  "folder for the record, JSON with every value and verdict, which vnv report turns into pages")
+      ->check(CLI::ExistingDirectory);
+  command.add_option("--junit", junit, "file for the verdicts as JUnit XML, for continuous integration");
+}
+
 void declare_list(CLI::App& command, ListOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
@@ -157,8 +165,7 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--spacing", options.spacing, "of the particles [m]; default: by their number in the filled area")
       ->check(CLI::PositiveNumber);
   command.add_option("--at-most", options.at_most, "a limit for each norm [%]")->check(CLI::PositiveNumber);
-  command.add_option("--records", options.records, "folder for the record, which vnv report turns into pages")
-      ->check(CLI::ExistingDirectory);
+  add_results(command, options.records, options.junit);
 }
 
 void declare_prepare(CLI::App& command, PrepareOptions& options) {
@@ -171,8 +178,7 @@ void declare_collect(CLI::App& command, CollectOptions& options) {
   command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
   command.add_option("FOLDER", options.folder, "that was prepared")->required()->check(CLI::ExistingDirectory);
   add_suite(command, options.suite);
-  command.add_option("--records", options.records, "folder for the record, which vnv report turns into pages")
-      ->check(CLI::ExistingDirectory);
+  add_results(command, options.records, options.junit);
 }
 
 void declare_order(CLI::App& command, OrderOptions& options) {
