@@ -62,6 +62,13 @@ TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
   EXPECT_EQ(judge(claim, here, order(1, 0.1)).outcome, Outcome::fails);
 }
 
+TEST(OrderClaim, MayAskForMoreLevelsAnotherTimeAndLevel) {
+  const Claim claim = order_between("grid", l2, 1.9, 2.1, theory("")).over(5).at(0.25).on("M2");
+  EXPECT_EQ(claim.least_levels, 5);
+  EXPECT_EQ(claim.time, 0.25);
+  EXPECT_EQ(claim.level, "M2");
+}
+
 TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
   const Claim claim = order_at_least("grid", l2, 1.9, 1.75, theory(""));
   EXPECT_EQ(judge(claim, here, order(3, 0.1)).outcome, Outcome::holds);

@@ -163,6 +163,12 @@ TEST(ALawWithAFloor, FeelsTheErrorOfEachLevel) {
   }
 }
 
+TEST(ALawWithAFloor, NeedsALevelMoreThanItHasParameters) {
+  const std::vector<double> exact = errors_of([](double h) { return 2e-4 + 0.5 * h * h; });
+  EXPECT_FALSE(fit_law_with_floor(cut(ladder, 3), cut(exact, 3)));
+  EXPECT_TRUE(fit_law_with_floor(cut(ladder, 4), cut(exact, 4)));
+}
+
 TEST(AFloor, OfANoisyLadderIsHeldByItsInterval) {
   NoisyErrors noisy([](double h) { return 3e-4 + 0.5 * h * h; }, 0.03);
   constexpr int repeats = 400;
