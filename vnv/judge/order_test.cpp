@@ -169,6 +169,10 @@ TEST(ALawWithAFloor, NeedsALevelMoreThanItHasParameters) {
   EXPECT_TRUE(fit_law_with_floor(cut(ladder, 4), cut(exact, 4)));
 }
 
+TEST(ALawWithAFloor, IsNoneWhereErrorsRiseFromIt) {
+  EXPECT_FALSE(fit_law_with_floor(ladder, errors_of([](double h) { return 1e-3 + 1e-5 / h; })));
+}
+
 TEST(AFloor, OfANoisyLadderIsHeldByItsInterval) {
   NoisyErrors noisy([](double h) { return 3e-4 + 0.5 * h * h; }, 0.03);
   constexpr int repeats = 400;
