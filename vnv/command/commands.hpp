@@ -78,7 +78,7 @@ int scene(const Build& build, const SceneOptions& options);
 struct JudgeOptions {
   std::string flow{}, name = "files";
   std::vector<std::string> files{}, set{}, fields{}, units{};
-  std::string axes{}, part{}, only{}, records{}, junit{};
+  std::string axes{}, only{}, records{}, junit{};
   std::vector<double> origin{};  // m
   bool inside = false;
   double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %

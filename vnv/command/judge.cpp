@@ -18,7 +18,6 @@ doors::Mapping mapping_of(const JudgeOptions& options) {
   doors::Mapping mapping{.arrays = pairs_of("--field", options.fields),
                          .units = pairs_of("--unit", options.units),
                          .axes = options.axes,
-                         .part = options.part,
                          .only = options.only,
                          .inside = options.inside};
   if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};

@@ -155,9 +155,9 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--axes", options.axes, "of the plane of the flow, in the coordinates of the files")
       ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
   command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
-  command.add_option("--part", options.part,
-                     "of files with several kinds of particles; default: fluid, water, or the only one");
-  command.add_option("--only", options.only, "rows that are fluid, NAME=VALUE of an array");
+  command.add_option(
+      "--only", options.only,
+      "rows that are fluid, NAME=VALUE of an array; default: those that an array of names calls fluid or water");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
   command.add_option("--time", options.time, "of files that have none [s]")->check(CLI::NonNegativeNumber);
   command.add_option("--time-step", options.time_step, "between the indices of files that have no time [s]")
@@ -251,7 +251,8 @@ void add_subcommands(Session& session) {
       "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
       scene, declare_scene);
   add(session, "judge", "Judges the output of any code by a flow: norms of the error, observed order, verdicts.",
-      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ (also of PySPH), and tables of text (CSV, TSV, ;). Files of equal spacing are\n"
+      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ and HDF5 (also of PySPH), dumps of\n"
+      "LAMMPS, and tables of text (CSV, TSV, ;), plain or gzipped. Files of equal spacing are\n"
       "times of one resolution; three resolutions show the observed order.\n"
       "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"

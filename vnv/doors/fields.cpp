@@ -83,7 +83,9 @@ std::string plain(const std::string& name) {
 }
 std::string unit_in(const std::string& name) {
   const std::size_t open = name.find('['), close = name.find(']');
-  return open == name.npos || close == name.npos ? "" : name.substr(open + 1, close - open - 1);
+  if (open == name.npos || close == name.npos || close < open) return "";
+  const std::string unit = name.substr(open + 1, close - open - 1);
+  return std::ranges::all_of(unit, [](unsigned char c) { return std::isdigit(c); }) ? "" : unit;  // an index, "c_v[1]"
 }
 
 /// One field: an array of so many components, or several columns.
@@ -105,9 +107,12 @@ struct Found {
 /// "u" and "v", those of a place "x" and "y".
 std::vector<const Array*> components_of(const Dataset& data, const std::string& field, const std::string& base) {
   const auto column = [&](const std::string& name) -> const Array* {
-    for (const Array& array : data.arrays)
-      if (array.components == 1 && plain(array.name) == name) return &array;
-    return nullptr;
+    const Array* found = nullptr;
+    for (const Array& array : data.arrays) {
+      if (array.components != 1 || plain(array.name) != name) continue;
+      if (!found || array.name == name) found = &array;  // "v", where there is "V" too
+    }
+    return found;
   };
   std::vector<std::array<std::string, 3>> patterns{{base + "x", base + "y", base + "z"},
                                                    {base + "0", base + "1", base + "2"}};
@@ -124,6 +129,7 @@ std::vector<const Array*> components_of(const Dataset& data, const std::string& 
 
 Found found_as(const Dataset& data, const std::string& field, const std::string& base) {
   const bool is_vector = field == "position" || field == "velocity";
+  if (const Array* exact = data.array(base); exact && (exact->components > 1) == is_vector) return {{exact}, base};
   for (const Array& array : data.arrays)
     if (plain(array.name) == base && (array.components > 1) == is_vector) return {{&array}, array.name};
   if (!is_vector) return {};
@@ -195,19 +201,35 @@ std::array<std::size_t, 2> plane_of(const Dataset& data, const Found& places, co
   return plane;
 }
 
-/// Which rows are fluid.
-std::vector<std::size_t> chosen_rows(const Dataset& data, const Mapping& mapping) {
+/// "array=fluid" where an array of words, such as PySPH's names of particle arrays, has one of fluid among others.
+std::string fluid_by_name(const Dataset& data) {
+  for (const Array& array : data.arrays)
+    for (const char* fluid : {"fluid", "water"})
+      if (array.labels.size() > 1 && std::ranges::find(array.labels, fluid) != array.labels.end())
+        return array.name + "=" + fluid;
+  return "";
+}
+
+/// Which rows are fluid, by `only`: "NAME=VALUE", or all of them.
+std::vector<std::size_t> chosen_rows(const Dataset& data, const std::string& only) {
   std::vector<std::size_t> rows;
-  const std::size_t equals = mapping.only.find('=');
+  const std::size_t equals = only.find('=');
   const Array* by = nullptr;
   double value = 0;
-  if (!mapping.only.empty()) {
-    by = data.array(mapping.only.substr(0, equals));
-    const std::string number = equals == mapping.only.npos ? "" : mapping.only.substr(equals + 1);
+  if (!only.empty()) {
+    by = data.array(only.substr(0, equals));
+    const std::string number = equals == only.npos ? "" : only.substr(equals + 1);
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (!by || by->components != 1 || error != std::errc{} || end != number.data() + number.size())
+    const bool is_number = error == std::errc{} && end == number.data() + number.size();
+    if (by && !by->labels.empty()) {
+      const auto label = std::ranges::find(by->labels, number);
+      if (label == by->labels.end())
+        throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, number,
+                                     fmt::join(by->labels, ", ")));
+      value = static_cast<double>(label - by->labels.begin());
+    } else if (!by || by->components != 1 || !is_number)
       throw Unreadable(
-          fmt::format("{}: --only '{}', expected NAME=VALUE of an array of one component", data.source, mapping.only));
+          fmt::format("{}: --only '{}', expected NAME=VALUE of an array of one component", data.source, only));
   }
   for (std::size_t row = 0; row < data.rows(); ++row)
     if (!by || by->values[row] == value) rows.push_back(row);
@@ -232,6 +254,14 @@ double time_of(const Dataset& data, const Mapping& mapping, std::string& words) 
   throw Unreadable(fmt::format("{}: no time in it, expected one: --time or --time-step", data.source));
 }
 
+/// Words by which rows can be chosen, such as PySPH's particle arrays.
+std::string labels_of(const Dataset& data) {
+  std::string words;
+  for (const Array& array : data.arrays)
+    if (!array.labels.empty()) words += fmt::format(" ({} is {})", array.name, fmt::join(array.labels, ", "));
+  return words;
+}
+
 /// What places outside the domain might be: in another unit, if a power of ten brings them in.
 std::string guess_of_unit(const Vectors& x, const Domain& domain) {
   for (const auto& [factor, unit] : {std::pair(1e-3, "mm"), std::pair(1e-2, "cm"), std::pair(1e-6, "um")}) {
@@ -247,7 +277,8 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {
   Reading reading;
   Samples& s = reading.samples;
-  std::vector<std::size_t> rows = chosen_rows(data, mapping);
+  const std::string only = mapping.only.empty() ? fluid_by_name(data) : mapping.only;
+  std::vector<std::size_t> rows = chosen_rows(data, only);
   if (rows.empty()) throw Unreadable(fmt::format("{}: no row that is fluid, expected at least one", data.source));
   const auto say = [&](const std::string& field, const std::string& as) {
     reading.words.push_back(fmt::format("{}: {}", field, as));
@@ -256,6 +287,8 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   s.time = time_of(data, mapping, words);
   reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
                              data.rows_are == Rows::cells ? "cells" : "particles", s.time, words);
+
+  if (!only.empty()) say("rows", fmt::format("{}{}", only, mapping.only.empty() ? ", by its name" : ", as said"));
 
   const Found places = find(data, "position", mapping);
   if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));
@@ -293,9 +326,9 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     if (!mapping.inside || within.empty())
       throw Unreadable(
           fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
-                      "fluid, --only NAME=VALUE or --inside, or where the origin is, --origin{}",
+                      "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
                       data.source, outside, rows.size(), domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
-                      domain.box.high.y(), guess_of_unit(s.x, domain)));
+                      domain.box.high.y(), labels_of(data), guess_of_unit(s.x, domain)));
     say("left out", fmt::format("{} rows outside the domain", outside));
     s.x = Vectors(s.x(Eigen::all, kept));
     rows = within;

@@ -18,7 +18,6 @@ struct Mapping {
   std::map<std::string, std::string> units{};   // kind -> unit: "length" -> "mm", "velocity", "pressure", "time"
   std::string axes{};                           // of the plane, "xy", "xz", ...; empty: that in which the places lie
   Vec2 origin = Vec2::Zero();                   // m  the flow's origin, in the coordinates of the files
-  std::string part{};                           // of a file that has several; empty: the fluid
   std::string only{};                           // "NAME=VALUE": rows that are fluid
   bool inside = false;                          // leave out rows outside the domain
   std::optional<double> time{};                 // s  of a file that has none

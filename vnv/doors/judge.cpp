@@ -4,7 +4,6 @@
 #include "vnv/judge/baselines.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,21 +23,8 @@ bool has(const std::vector<std::string>& fields, const std::string& name) {
   return std::ranges::find(fields, name) != fields.end();
 }
 
-/// The part of a file that is judged: the one that the user names, the only one, or what is called fluid or water.
-std::string chosen_part(const std::vector<Dataset>& all, const std::string& said) {
-  std::vector<std::string> parts;
-  for (const Dataset& data : all)
-    if (std::ranges::find(parts, data.part) == parts.end()) parts.push_back(data.part);
-  if (said.empty() && parts.size() == 1) return parts.front();
-  for (const std::string& name : said.empty() ? std::vector<std::string>{"fluid", "water"} : std::vector{said})
-    if (std::ranges::find(parts, name) != parts.end()) return name;
-  throw Unreadable(fmt::format("{}: part '{}', expected one of: {}; say which is fluid: --part NAME",
-                               all.front().source, said, fmt::join(parts, ", ")));
-}
-
 /// Of a mesh its cells: what stands at its corners is interpolated from them.
-std::vector<Dataset> rows_to_judge(std::vector<Dataset> all, const std::string& part) {
-  std::erase_if(all, [name = chosen_part(all, part)](const Dataset& data) { return data.part != name; });
+std::vector<Dataset> rows_to_judge(std::vector<Dataset> all) {
   const auto is_of_cells = [](const Dataset& data) { return data.rows_are == Rows::cells; };
   if (std::ranges::any_of(all, is_of_cells)) std::erase_if(all, std::not_fn(is_of_cells));
   return all;
@@ -132,7 +118,7 @@ void Given::say(const std::string& line) {
 
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> said) {
-  for (const Dataset& data : rows_to_judge(read_datasets(file), mapping.part)) {
+  for (const Dataset& data : rows_to_judge(read_datasets(file))) {
     Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
     given.files.push_back(reading.file);
     for (const std::string& line : reading.words) given.say(line);

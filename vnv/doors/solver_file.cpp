@@ -122,7 +122,6 @@ Mapping mapping_of(const Keys& keys) {
     mapping.origin = {origin[0], origin[1]};
   else if (keys.has("origin"))
     throw std::invalid_argument(fmt::format("read.origin: {} numbers, expected 2 [m]", origin.size()));
-  mapping.part = keys.text("part");
   mapping.only = keys.text("only");
   mapping.inside = keys.flag("inside");
   mapping.time = keys.number_if_there("time");

@@ -15,6 +15,7 @@ struct Array {
   std::string name;
   int components = 1;
   std::vector<double> values{};
+  std::vector<std::string> labels{};  // where they stand for words: value k for labels[k]
 
   std::size_t rows() const { return values.size() / static_cast<std::size_t>(components); }
 };
@@ -30,7 +31,6 @@ inline const std::string points_array = "Points", cell_centres_array = "cell cen
 struct Dataset {
   std::string source{};          // the file, and what within it: "run.pvd: out_12.vtp"
   std::string format{};          // "VTP, appended raw, zlib"
-  std::string part{};            // of a file that holds several kinds of particles: "fluid", "wall"
   std::optional<double> time{};  // as the file says, in the unit of its writer
   std::optional<long> index{};   // of the output, by the number that ends its name or by its place within the file
   Rows rows_are = Rows::particles;

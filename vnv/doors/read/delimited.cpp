@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <optional>
+
+#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -62,7 +64,8 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
 
 class Table {
  public:
-  Table(const std::filesystem::path& file, const Limits& limits) : file_(file), limits_(limits) {}
+  Table(const std::filesystem::path& file, std::string_view bytes, const Limits& limits)
+      : file_(file), bytes_(bytes), limits_(limits) {}
 
   void add(std::string_view line, long at) {
     const bool is_comment = line.starts_with('#') || line.starts_with('%');
@@ -98,30 +101,10 @@ class Table {
           fmt::format("{}: no row of numbers, expected a table of text or a format that is known: VTP, VTU, "
                       "legacy VTK, PVD",
                       file_.string()));
-    const auto time = std::ranges::find_if(columns_, [](const Array& column) {
-      const std::string name = column.name.substr(0, column.name.find_first_of(" [("));
-      return name == "time" || name == "Time" || name == "t";
-    });
     Dataset whole{.source = file_.string(),
-                  .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_)};
-    if (time == columns_.end()) {
-      whole.arrays = std::move(columns_);
-      return {whole};
-    }
-    std::map<double, std::vector<std::size_t>> rows;
-    for (std::size_t k = 0; k < time->values.size(); ++k) rows[time->values[k]].push_back(k);
-    std::vector<Dataset> all;
-    for (const auto& [now, of_it] : rows) {
-      Dataset one = whole;
-      one.time = now;
-      for (const Array& column : columns_) {
-        Array part{.name = column.name};
-        for (const std::size_t k : of_it) part.values.push_back(column.values[k]);
-        one.arrays.push_back(std::move(part));
-      }
-      all.push_back(std::move(one));
-    }
-    return all;
+                  .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
+                  .arrays = std::move(columns_)};
+    return parted_by_time(std::move(whole));
   }
 
  private:
@@ -134,11 +117,16 @@ class Table {
     if (!heading_.empty() && names.size() != count)
       throw Unreadable(fmt::format("{}: {} names of columns, '{}', expected {} as in the first row", file_.string(),
                                    names.size(), heading_.substr(0, 80), count));
+    const auto lines = static_cast<std::size_t>(std::count(bytes_.begin(), bytes_.end(), '\n')),
+               rows = std::min(lines + 1, bytes_.size() / (2 * count) + 1);
     for (std::size_t k = 0; k < count; ++k)
-      columns_.push_back({.name = names.empty() ? fmt::format("column {}", k + 1) : names[k]});
+      reserve_more(
+          columns_.emplace_back(Array{.name = names.empty() ? fmt::format("column {}", k + 1) : names[k]}).values,
+          rows);
   }
 
   const std::filesystem::path& file_;
+  std::string_view bytes_;
   const Limits& limits_;
   std::string heading_{};
   char separator_ = ' ';
@@ -150,7 +138,7 @@ class Table {
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
   if (bytes.find('\0') != bytes.npos)
     throw Unreadable(fmt::format("{}: not text and no format that is known: VTP, VTU, legacy VTK, PVD", file.string()));
-  Table table(file, limits);
+  Table table(file, bytes, limits);
   for (long at = 1; !bytes.empty(); ++at) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     table.add(bytes.substr(0, end), at);

@@ -1,181 +1,202 @@
 #include "vnv/doors/read/npy.hpp"
 
-#include "vnv/doors/read/pickle.hpp"
-
 #include <fmt/format.h>
 #include <zip.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
+
+#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/pickle.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {
 
-using numpy::numbers_of;
+namespace fs = std::filesystem;
 using numpy::NumpyArray;
-using numpy::Pickle;
-using numpy::Pickled;
-using Kind = Pickled::Kind;
 
-/// One member of an archive, decompressed.
-struct Member {
-  std::string name, bytes;
-};
+constexpr std::size_t longest_header = 1 << 16, most_entries = 10000;
 
-std::vector<Member> members_of(std::string_view bytes, const std::string& where, const Limits& limits) {
-  zip_error_t error{};
-  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  const auto close = [](zip_t* zip) { zip_discard(zip); };
-  const std::unique_ptr<zip_t, decltype(close)> zip(source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr,
-                                                    close);
-  if (!zip) {
-    const std::string why = zip_error_strerror(&error);
-    if (source) zip_source_free(source);
-    zip_error_fini(&error);
-    vtk::refuse(where, "no ZIP archive: " + why);
-  }
-  std::vector<Member> members;
-  std::size_t left = limits.most_bytes;
-  for (zip_int64_t k = 0; k < zip_get_num_entries(zip.get(), 0); ++k) {
-    zip_stat_t stat{};
-    if (zip_stat_index(zip.get(), static_cast<zip_uint64_t>(k), 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE))
-      vtk::refuse(where, fmt::format("member {} of the archive has no size", k + 1));
-    if (stat.size > left || members.size() >= limits.most_datasets)
-      vtk::refuse(
-          where, fmt::format("'{}' has {} bytes, expected at most {} in all", stat.name, stat.size, limits.most_bytes));
-    if (stat.size > 1100 * (stat.comp_size + 1))  // more than deflation can do
-      vtk::refuse(where, fmt::format("'{}' claims {} bytes of {}", stat.name, stat.size, stat.comp_size));
-    left -= stat.size;
-    Member member{stat.name, std::string(stat.size, '\0')};
-    const auto close_file = [](zip_file_t* file) { zip_fclose(file); };
-    const std::unique_ptr<zip_file_t, decltype(close_file)> file(
-        zip_fopen_index(zip.get(), static_cast<zip_uint64_t>(k), 0), close_file);
-    if (!file || zip_fread(file.get(), member.bytes.data(), stat.size) != static_cast<zip_int64_t>(stat.size))
-      vtk::refuse(where, fmt::format("'{}' in the archive cannot be read", member.name));
-    if (member.name.ends_with(".npy")) member.name.resize(member.name.size() - 4);
-    members.push_back(std::move(member));
-  }
-  return members;
+/// Of the dictionary that describes an array, as Python writes it: what stands behind a key.
+std::string_view behind(std::string_view header, const std::string& key, const std::string& where) {
+  const std::size_t at = header.find("'" + key + "':");
+  if (at == header.npos) refuse(where, fmt::format("no '{}' in its header, expected one", key));
+  const std::string_view rest = header.substr(at + key.size() + 3);
+  return rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
 }
 
-/// What stands behind a key of the header, which is a dictionary as Python writes it.
-std::string_view value_of(std::string_view header, std::string_view key, const std::string& where) {
-  const std::size_t at = header.find(fmt::format("'{}':", key));
-  if (at == header.npos) vtk::refuse(where, fmt::format("no '{}' in the header of the array", key));
-  std::string_view value = header.substr(at + key.size() + 3);
-  value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
-  const std::size_t end = value.find_first_of(value.starts_with('(') ? ")" : value.starts_with('[') ? "]" : ",}");
-  return value.substr(0, end);
-}
-
-/// The array of a .npy file, and its bytes, which for objects are a pickle.
-NumpyArray array_in(std::string_view bytes, const std::string& where) {
-  if (!bytes.starts_with("\x93NUMPY") || bytes.size() < 10) vtk::refuse(where, "no array of NumPy");
-  const bool is_first = bytes[6] == 1;
-  const std::size_t start = is_first ? 10 : 12;
-  if (bytes.size() < start) vtk::refuse(where, "ends within its header");
-  const std::size_t length = is_first ? vtk::load<std::uint16_t>(&bytes[8], std::endian::little)
-                                      : vtk::load<std::uint32_t>(&bytes[8], std::endian::little);
-  if (length > bytes.size() - start) vtk::refuse(where, "ends within its header");
-  const std::string_view header = bytes.substr(start, length);
-  std::string_view descr = value_of(header, "descr", where), shape = value_of(header, "shape", where);
-  if (descr.size() > 2 && descr.starts_with('\'')) descr = descr.substr(1, descr.size() - 2);
-  NumpyArray array{.of = numpy::element_type(descr, where),
-                   .is_fortran = value_of(header, "fortran_order", where) == "True"};
-  if (!shape.starts_with('(')) vtk::refuse(where, "a shape without brackets");
-  for (shape.remove_prefix(1); shape.find_first_of("0123456789") != shape.npos;) {
-    shape.remove_prefix(shape.find_first_of("0123456789"));
-    const std::size_t end = std::min(shape.find_first_not_of("0123456789"), shape.size());
-    array.shape.push_back(vtk::whole_number(shape.substr(0, end), where));
-    shape.remove_prefix(end);
+/// An array as a .npy holds it; `bytes` of its numbers are all that follow its header.
+NumpyArray npy_array(std::string_view bytes, const std::string& where) {
+  constexpr std::size_t version_at = npy_begins.size(), length_at = version_at + 2;
+  const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
+  if (!bytes.starts_with(npy_begins)) refuse(where, "no array of numpy, expected one");
+  const unsigned version = at(version_at);
+  if (version < 1 || version > 3) refuse(where, fmt::format("version '{}', expected 1, 2 or 3", version));
+  const std::size_t begin = length_at + (version == 1 ? 2 : 4);
+  std::size_t length = at(length_at) | at(length_at + 1) << 8;
+  if (version > 1) length |= at(length_at + 2) << 16 | static_cast<std::size_t>(at(length_at + 3)) << 24;
+  if (length > longest_header || begin + length > bytes.size())
+    refuse(where, fmt::format("a header of '{}' bytes, expected no more than {}", length,
+                              std::min(longest_header, bytes.size() - std::min(begin, bytes.size()))));
+  const std::string_view header = bytes.substr(begin, length), type = behind(header, "descr", where);
+  const bool is_plain = type.starts_with('\'');
+  NumpyArray array{.kind = numpy::kind_named(is_plain ? type.substr(1, type.find('\'', 1) - 1) : type, where),
+                   .is_fortran = behind(header, "fortran_order", where).starts_with("True"),
+                   .bytes = bytes.substr(begin + length)};
+  std::string_view shape = behind(header, "shape", where);
+  if (!shape.starts_with('(') || shape.find(')') == shape.npos) refuse(where, "no tuple as its shape, expected one");
+  for (shape = shape.substr(1, shape.find(')') - 1); !shape.empty();) {
+    const std::string_view one = shape.substr(0, shape.find(','));
+    array.shape.push_back(
+        whole_number(one.substr(std::min(one.find_first_not_of(' '), one.size())), where + ": shape"));
+    shape.remove_prefix(std::min(one.size() + 1, shape.size()));
   }
-  array.bytes = bytes.substr(start + length);
   return array;
 }
 
-bool is_time(std::string_view name) { return name == "t" || name == "time"; }
-
-/// Arrays by their length: those of the length that most have are a dataset.
-class Collected {
+/// Entries of a zip file in memory, one after the other.
+class Zip {
  public:
-  Collected(const std::filesystem::path& file, std::string format, const Limits& limits)
-      : file_(file), format_(std::move(format)), budget_(limits) {}
-
-  void add(const NumpyArray& array, const std::string& name) {
-    const std::string where = fmt::format("{}: {}", file_.string(), name);
-    if (array.shape.empty() || (array.shape.size() == 1 && array.shape[0] == 1 && is_time(name)))
-      add_number(numbers_of({array.of, {}, false, array.bytes}, name, budget_, where).values.front(), name);
-    else
-      by_part_[""].push_back(numbers_of(array, name, budget_, where));
-  }
-  void add_number(double number, std::string_view name) {
-    if (is_time(name)) time_ = number;
-  }
-
-  /// Dictionaries of arrays, at any depth: the name of one that holds "arrays", or arrays themselves, is that of a
-  /// part.
-  void add(const Pickled& one, const std::string& name, int depth = 0) {
-    if (depth > 8) vtk::refuse(file_.string(), "dictionaries nine deep, expected at most eight");
-    if (one.is(Kind::array) && one.array.of.is_object) {
-      for (const Pickled* item : one.items) add(*item, name, depth + 1);
-    } else if (one.is(Kind::number)) {
-      add_number(one.number, name);
-    } else if (one.is(Kind::dictionary)) {
-      const Pickled* arrays = one["arrays"];
-      const Pickled& of = arrays ? *arrays : one;
-      for (std::size_t k = 0; k + 1 < of.items.size(); k += 2) {
-        const Pickled &key = *of.items[k], &value = *of.items[k + 1];
-        if (!key.is(Kind::text)) continue;
-        const std::string word(key.text);
-        if (value.is(Kind::array) && !value.array.of.is_object && !value.array.shape.empty())
-          by_part_[name].push_back(
-              numbers_of(value.array, word, budget_, fmt::format("{}: {}: {}", file_.string(), name, word)));
-        else if (!arrays)
-          add(value, word, depth + 1);
-      }
-    }
+  Zip(std::string_view bytes, std::string where, const Limits& limits)
+      : where_(std::move(where)), left_(limits.most_bytes), unread_(bytes.size()) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    zip_.reset(source ? zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error) : nullptr);
+    const std::string why = zip_ ? "" : zip_error_strerror(&error);
+    if (!zip_) zip_source_free(source);
+    zip_error_fini(&error);
+    if (!zip_) refuse(where_, fmt::format("{}, expected a zip file of numpy's arrays", why));
+    if (entries() > most_entries)
+      refuse(where_, fmt::format("'{}' entries, expected no more than {}", entries(), most_entries));
   }
 
-  std::vector<Dataset> datasets() const {
-    std::vector<Dataset> all;
-    for (const auto& [part, arrays] : by_part_) {
-      std::map<std::size_t, int> lengths;
-      for (const Array& array : arrays) ++lengths[array.rows()];
-      const auto most = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; });
-      Dataset data{
-          .source = file_.string(), .format = format_, .part = part, .time = time_, .index = vtk::number_of(file_)};
-      for (const Array& array : arrays)
-        if (array.rows() == most->first) data.arrays.push_back(array);
-      all.push_back(std::move(data));
-    }
-    if (all.empty()) vtk::refuse(file_.string(), "no arrays of numbers, expected at least one");
-    return all;
+  std::size_t entries() const { return static_cast<std::size_t>(zip_get_num_entries(zip_.get(), 0)); }
+
+  /// Name without ".npy", and bytes.
+  std::pair<std::string, std::string> read(std::size_t entry) {
+    zip_stat_t is;
+    if (zip_stat_index(zip_.get(), entry, 0, &is) != 0 || !is.name) refuse(where_, "an entry without a name");
+    std::string name = is.name;
+    const std::string where = fmt::format("{}: '{:.80}'", where_, name);
+    if (name.ends_with(".npy")) name.resize(name.size() - 4);
+    if (is.encryption_method != ZIP_EM_NONE || (is.comp_method != ZIP_CM_STORE && is.comp_method != ZIP_CM_DEFLATE))
+      refuse(where, fmt::format("method '{}', expected stored or deflated, not encrypted", is.comp_method));
+    if (is.comp_size > unread_ || is.size > left_ || is.size / most_that_deflate_saves > is.comp_size)
+      refuse(where, fmt::format("'{}' bytes out of {}, expected no more than the file and its limit of memory allow",
+                                is.size, is.comp_size));
+    unread_ -= is.comp_size;
+    left_ -= is.size;
+    std::string bytes;
+    bytes.reserve(is.size);
+    expect_to_fill(bytes.data(), is.size);
+    bytes.resize(is.size);
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> open(zip_fopen_index(zip_.get(), entry, 0), zip_fclose);
+    const bool is_whole = open && zip_fread(open.get(), bytes.data(), bytes.size()) == std::ssize(bytes);
+    char beyond;
+    if (!is_whole || zip_fread(open.get(), &beyond, 1) != 0)  // the last of it compares the checksum
+      refuse(where, fmt::format("{}, expected {} bytes",
+                                open ? zip_file_strerror(open.get()) : zip_strerror(zip_.get()), is.size));
+    return {std::move(name), std::move(bytes)};
   }
 
  private:
-  const std::filesystem::path& file_;
-  std::string format_;
-  vtk::Budget budget_;
-  std::map<std::string, std::vector<Array>> by_part_{};
-  std::optional<double> time_{};
+  std::string where_;
+  std::unique_ptr<zip_t, void (*)(zip_t*)> zip_{nullptr, zip_discard};
+  std::size_t left_, unread_;
 };
+
+/// The object that an array of objects with no dimension holds; `pickle` owns it.
+const Pickle::Object* only_object(const Pickle& pickle) {
+  const Pickle::Object& array = pickle.root();
+  const bool is_one = array.items.size() == 1 && array.items[0]->items.size() == 1;
+  return array.is == Pickle::Object::Is::array && is_one ? array.items[0]->items[0] : nullptr;
+}
+
+/// PySPH's Output of version 2: pysph/solver/output.py.
+Dataset pysph_dataset(const std::map<std::string, std::string>& entries, const fs::path& file, Budget& budget) {
+  const auto pickled = [&](const char* name) {
+    const std::string where = fmt::format("{}: '{}.npy'", file.string(), name);
+    const NumpyArray array = npy_array(entries.at(name), where);
+    if (array.kind.letter != 'O') refuse(where, "no object, expected one of PySPH's output, version 2");
+    return Pickle(array.bytes, where);
+  };
+  const Pickle particles = pickled("particles"), solver = pickled("solver_data");
+  const Pickle::Object* all = only_object(particles);
+  if (!all || all->is != Pickle::Object::Is::dictionary)
+    refuse(file.string() + ": 'particles.npy'", "no dictionary, expected one of PySPH's output, version 2");
+  std::vector<ParticleArray> read;
+  for (std::size_t i = 0; i + 1 < all->items.size(); i += 2) {
+    ParticleArray& one = read.emplace_back(ParticleArray{.name = std::string(all->items[i]->text), .arrays = {}});
+    const std::string where = fmt::format("{}: particle array '{:.80}'", file.string(), one.name);
+    const Pickle::Object* arrays = Pickle::value(all->items[i + 1], "arrays");
+    if (!arrays) refuse(where, "no dictionary 'arrays', expected one");
+    for (std::size_t k = 0; k + 1 < arrays->items.size(); k += 2) {
+      const std::string name(arrays->items[k]->text);
+      if (arrays->items[k + 1]->is != Pickle::Object::Is::array)
+        refuse(where, fmt::format("property '{:.80}' is no array, expected one", name));
+      one.arrays.push_back(
+          {.name = name, .values = numpy::numbers_of(arrays->items[k + 1]->array, budget, where + ": " + name)});
+    }
+  }
+  Dataset dataset{.format = "NPZ of PySPH", .arrays = rows_of(std::move(read), file.string())};
+  const Pickle::Object* time = Pickle::value(only_object(solver), "t");
+  if (time && time->is == Pickle::Object::Is::number && std::isfinite(time->number)) dataset.time = time->number;
+  return dataset;
+}
+
+/// Numbers by their names; an entry is gone as soon as it is read.
+Dataset plain_dataset(std::map<std::string, std::string> entries, const fs::path& file, Budget& budget) {
+  Dataset dataset{.format = "NPZ"};
+  std::vector<Block> blocks;
+  for (auto& [name, held] : entries) {
+    const std::string bytes = std::exchange(held, {}), where = fmt::format("{}: '{:.80}.npy'", file.string(), name);
+    const NumpyArray array = npy_array(bytes, where);
+    if (array.kind.letter == 'O')
+      refuse(where, "objects of Python, expected numbers, or 'particles' and 'solver_data' of PySPH");
+    if (!array.kind.is_number()) continue;  // texts are of no row
+    if (numpy::size_of(array, where) != 1) {
+      blocks.push_back({name, array.shape, numpy::numbers_of(array, budget, where)});
+    } else if (names_time(name)) {
+      const Type type = array.kind.letter == 'f' && array.kind.bytes == 4 ? Type::float32 : Type::float64;
+      dataset.time = time_of(numpy::numbers_of({array.kind, {}, false, array.bytes}, budget, where)[0], type);
+      if (!std::isfinite(*dataset.time)) refuse(where, fmt::format("'{}', expected a time", *dataset.time));
+    }
+  }
+  dataset.arrays = rows_of(std::move(blocks), file.string());
+  return dataset;
+}
+
+std::vector<Dataset> with_file(Dataset dataset, const fs::path& file) {
+  dataset.source = file.filename().string();
+  dataset.index = number_of(file);
+  return parted_by_time(std::move(dataset));
+}
 
 }  // namespace
 
-std::vector<Dataset> read_npy(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
-  const bool is_archive = bytes.starts_with("PK");
-  Collected all(file, is_archive ? "NPZ" : "NPY", limits);
-  const std::vector<Member> members = is_archive ? members_of(bytes, file.string(), limits)
-                                                 : std::vector<Member>{{file.stem().string(), std::string(bytes)}};
-  for (const Member& member : members) {
-    const std::string where = fmt::format("{}: {}", file.string(), member.name);
-    const NumpyArray array = array_in(member.bytes, where);
-    if (array.of.is_object)
-      all.add(Pickle(array.bytes, where).root(), member.name);
-    else
-      all.add(array, member.name);
+std::vector<Dataset> read_npy(const fs::path& file, std::string_view bytes, const Limits& limits) {
+  const NumpyArray array = npy_array(bytes, file.string());
+  Budget budget(limits);
+  std::vector<Block> blocks{{"column 1", array.shape, numpy::numbers_of(array, budget, file.string())}};
+  return with_file({.format = "NPY", .arrays = rows_of(std::move(blocks), file.string())}, file);
+}
+
+std::vector<Dataset> read_npz(const fs::path& file, std::string_view bytes, const Limits& limits) {
+  Zip zip(bytes, file.string(), limits);
+  std::map<std::string, std::string> entries;
+  for (std::size_t i = 0; i < zip.entries(); ++i) {
+    auto [name, of_it] = zip.read(i);
+    if (!entries.emplace(name, std::move(of_it)).second)
+      refuse(file.string(), fmt::format("array '{:.80}' twice, expected each name once", name));
   }
-  return all.datasets();
+  Budget budget(limits);
+  const bool is_pysph = entries.contains("particles") && entries.contains("solver_data");
+  return with_file(is_pysph ? pysph_dataset(entries, file, budget) : plain_dataset(std::move(entries), file, budget),
+                   file);
 }
 
 }  // namespace touchstone::vnv::doors

@@ -2,58 +2,68 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
+
 namespace touchstone::vnv::doors::numpy {
 
-ElementType element_type(std::string_view descr, const std::string& where) {
-  using vtk::Type;
-  std::string_view text = descr;
-  ElementType found;
-  if (text.starts_with('>')) found.order = std::endian::big;
-  if (text.starts_with('<') || text.starts_with('>') || text.starts_with('|') || text.starts_with('='))
-    text.remove_prefix(1);
-  constexpr std::array<std::pair<std::string_view, Type>, 11> known{{{"f8", Type::float64},
-                                                                     {"f4", Type::float32},
-                                                                     {"i8", Type::int64},
-                                                                     {"i4", Type::int32},
-                                                                     {"i2", Type::int16},
-                                                                     {"i1", Type::int8},
-                                                                     {"u8", Type::uint64},
-                                                                     {"u4", Type::uint32},
-                                                                     {"u2", Type::uint16},
-                                                                     {"u1", Type::uint8},
-                                                                     {"b1", Type::uint8}}};
-  found.is_object = text == "O" || text == "O8";
-  if (found.is_object) return found;
-  const auto at = std::ranges::find(known, text, &std::pair<std::string_view, Type>::first);
-  if (at == known.end())
-    vtk::refuse(where, fmt::format("elements of type '{}', expected numbers of 1 to 8 bytes", descr.substr(0, 60)));
-  found.type = at->second;
-  return found;
+Kind kind_named(std::string_view name, const std::string& where) {
+  Kind kind;
+  std::string_view rest = name;
+  if (rest.starts_with('>')) kind.order = std::endian::big;
+  if (!rest.empty() && std::string_view("<>|=").find(rest[0]) != rest.npos) rest.remove_prefix(1);
+  kind.letter = rest.empty() ? '?' : rest[0];
+  kind.bytes = 0;
+  const std::string_view digits = rest.substr(std::min<std::size_t>(rest.size(), 1));
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), kind.bytes);
+  const bool has_size = error == std::errc{} && end == digits.data() + digits.size();
+  if (digits.empty() && kind.letter == 'O') kind.bytes = 8;
+  const bool is_power = kind.bytes == 2 || kind.bytes == 4 || kind.bytes == 8;
+  const std::string_view no_numbers = "OSU";
+  const bool is_known = (kind.letter == 'b' && kind.bytes == 1) || (kind.letter == 'f' && is_power) ||
+                        ((kind.letter == 'i' || kind.letter == 'u') && (is_power || kind.bytes == 1)) ||
+                        no_numbers.find(kind.letter) != no_numbers.npos;
+  if (!is_known || (!digits.empty() && !has_size))
+    refuse(where, fmt::format("type '{:.40}', expected f2, f4, f8, i1 to i8, u1 to u8 or b1", name));
+  return kind;
 }
 
-Array numbers_of(const NumpyArray& array, const std::string& name, vtk::Budget& budget, const std::string& where) {
-  std::size_t components = 1;
-  for (std::size_t k = 1; k < array.shape.size(); ++k) {
-    if (array.shape[k] == 0 || array.shape[k] > 1'000'000 || components > 1'000'000)
-      vtk::refuse(where,
-                  fmt::format("'{}' has {} components in a direction, expected 1 to a million", name, array.shape[k]));
-    components *= array.shape[k];
+std::size_t size_of(const NumpyArray& array, const std::string& where) {
+  std::size_t size = 1;
+  for (const std::size_t length : array.shape) {
+    if (length != 0 && size > array.bytes.size() / length)
+      refuse(where, fmt::format("a shape of more numbers than its {} bytes, expected no more", array.bytes.size()));
+    size *= length;
   }
-  const std::size_t count = budget.take(array.rows(), components, where), size = vtk::bytes_of(array.of.type);
-  if (array.bytes.size() / size < count)
-    vtk::refuse(where,
-                fmt::format("'{}' has {} bytes, expected {} numbers of {}", name, array.bytes.size(), count, size));
-  Array made{name, static_cast<int>(components)};
-  vtk::append_bytes(array.bytes.substr(0, count * size), array.of.type, array.of.order, made.values);
-  if (!array.is_fortran || array.shape.size() < 2) return made;
-  if (array.shape.size() > 2)
-    vtk::refuse(where, fmt::format("'{}' has {} dimensions in the order of Fortran, expected at most 2", name,
-                                   array.shape.size()));
-  const std::vector<double> columns = std::move(made.values);
-  made.values.resize(count);
-  for (std::size_t row = 0; row < array.rows(); ++row)
-    for (std::size_t k = 0; k < components; ++k) made.values[row * components + k] = columns[k * array.rows() + row];
-  return made;
+  if (array.kind.bytes != 0 &&
+      (array.bytes.size() % array.kind.bytes != 0 || array.bytes.size() / array.kind.bytes != size))
+    refuse(where, fmt::format("'{}' bytes, expected {} numbers of {}", array.bytes.size(), size, array.kind.bytes));
+  return size;
+}
+
+std::vector<double> numbers_of(const NumpyArray& array, Budget& budget, const std::string& where) {
+  if (!array.kind.is_number()) refuse(where, fmt::format("type '{}', expected numbers", array.kind.letter));
+  if (array.shape.size() > 2) refuse(where, fmt::format("'{}' dimensions, expected 1 or 2", array.shape.size()));
+  std::vector<double> numbers;
+  const std::size_t size = size_of(array, where);
+  if (size == 0) return numbers;
+  budget.take(size, 1, where);
+  if (array.kind.letter == 'f' && array.kind.bytes == 2) {
+    numbers.reserve(size);
+    for (std::size_t i = 0; i < size; ++i)
+      numbers.push_back(Eigen::half_impl::half_to_float(
+          Eigen::half_impl::raw_uint16_to_half(load<std::uint16_t>(array.bytes.data() + 2 * i, array.kind.order))));
+  } else {
+    const auto power = static_cast<std::size_t>(std::countr_zero(array.kind.bytes));  // of 1, 2, 4 or 8 bytes
+    const Type type = array.kind.letter == 'f' ? (array.kind.bytes == 4 ? Type::float32 : Type::float64)
+                                               : static_cast<Type>(2 * power + (array.kind.letter != 'i'));
+    append_bytes(array.bytes, type, array.kind.order, numbers);
+  }
+  if (!array.is_fortran || array.shape.size() < 2) return numbers;
+  const std::size_t rows = array.shape[0], columns = array.shape[1];
+  std::vector<double> turned(size);
+  for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t row = 0; row < rows; ++row) turned[row * columns + column] = numbers[column * rows + row];
+  return turned;
 }
 
 }  // namespace touchstone::vnv::doors::numpy

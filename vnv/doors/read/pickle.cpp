@@ -2,355 +2,307 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 
-namespace touchstone::vnv::doors::numpy {
+namespace touchstone::vnv::doors {
+namespace {
 
-using Kind = Pickled::Kind;
+using Object = Pickle::Object;
+using Is = Object::Is;
 
-const Pickled* Pickled::operator[](std::string_view key) const {
-  if (kind == Kind::dictionary)
-    for (std::size_t k = 0; k + 1 < items.size(); k += 2)
-      if (items[k]->is(Kind::text) && items[k]->text == key) return items[k + 1];
+constexpr std::size_t most_objects = 100'000, most_dimensions = 32;  // the last of numpy
+
+/// numpy 2 calls numpy.core numpy._core.
+constexpr std::array<std::string_view, 10> names_that_are_known = {"numpy.core.multiarray._reconstruct",
+                                                                   "numpy._core.multiarray._reconstruct",
+                                                                   "numpy.core.multiarray.scalar",
+                                                                   "numpy._core.multiarray.scalar",
+                                                                   "numpy.core.numeric._frombuffer",
+                                                                   "numpy._core.numeric._frombuffer",
+                                                                   "numpy.ndarray",
+                                                                   "numpy.dtype",
+                                                                   "_codecs.encode",
+                                                                   "collections.OrderedDict"};
+
+/// Latin-1 of what UTF-8 holds, as Python 2 and 3 pass bytes to each other; nothing where it is beyond.
+std::optional<std::string> latin1_of(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c < 0x80) {
+      bytes += text[i];
+    } else if ((c == 0xc2 || c == 0xc3) && i + 1 < text.size()) {
+      bytes += static_cast<char>((c & 3) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3f));
+    } else {
+      return {};
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Pickle::Pickle(std::string_view bytes, std::string where)
+    : rest_(bytes), where_(std::move(where)), size_(bytes.size()) {
+  const std::string_view head = take(2);
+  if (head[0] != '\x80' || head[1] < 2 || head[1] > 5)
+    refuse_here(fmt::format("protocol '{}', expected a pickle of protocol 2 to 5", static_cast<int>(head[1])));
+  while (!root_) run(static_cast<unsigned char>(take(1)[0]));
+}
+
+const Object* Pickle::value(const Object* object, std::string_view key) {
+  if (!object || object->is != Is::dictionary) return nullptr;
+  for (std::size_t i = 0; i + 1 < object->items.size(); i += 2)
+    if (object->items[i]->is == Is::text && object->items[i]->text == key) return object->items[i + 1];
   return nullptr;
 }
 
-/// The instructions of pickletools (Python 3.11), protocols 0 to 5, but for what NumPy does not write.
-class PickleMachine {
- public:
-  PickleMachine(Pickle& pickle, std::string_view bytes, const std::string& where)
-      : pickle_(pickle), all_bytes_(bytes), left_(bytes), where_(where) {}
+void Pickle::refuse_here(const std::string& what) const {
+  refuse(fmt::format("{}: byte {} of its pickle", where_, size_ - rest_.size()), what);
+}
 
-  void run() {
-    while (true) {
-      const char code = take(1).front();
-      if (code == '.') break;
-      execute(code);
-    }
-    pickle_.root_ = pop();
-  }
+Object* Pickle::make(Object object) {
+  if (objects_.size() == most_objects) refuse_here(fmt::format("expected no more than {} objects", most_objects));
+  return &objects_.emplace_back(std::move(object));
+}
 
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    vtk::refuse(where_, fmt::format("pickle, byte {}: {}", all_bytes_.size() - left_.size(), what));
-  }
+Object* Pickle::pop() {
+  if (stack_.empty() || (!marks_.empty() && marks_.back() == stack_.size()))
+    refuse_here("takes from an empty stack, expected an object on it");
+  Object* top = stack_.back();
+  stack_.pop_back();
+  return top;
+}
 
-  std::string_view take(std::size_t count) {
-    if (count > left_.size()) refuse("ends too early");
-    const std::string_view part = left_.substr(0, count);
-    left_.remove_prefix(count);
-    return part;
-  }
-  template <class Number>
-  Number whole() {
-    return vtk::load<Number>(take(sizeof(Number)).data(), std::endian::little);
-  }
-  std::string_view line() {
-    const std::size_t end = left_.find('\n');
-    if (end == left_.npos) refuse("a line without an end");
-    const std::string_view text = take(end);
-    take(1);
-    return text;
-  }
+std::vector<Object*> Pickle::pop_to_mark() {
+  if (marks_.empty()) refuse_here("no mark, expected one");
+  std::vector<Object*> items(stack_.begin() + static_cast<std::ptrdiff_t>(marks_.back()), stack_.end());
+  stack_.resize(marks_.back());
+  marks_.pop_back();
+  return items;
+}
 
-  Pickled& make(Kind kind) {
-    if (pickle_.all_.size() > 1'000'000) refuse("more than a million parts");
-    Pickled& made = pickle_.all_.emplace_back();
-    made.kind = kind;
-    return made;
-  }
-  void push(Pickled& made) { stack_.push_back(&made); }
-  void push_number(double value) {
-    Pickled& made = make(Kind::number);
-    made.number = value;
-    push(made);
-  }
-  void push_text(std::string_view text) {
-    Pickled& made = make(Kind::text);
-    made.text = text;
-    push(made);
-  }
-  Pickled* pop() {
-    if (stack_.empty()) refuse("takes what is not there");
-    Pickled* top = stack_.back();
-    stack_.pop_back();
-    return top;
-  }
-  Pickled& top() {
-    if (stack_.empty()) refuse("asks for what is not there");
-    return *stack_.back();
-  }
-  /// All above the last mark.
-  std::vector<const Pickled*> above_mark() {
-    if (marks_.empty() || marks_.back() > stack_.size()) refuse("no mark");
-    const auto first = stack_.begin() + static_cast<std::ptrdiff_t>(marks_.back());
-    std::vector<const Pickled*> items(first, stack_.end());
-    stack_.erase(first, stack_.end());
-    marks_.pop_back();
-    return items;
-  }
-  void push_list(std::vector<const Pickled*> items) {
-    Pickled& made = make(Kind::list);
-    made.items = std::move(items);
-    push(made);
-  }
-  void push_last(std::size_t count) {
-    std::vector<const Pickled*> items(count);
-    for (std::size_t k = count; k > 0; --k) items[k - 1] = pop();
-    push_list(std::move(items));
-  }
-  void add(const std::vector<const Pickled*>& items, Kind kind) {
-    Pickled& to = top();
-    if (!to.is(kind) || (kind == Kind::dictionary && items.size() % 2 != 0))
-      refuse("adds to what is no container of it");
-    to.items.insert(to.items.end(), items.begin(), items.end());
-  }
+std::string_view Pickle::take(std::size_t size) {
+  if (size > rest_.size()) refuse_here(fmt::format("'{}' bytes, expected no more than {}", size, rest_.size()));
+  const std::string_view taken = rest_.substr(0, size);
+  rest_.remove_prefix(size);
+  return taken;
+}
 
-  void execute(char code) {
-    switch (code) {
-      case '\x80':
-        if (const int protocol = whole<std::uint8_t>(); protocol > 5)
-          refuse(fmt::format("protocol {}, expected 0 to 5", protocol));
-        break;
-      case '\x95':  // FRAME
-        take(8);
-        break;
-      case '(':
-        marks_.push_back(stack_.size());
-        break;
-      case '0':
-        pop();
-        break;
-      case 'N':
-        push(make(Kind::none));
-        break;
-      case '\x88':
-      case '\x89':
-        push_number(code == '\x88');
-        break;
-      case 'K':
-        push_number(whole<std::uint8_t>());
-        break;
-      case 'M':
-        push_number(whole<std::uint16_t>());
-        break;
-      case 'J':
-        push_number(whole<std::int32_t>());
-        break;
-      case '\x8a':
-        push_long(take(whole<std::uint8_t>()));
-        break;
-      case 'G':
-        push_number(vtk::load<double>(take(8).data(), std::endian::big));
-        break;
-      case 'X':
-      case 'B':
-        push_text(take(whole<std::uint32_t>()));
-        break;
-      case '\x8c':
-      case 'C':
-      case 'U':
-        push_text(take(whole<std::uint8_t>()));
-        break;
-      case '\x8d':
-      case '\x8e':
-      case '\x96':
-        push_text(take(whole<std::uint64_t>()));
-        break;
-      case ')':
-      case ']':
-        push_list({});
-        break;
-      case '}':
-        push(make(Kind::dictionary));
-        break;
-      case 't':
-      case 'l':
-        push_list(above_mark());
-        break;
-      case '\x85':
-      case '\x86':
-      case '\x87':
-        push_last(static_cast<std::size_t>(code - '\x84'));
-        break;
-      case 'a': {
-        const Pickled* item = pop();
-        add({item}, Kind::list);
-        break;
-      }
-      case 'e':
-        add(above_mark(), Kind::list);
-        break;
-      case 's': {
-        const Pickled *value = pop(), *key = pop();
-        add({key, value}, Kind::dictionary);
-        break;
-      }
-      case 'u':
-        add(above_mark(), Kind::dictionary);
-        break;
-      case 'q':
-        memo_[whole<std::uint8_t>()] = &top();
-        break;
-      case 'r':
-        memo_[whole<std::uint32_t>()] = &top();
-        break;
-      case '\x94':
-        memo_[memo_.size()] = &top();
-        break;
-      case 'h':
-        push(remembered(whole<std::uint8_t>()));
-        break;
-      case 'j':
-        push(remembered(whole<std::uint32_t>()));
-        break;
-      case 'c': {
-        const std::string_view module = line();
-        push_constructor(module, line());
-        break;
-      }
-      case '\x93': {
-        const Pickled *name = pop(), *module = pop();
-        push_constructor(module->text, name->text);
-        break;
-      }
-      case 'R':
-        call();
-        break;
-      case 'b':
-        build();
-        break;
-      default:
-        refuse(fmt::format("instruction {:#04x}, which NumPy does not write", static_cast<unsigned char>(code)));
-    }
-  }
+std::string_view Pickle::take_line() {
+  const std::size_t end = rest_.find('\n');
+  if (end == rest_.npos) refuse_here("ends within a name, expected more of it");
+  const std::string_view line = take(end);
+  take(1);
+  return line;
+}
 
-  Pickled& remembered(std::size_t number) {
-    const auto found = memo_.find(number);
-    if (found == memo_.end()) refuse("recalls what was not kept");
-    return *found->second;
-  }
+std::size_t Pickle::take_whole(std::size_t bytes) {
+  std::size_t value = 0;
+  const std::string_view taken = take(bytes);
+  for (std::size_t i = bytes; i-- > 0;) value = value << 8 | static_cast<unsigned char>(taken[i]);
+  return value;
+}
 
-  void push_long(std::string_view bytes) {  // two's complement, least byte first
-    if (bytes.size() > 9) refuse("a whole number of more than 8 bytes");
-    double value = 0, place = 1;
-    for (const char byte : bytes) {
-      value += place * static_cast<unsigned char>(byte);
-      place *= 256;
-    }
-    push_number(!bytes.empty() && (bytes.back() & 0x80) ? value - place : value);
-  }
+void Pickle::push_long(std::string_view bytes) {
+  if (bytes.size() > 8) refuse_here(fmt::format("a number of '{}' bytes, expected no more than 8", bytes.size()));
+  std::uint64_t value = 0;
+  for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  const std::size_t unused = 64 - 8 * bytes.size();
+  push({.is = Is::number,
+        .number = bytes.empty() ? 0. : static_cast<double>(static_cast<std::int64_t>(value << unused) >> unused)});
+}
 
-  void push_constructor(std::string_view module, std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> allowed{
-        {{"numpy", "ndarray"},
-         {"numpy", "dtype"},
-         {"numpy.core.multiarray", "_reconstruct"},
-         {"numpy.core.multiarray", "scalar"},
-         {"numpy._core.multiarray", "_reconstruct"},
-         {"numpy._core.multiarray", "scalar"},
-         {"numpy.core.numeric", "_frombuffer"},
-         {"numpy._core.numeric", "_frombuffer"},
-         {"_codecs", "encode"}}};
-    if (std::ranges::find(allowed, std::pair(module, name)) == allowed.end())
-      refuse(fmt::format("asks for '{}.{}', expected only what makes arrays of NumPy", module.substr(0, 40),
-                         name.substr(0, 40)));
-    Pickled& made = make(Kind::constructor);
-    made.text = name;
-    push(made);
-  }
+void Pickle::push_name(std::string_view module, std::string_view name) {
+  const std::string& whole = decoded_.emplace_back(fmt::format("{}.{}", module, name));
+  if (std::ranges::find(names_that_are_known, whole) == names_that_are_known.end())
+    refuse_here(
+        fmt::format("the name '{:.80}', expected plain numbers, texts, lists, dictionaries and numpy's arrays", whole));
+  push({.is = Is::name, .text = whole});
+}
 
-  const Pickled& argument(const std::vector<const Pickled*>& of, std::size_t k, Kind kind) const {
-    if (k >= of.size() || !of[k]->is(kind))
-      refuse(fmt::format("argument {} of a constructor is not what it should be", k + 1));
-    return *of[k];
-  }
+void Pickle::append(Object& to, std::vector<Object*> items, Is is) {
+  if (to.is != is || (is == Is::dictionary && items.size() % 2 != 0))
+    refuse_here("adds to what it cannot, expected a list or a dictionary");
+  to.items.insert(to.items.end(), items.begin(), items.end());
+}
 
-  void call() {
-    const Pickled *arguments = pop(), *constructor = pop();
-    if (!constructor->is(Kind::constructor) || !arguments->is(Kind::list)) refuse("calls what is no constructor");
-    const auto& of = arguments->items;
-    if (constructor->text == "_reconstruct") {
-      push(make(Kind::array));
-    } else if (constructor->text == "dtype") {
-      Pickled& made = make(Kind::type);
-      made.text = argument(of, 0, Kind::text).text;
-      made.array.of = element_type(made.text, where_);
-      push(made);
-    } else if (constructor->text == "encode") {
-      push_text(pickle_.decoded_.emplace_back(bytes_of_latin1(argument(of, 0, Kind::text).text)));
-    } else if (constructor->text == "scalar") {
-      push_scalar(argument(of, 0, Kind::type).array.of, argument(of, 1, Kind::text).text);
-    } else if (constructor->text == "_frombuffer") {
-      Pickled& made = make(Kind::array);
-      made.array.of = argument(of, 1, Kind::type).array.of;
-      made.array.shape = shape(argument(of, 2, Kind::list));
-      made.array.is_fortran = argument(of, 3, Kind::text).text == "F";
-      made.array.bytes = argument(of, 0, Kind::text).text;
-      push(made);
-    } else {
-      refuse(fmt::format("calls '{}', expected what makes arrays", constructor->text));
-    }
-  }
+void Pickle::recall(std::size_t slot) {
+  const auto known = memo_.find(slot);
+  if (known == memo_.end()) refuse_here(fmt::format("recalls '{}', expected what it memorised", slot));
+  stack_.push_back(known->second);
+}
 
-  /// Up to protocol 2 a byte is the character of its number, in UTF-8.
-  std::string bytes_of_latin1(std::string_view text) const {
-    std::string bytes;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-      const auto byte = static_cast<unsigned char>(text[k]);
-      if (byte < 0x80) {
-        bytes += text[k];
-        continue;
-      }
-      if ((byte != 0xc2 && byte != 0xc3) || k + 1 == text.size()) refuse("characters that are no bytes");
-      bytes += static_cast<char>((byte & 3) << 6 | (text[++k] & 0x3f));
-    }
-    return bytes;
-  }
-
-  void push_scalar(const ElementType& of, std::string_view bytes) {
-    if (of.is_object || bytes.size() != vtk::bytes_of(of.type)) refuse("a scalar of another size than its type");
-    std::vector<double> one;
-    vtk::append_bytes(bytes, of.type, of.order, one);
-    push_number(one.front());
-  }
-
-  std::vector<std::size_t> shape(const Pickled& list) const {
-    std::vector<std::size_t> lengths;
-    for (const Pickled* length : list.items) {
-      if (!length->is(Kind::number) || !(length->number >= 0 && length->number < 1e15)) refuse("a shape that is none");
-      lengths.push_back(static_cast<std::size_t>(length->number));
-    }
-    return lengths;
-  }
-
-  /// What is called back to give a type its order of bytes, and an array its shape, type and contents.
-  void build() {
-    const Pickled* state = pop();
-    Pickled& made = top();
-    if (made.is(Kind::type)) {
-      if (state->items.size() > 1 && state->items[1]->text == ">") made.array.of.order = std::endian::big;
+void Pickle::run(unsigned char opcode) {
+  const auto top = [&]() -> Object& { return *stack_.emplace_back(pop()); };
+  const auto list_of = [&](std::size_t count) {
+    Object list{.is = Is::list, .items = std::vector<const Object*>(count)};
+    while (count-- > 0) list.items[count] = pop();
+    push(std::move(list));
+  };
+  switch (opcode) {
+    case '.':  // STOP
+      root_ = pop();
       return;
+    case 0x95:  // FRAME
+      take(8);
+      return;
+    case '(':  // MARK
+      marks_.push_back(stack_.size());
+      return;
+    case '0':  // POP
+      pop();
+      return;
+    case 'N':
+      return push({});
+    case 0x88:  // NEWTRUE
+    case 0x89:  // NEWFALSE
+      return push({.is = Is::number, .number = opcode == 0x88 ? 1. : 0.});
+    case 'J':  // BININT
+      return push_long(take(4));
+    case 'K':  // BININT1
+      return push({.is = Is::number, .number = static_cast<double>(take_whole(1))});
+    case 'M':  // BININT2
+      return push({.is = Is::number, .number = static_cast<double>(take_whole(2))});
+    case 0x8a:  // LONG1
+      return push_long(take(take_whole(1)));
+    case 0x8b:  // LONG4
+      return push_long(take(take_whole(4)));
+    case 'G':  // BINFLOAT
+      return push({.is = Is::number, .number = load<double>(take(8).data(), std::endian::big)});
+    case 0x8c:  // SHORT_BINUNICODE
+    case 'C':   // SHORT_BINBYTES
+    case 'U':   // SHORT_BINSTRING
+      return push({.is = Is::text, .text = take(take_whole(1))});
+    case 'X':  // BINUNICODE
+    case 'B':  // BINBYTES
+    case 'T':  // BINSTRING
+      return push({.is = Is::text, .text = take(take_whole(4))});
+    case 0x8d:  // BINUNICODE8
+    case 0x8e:  // BINBYTES8
+    case 0x96:  // BYTEARRAY8
+      return push({.is = Is::text, .text = take(take_whole(8))});
+    case ']':  // EMPTY_LIST
+    case ')':  // EMPTY_TUPLE
+      return push({.is = Is::list});
+    case '}':  // EMPTY_DICT
+      return push({.is = Is::dictionary});
+    case 0x85:  // TUPLE1
+    case 0x86:  // TUPLE2
+    case 0x87:  // TUPLE3
+      return list_of(opcode - 0x84);
+    case 't': {  // TUPLE
+      const std::vector<Object*> items = pop_to_mark();
+      return push({.is = Is::list, .items = {items.begin(), items.end()}});
     }
-    if (!made.is(Kind::array) || !state->is(Kind::list)) refuse("gives a state to what has none");
-    const auto& of = state->items;
-    made.array.shape = shape(argument(of, 1, Kind::list));
-    made.array.of = argument(of, 2, Kind::type).array.of;
-    made.array.is_fortran = argument(of, 3, Kind::number).number != 0;
-    if (made.array.of.is_object)
-      made.items = argument(of, 4, Kind::list).items;
-    else
-      made.array.bytes = argument(of, 4, Kind::text).text;
+    case 'a': {  // APPEND
+      Object* item = pop();
+      return append(top(), {item}, Is::list);
+    }
+    case 'e': {  // APPENDS
+      const std::vector<Object*> items = pop_to_mark();
+      return append(top(), items, Is::list);
+    }
+    case 's': {  // SETITEM
+      Object *item = pop(), *key = pop();
+      return append(top(), {key, item}, Is::dictionary);
+    }
+    case 'u': {  // SETITEMS
+      const std::vector<Object*> items = pop_to_mark();
+      return append(top(), items, Is::dictionary);
+    }
+    case 'q':  // BINPUT
+    case 'r':  // LONG_BINPUT
+      memo_[take_whole(opcode == 'q' ? 1 : 4)] = &top();
+      return;
+    case 0x94:  // MEMOIZE
+      memo_[memo_.size()] = &top();
+      return;
+    case 'h':  // BINGET
+    case 'j':  // LONG_BINGET
+      return recall(take_whole(opcode == 'h' ? 1 : 4));
+    case 'c': {  // GLOBAL
+      const std::string_view module = take_line();
+      return push_name(module, take_line());
+    }
+    case 0x93: {  // STACK_GLOBAL
+      const Object *name = pop(), *module = pop();
+      return push_name(module->text, name->text);
+    }
+    case 'R': {  // REDUCE
+      const Object *arguments = pop(), *function = pop();
+      return push(reduced(*function, *arguments));
+    }
+    case 'b': {  // BUILD
+      const Object* state = pop();
+      return build(top(), *state);
+    }
+    default:
+      refuse_here(fmt::format("opcode '{}', expected those of plain numbers, texts, lists and dictionaries", opcode));
   }
+}
 
-  Pickle& pickle_;
-  std::string_view all_bytes_, left_;
-  const std::string& where_;
-  std::vector<Pickled*> stack_{};
-  std::vector<std::size_t> marks_{};
-  std::map<std::size_t, Pickled*> memo_{};
-};
+std::vector<std::size_t> Pickle::shape_of(const Object& lengths) const {
+  std::vector<std::size_t> shape;
+  if (lengths.items.size() > most_dimensions)
+    refuse_here(fmt::format("'{}' dimensions, expected no more than {}", lengths.items.size(), most_dimensions));
+  for (const Object* length : lengths.items) {
+    if (length->is != Is::number || !(length->number >= 0 && length->number < 1e15))
+      refuse_here(fmt::format("a length of '{}', expected a whole number from 0", length->number));
+    shape.push_back(static_cast<std::size_t>(length->number));
+  }
+  return shape;
+}
 
-Pickle::Pickle(std::string_view bytes, const std::string& where) { PickleMachine(*this, bytes, where).run(); }
+/// What numpy's functions would give.
+Object Pickle::reduced(const Object& function, const Object& arguments) {
+  const auto& given = arguments.items;
+  const auto is = [&](std::size_t i, Is kind) { return i < given.size() && given[i]->is == kind; };
+  if (function.is != Is::name || arguments.is != Is::list)
+    refuse_here("calls what is no function of numpy, expected one");
+  const std::string_view name = function.text.substr(function.text.rfind('.') + 1);
+  if (name == "OrderedDict" && given.empty()) return {.is = Is::dictionary};
+  if (name == "_reconstruct") return {.is = Is::array};
+  if (name == "dtype" && is(0, Is::text))
+    return {.is = Is::type, .array = {.kind = numpy::kind_named(given[0]->text, where_)}};
+  if (name == "encode" && is(0, Is::text)) {
+    decoded_bytes_ += given[0]->text.size();
+    if (decoded_bytes_ > size_) refuse_here("decodes the same text again, expected each once");
+    if (const std::optional<std::string> bytes = latin1_of(given[0]->text))
+      return {.is = Is::text, .text = decoded_.emplace_back(*bytes)};
+  }
+  if (name == "scalar" && is(0, Is::type) && is(1, Is::text)) {
+    const numpy::NumpyArray one{.kind = given[0]->array.kind, .bytes = given[1]->text};
+    if (!one.kind.is_number()) return {.is = Is::text, .text = one.bytes};
+    Budget budget(Limits{});
+    return {.is = Is::number, .number = numpy::numbers_of(one, budget, where_).at(0)};
+  }
+  if (name == "_frombuffer" && is(0, Is::text) && is(1, Is::type) && is(2, Is::list) && is(3, Is::text)) {
+    return {.is = Is::array,
+            .array = {.kind = given[1]->array.kind,
+                      .shape = shape_of(*given[2]),
+                      .is_fortran = given[3]->text == "F",
+                      .bytes = given[0]->text}};
+  }
+  refuse_here(fmt::format("{} of other arguments than numpy gives it, expected those", function.text));
+}
 
-}  // namespace touchstone::vnv::doors::numpy
+/// The state of a type, (version, byte order, ...), or of an array, (version, shape, type, Fortran's order, bytes).
+void Pickle::build(Object& object, const Object& state) {
+  const auto& given = state.items;
+  const auto is = [&](std::size_t i, Is kind) { return i < given.size() && given[i]->is == kind; };
+  if (object.is == Is::type && is(1, Is::text) && is(2, Is::none) && is(3, Is::none)) {
+    object.array.kind.order = given[1]->text == ">" ? std::endian::big : std::endian::little;
+  } else if (object.is == Is::array && is(1, Is::list) && is(2, Is::type) && is(3, Is::number) &&
+             (is(4, Is::text) || is(4, Is::list))) {
+    object.array = {.kind = given[2]->array.kind,
+                    .shape = shape_of(*given[1]),
+                    .is_fortran = given[3]->number != 0,
+                    .bytes = given[4]->text};
+    object.items = {given[4]};
+  } else {
+    refuse_here("a state of other parts than numpy gives it, expected those");
+  }
+}
+
+}  // namespace touchstone::vnv::doors

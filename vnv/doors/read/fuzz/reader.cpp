@@ -1,10 +1,9 @@
 /// A reader, given whatever libFuzzer makes of its samples: it gives datasets of equally many rows or refuses in one
-/// line. Built by Clang as fuzz_vtk_xml, fuzz_vtk_legacy, fuzz_series and fuzz_npy, each with the name of its function in READER.
+/// line. Built by Clang as fuzz_vtk_xml, fuzz_vtk_legacy and fuzz_series, each with the name of its function in READER.
 
 #include <cstdlib>
 #include <string_view>
 
-#include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"

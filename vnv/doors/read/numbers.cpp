@@ -1,8 +1,9 @@
-#include "vnv/doors/read/vtk_numbers.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
-namespace touchstone::vnv::doors::vtk {
+namespace touchstone::vnv::doors {
 
 void refuse(const std::string& where, const std::string& what) {
   std::string line = where + ": " + what;
@@ -17,6 +18,14 @@ std::size_t whole_number(std::string_view text, const std::string& where) {
   if (error != std::errc{} || end != text.data() + text.size())
     refuse(where, fmt::format("'{}', expected a whole number from 0", text.substr(0, 40)));
   return number;
+}
+
+void expect_to_fill(const void* begin, std::size_t bytes) {
+  constexpr std::uintptr_t page = 4096, least = 1 << 22;
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
+             end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
+  if (bytes >= least)
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);  // or not, where there are none
 }
 
 std::size_t Budget::take(std::size_t rows, std::size_t components, const std::string& where) {
@@ -49,7 +58,7 @@ std::optional<int> rank_as_time(std::string_view name) {
 }
 
 std::optional<long> number_of(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
+  const std::string stem = (file.extension() == ".gz" ? file.stem() : file).stem().string();
   const std::size_t first = stem.find_last_not_of("0123456789") + 1;  // 0 where all are digits
   long number = 0;
   const auto [end, error] = std::from_chars(stem.data() + first, stem.data() + stem.size(), number);
@@ -57,4 +66,4 @@ std::optional<long> number_of(const std::filesystem::path& file) {
   return number;
 }
 
-}  // namespace touchstone::vnv::doors::vtk
+}  // namespace touchstone::vnv::doors

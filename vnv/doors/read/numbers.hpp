@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as VTK files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
+/// Numbers as files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 #include "vnv/doors/read/dataset.hpp"
 
-namespace touchstone::vnv::doors::vtk {
+namespace touchstone::vnv::doors {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
@@ -53,11 +53,25 @@ inline std::size_t bytes_of(Type type) {
 }
 inline bool is_whole(Type type) { return type < Type::float32; }
 
+/// Times that zlib makes bytes smaller, at the most (zlib.net/zlib_tech.html); LZ4 255 times.
+inline constexpr std::size_t most_that_deflate_saves = 1032;
+
 /// Throws Unreadable in one line, whatever characters of a file it quotes.
 [[noreturn]] void refuse(const std::string& where, const std::string& what);
 
 /// A count as a file writes it. Throws Unreadable unless it is digits only.
 std::size_t whole_number(std::string_view text, const std::string& where);
+
+/// Memory that is about to be filled comes in large pages, since each page costs when it is first touched.
+void expect_to_fill(const void* begin, std::size_t bytes);
+
+/// Space for so many more numbers.
+template <class Number>
+void reserve_more(std::vector<Number>& numbers, std::size_t count) {
+  if (numbers.capacity() - numbers.size() >= count) return;
+  numbers.reserve(std::max(numbers.size() + count, 2 * numbers.size()));
+  expect_to_fill(numbers.data(), numbers.capacity() * sizeof(Number));
+}
 
 /// What the arrays of a file may still take.
 class Budget {
@@ -87,6 +101,7 @@ template <class To>
 void append_bytes(std::string_view bytes, Type type, std::endian order, std::vector<To>& to) {
   with_type(type, [&]<class From>(From) {
     const std::size_t count = bytes.size() / sizeof(From), first = to.size();
+    reserve_more(to, count);
     to.resize(first + count);
     const char* from = bytes.data();
     To* out = to.data() + first;
@@ -135,4 +150,4 @@ std::optional<int> rank_as_time(std::string_view name);
 /// The number that ends the name of a file before its extension: 12 of "out_12.vtp".
 std::optional<long> number_of(const std::filesystem::path& file);
 
-}  // namespace touchstone::vnv::doors::vtk
+}  // namespace touchstone::vnv::doors

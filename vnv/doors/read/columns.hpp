@@ -1,0 +1,45 @@
+#pragma once
+/// What readers of several formats do with the arrays of a dataset.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vnv/doors/read/dataset.hpp"
+
+namespace touchstone::vnv::doors {
+
+/// "t", "time [s]", "TimeValue": a column that parts rows by their time, or a number that is the time of all.
+bool names_time(std::string_view name);
+
+/// Throws Unreadable where an array is there twice or of other rows than the first.
+void require_equal_rows(const std::vector<Array>& arrays, const std::string& source);
+
+void keep_rows(Array& array, const std::vector<bool>& kept);
+
+/// A dataset of each time, in their order, where a column is the time and the whole has none; else the whole.
+std::vector<Dataset> parted_by_time(Dataset whole);
+
+/// Numbers as a file holds them, the last index fastest.
+struct Block {
+  std::string name;
+  std::vector<std::size_t> shape;
+  std::vector<double> values;
+};
+
+/// Blocks by their names, a row for each first index; but "x", "y" and others of one shape of two dimensions are values
+/// on a grid, a row each, and a single block of two dimensions is a table of columns "column 1" and so on. Throws
+/// Unreadable.
+std::vector<Array> rows_of(std::vector<Block> blocks, const std::string& source);
+
+/// One particle array of PySPH, with arrays of its properties.
+struct ParticleArray {
+  std::string name;
+  std::vector<Array> arrays;
+};
+
+/// Rows of all particle arrays, those that are real (tag 0), with an array "array" of their names: `--only array=fluid`
+/// chooses. What one lacks and another has is NaN. Throws Unreadable.
+std::vector<Array> rows_of(std::vector<ParticleArray> all, const std::string& source);
+
+}  // namespace touchstone::vnv::doors
