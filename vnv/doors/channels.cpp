@@ -22,7 +22,7 @@ struct Channel {
 
   explicit Channel(Settings& set) {
     gap.high.y() = set.positive("H", channel::H, "m", "distance between the plates");
-    gap.high.x() = set.positive("L", channel::L, "m", "length of the periodic box");
+    gap.high.x() = set.positive("L", H() * (channel::L / channel::H), "m", "length of the periodic box");
     const double rho = set.positive("rho", channel::water.density, "kg/m³", "density at rest");
     const double nu = set.positive("nu", channel::water.kinematic_viscosity(), "m²/s", "kinematic viscosity");
     const double c = set.positive("c", channel::water.sound_speed(), "m/s", "speed of sound at rest");
