@@ -90,12 +90,13 @@ class Worker:
     def prepare(self):
         self.scratch.configure(self.build)
         self.scratch.jobs = os.cpu_count()
-        programs = ["solvers_unit", "reference_unit", "vnv_unit", *CASES]
+        modules = ("solvers", "reference", "vnv", "reports") if self.options.faults else tuple(SAMPLE)  # faults lie anywhere
+        programs = [*sorted({module.split("/")[0] + "_unit" for module in modules}), *CASES]
         if said := self.scratch.compile(self.build, programs):
             raise BadInput(f"{self.build}: {said}")
         self.scratch.jobs = 1
         empty_records(self.build)
-        self.nearest = Nearest(self.scratch.source, self.build, CASES, SAMPLE)
+        self.nearest = Nearest(self.scratch.source, self.build, CASES, modules)
         self.nearest.measure(self.options.timeout)
 
     def tried(self, change):
