@@ -305,6 +305,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     s.mass = volume * s.density;
   } else if (!known(s.mass) || !known(s.density)) {
     s.mass = s.density = Scalars::Ones(count);
+    reading.has_volumes = false;
     say("weights", "equal, since there is neither a volume nor both mass and density");
   }
   return reading;

@@ -29,6 +29,7 @@ struct Reading {
   Samples samples{};
   std::vector<std::string> fields{};  // "velocity", "pressure", "density", "mass": what was found
   std::vector<std::string> words{};
+  bool has_volumes = true;  // else masses and densities are 1
 };
 
 /// Throws Unreadable: no places, two candidates for one field, a cloud that is not flat, rows outside the domain, what
