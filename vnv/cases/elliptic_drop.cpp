@@ -1,8 +1,6 @@
 /// A circular drop in a straining flow [Monaghan 1994]: a closed free surface and no external force.
 
 #include "vnv/flows/drop.hpp"
-#include "vnv/measures/field_errors.hpp"
-#include "vnv/measures/profile.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 
@@ -11,29 +9,6 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::drop;
 
 namespace {
-
-const Quantity pressure_error{"error of the central pressure, relative to its initial value", "%", Kind::deviation};
-
-/// Mean over the particles within a fifth of the drop's half-axes from its centre.
-std::vector<Value> error_of_pressure(const Level& level, const Run& run) {
-  std::vector<Value> errors;
-  for (const Samples& s : run.samples) {
-    const auto state = exact.at(s.time);
-    const double error = mean_where(
-        s, [&](const Samples&, Eigen::Index p) { return s.pressure[p] - state.p(s.x(0, p), s.x(1, p)); },
-        [&](const Vec2& x) { return !(Vec2(x.x() / state.a, x.y() / state.b).norm() > 0.2); });
-    errors.push_back({level.name, level.spacing, s.time, pressure_error, 100 * error / exact.at(0).p_centre});
-  }
-  return errors;
-}
-
-/// The velocity, with the drop of each time found once for all particles.
-VelocityTruth velocity_of_drop() {
-  return [known = -1.0, s = 0.0](const Vec2& x, double t) mutable -> Vec2 {
-    if (t != known) s = exact.at(known = t).s;
-    return {s * x.x(), -s * x.y()};
-  };
-}
 
 const std::vector<Level> levels =
     levels_across(2 * R, {{40, end, 0, end}, {60, 0, 0, end}, {80, 0, 0, end}, {120, 0, 0, end}});
@@ -60,7 +35,7 @@ Case vnv::the_case() {
           "(Monaghan 1994). After 0.8 s it is twice as long as at the start. Mach number 1/60.",
       .times = {0.2, 0.4, 0.6, end},
       .watch = monitored_axes(),
-      .measurements = {error_of_axes, velocity_errors(velocity_of_drop()), error_of_pressure},
+      .measurements = {error_of_axes, velocity_errors(velocity_of(exact)), error_of_pressure(exact)},
       .methods = with_ladder(levels, methods_on(scene()), claims()),
       .plots = {over_time("length", "Major half-axis over time", "From the second moments of the particles.",
                           {"half-axis [m]"}, 0, {"40 across"}),

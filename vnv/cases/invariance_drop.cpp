@@ -20,7 +20,7 @@ const SeveralViews in_views =
 
 Scene<Tait> scene_of(const View& view) {
   Scene<Tait> seen = scene();
-  seen.start = view.start(velocity, pressure);
+  seen.start = view.start(velocity, drop::pressure);
   seen.start.places = [=](const Vectors& lattice) { return view.places_on(within(lattice)); };
   return seen;
 }

@@ -1,7 +1,6 @@
 /// A rotating square patch under symmetry transformations: a free surface with corners, under tension.
 
 #include "vnv/flows/patch.hpp"
-#include "vnv/measures/decay.hpp"
 #include "vnv/studies/views.hpp"
 
 #include <numbers>
@@ -28,7 +27,7 @@ const SeveralViews in_views = several_views({views::mirrored_about_x(0), views::
 
 Scene<Tait> scene_of(const View& view) {
   Scene<Tait> seen = scene();
-  seen.start = view.start(velocity, pressure);
+  seen.start = view.start(velocity, patch::pressure);
   return seen;
 }
 

@@ -2,7 +2,6 @@
 /// itself.
 
 #include "vnv/flows/water_at_rest.hpp"
-#include "vnv/measures/norms_of.hpp"
 #include "vnv/studies/views.hpp"
 
 using namespace touchstone;
@@ -18,7 +17,7 @@ const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, de
 Scene<Tait, Uniform> scene_of(const View& view) {
   Scene<Tait, Uniform> seen = scene;
   seen.start.velocity = [=](const Vec2&) { return view.carried; };
-  seen.start.places = [=](const Vectors& lattice) { return view.places_on(compressed(lattice)); };
+  seen.start.places = [=](const Vectors& lattice) { return view.places_on(scene.start.places_on(lattice)); };
   return seen;
 }
 

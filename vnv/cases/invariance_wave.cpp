@@ -17,7 +17,7 @@ const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, L 
 Scene<Newtonian, Uniform> scene_of(const View& view) {
   Scene<Newtonian, Uniform> seen = scene;
   seen.start.velocity = [=](const Vec2&) { return view.carried; };
-  seen.start.places = [=](const Vectors& lattice) { return view.places_on(heaped(lattice)); };
+  seen.start.places = [=](const Vectors& lattice) { return view.places_on(scene.start.places_on(lattice)); };
   return seen;
 }
 

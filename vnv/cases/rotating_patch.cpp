@@ -1,10 +1,6 @@
 /// Rotating square patch [Colagrossi 2005]: conservation under tension.
 
 #include "vnv/flows/patch.hpp"
-#include "vnv/judge/norms.hpp"
-#include "vnv/measures/decay.hpp"
-#include "vnv/measures/half_axes.hpp"
-#include "vnv/measures/roughness.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
 #include "vnv/studies/disturbed.hpp"
@@ -27,45 +23,6 @@ Scene<Tait> scene_of(const Level& level) {
   if (is_disturbed(level))
     seen.start.places = [by = level.spacing / 10](const Vectors& lattice) { return disturbed(lattice, by); };
   return seen;
-}
-
-/// Monitored quantities.
-enum Column : std::size_t { momentum_x, momentum_y, turning, energy, longer, shorter, middle };
-
-/// Mean pressure [Pa] over the particles within a tenth of a side from the middle.
-double pressure_in_the_middle(const Samples& s) {
-  return mean_where(s, vnv::pressure, [](const Vec2& x) { return x.norm() < 0.1 * L; });
-}
-
-std::vector<double> monitored(const Samples& s) {
-  const auto axes = half_axes(s);
-  const Vec2 momentum = s.v * s.mass.matrix();
-  return {momentum.x(), momentum.y(), angular_momentum(s),      kinetic_energy(s),
-          axes[0],      axes[1],      pressure_in_the_middle(s)};
-}
-
-const Quantity drift{"largest change of momentum over m omega L", "", Kind::invariant};
-const Quantity torque{"largest relative change of angular momentum", "%", Kind::invariant};
-const Quantity loss{"relative loss of kinetic energy", "%", Kind::invariant};
-const Quantity skew{"relative difference of the half-axes from second moments", "%", Kind::invariant};
-
-std::vector<Value> what_is_not_kept(const Level& level, const Run& run) {
-  if (!run.summary.finished) return {};
-  const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
-  double largest = 0, farthest = 0;
-  for (const std::vector<double>& seen : run.history.seen) {
-    largest = norms::larger_magnitude(
-        largest, std::hypot(seen[momentum_x] - first[momentum_x], seen[momentum_y] - first[momentum_y]));
-    farthest = norms::larger_magnitude(farthest, seen[turning] / first[turning] - 1);
-  }
-  const auto at_the_end = [&](const Quantity& quantity, double value) {
-    return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
-  };
-  std::vector<Value> found = {at_the_end(drift, largest / (exact.mass() * omega * L)),
-                              at_the_end(torque, 100 * std::abs(farthest)),
-                              at_the_end(loss, 100 * (1 - last[energy] / first[energy]))};
-  if (is_disturbed(level)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
-  return found;
 }
 
 std::vector<Level> levels() {
@@ -106,17 +63,8 @@ Case vnv::the_case() {
           "in the incompressible limit. One run starts from a disturbed lattice, which lacks that symmetry "
           "from the start. Mach number of a corner 1/28.",
       .times = {0.5, end},
-      .watch = {.every = 0.02,
-                .see = monitored,
-                .quantities = {{"momentum along x", "kg/s"},
-                               {"momentum along y", "kg/s"},
-                               {"angular momentum", "kg m/s"},
-                               {"kinetic energy", "J/m"},
-                               {"longer half-axis", "m"},
-                               {"shorter half-axis", "m"},
-                               {"pressure in the middle", "Pa"}}},
-      .measurements = {what_is_not_kept,
-                       roughness_of("pressure", pressure, "rho omega² L²", rho0 * omega * omega * L * L)},
+      .watch = monitored(L),
+      .measurements = {what_is_not_kept(exact, is_disturbed), roughness_of_pressure(exact)},
       .methods = {turned_by(printed, {keeps_momentum()}), turned_by(apic, {keeps_momentum()}),
                   turned_by(delta, {keeps_momentum(),
                                     at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),

@@ -19,12 +19,6 @@ constexpr double end = 1.4;                                               // s
 
 const Scene<Tait, Uniform> scene = dam_break::collapse({l0, h0}, {tank_length, headroom});
 
-/// The mean height [m] of the water that stands over a part of the floor.
-double level_between(const Samples& s, double low, double high) {
-  const Scalars x = s.x.row(0).transpose();
-  return (x >= low && x < high).select(s.volumes(), 0).sum() / (high - low);
-}
-
 /// Over which all but a hundredth of the water in the last tenth of the tank has not risen [m]; 0 without water there.
 double height_at_far_wall(const Samples& s) {
   std::vector<double> heights;

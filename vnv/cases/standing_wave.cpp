@@ -1,7 +1,6 @@
 /// A standing gravity wave of small amplitude: its period and its viscous decay.
 
 #include "vnv/flows/gravity_wave.hpp"
-#include "vnv/measures/swing.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 
@@ -13,36 +12,12 @@ namespace {
 
 constexpr double end = 4;  // s
 
-/// Wave amplitude: the first moment of the particles' heights along it, over that of the exact wave at the
-/// start.
-std::vector<double> monitored(const Samples& s) {
-  const Scalars heights = s.x.row(1).transpose(),
-                wave = (2 * std::numbers::pi / L * s.x.row(0).transpose().array()).cos();
-  return {(s.mass * heights * wave).sum()};
-}
-
-const Quantity period_error{"relative error of the period", "%", Kind::deviation},
-    decay_error{"relative error of the decay rate", "%", Kind::deviation};
-
-std::vector<Value> errors_of_swing(const Level& level, const Run& run) {
-  if (!run.summary.finished) return {};
-  std::vector<double> heights;
-  for (const std::vector<double>& seen : run.history.seen) heights.push_back(seen[0]);
-  const Swing swing = fit_swing(run.history.time, heights, exact.omega());
-  return {{level.name, level.spacing, end, period_error, 100 * (exact.omega() / swing.omega - 1)},
-          {level.name, level.spacing, end, decay_error, 100 * (swing.decay / exact.decay_rate() - 1)}};
-}
-
 const std::vector<Level> levels = levels_across(L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
 
 /// From so many particles to a wave on.
 std::vector<Claim> swings_right(const std::vector<std::string>& names) {
   std::vector<Claim> all;
-  for (const std::string& level : names) {
-    all.push_back(between(period_error, -1, 1, theory("the wave is linear to k² a² / 8 = 0.2 %")).on(level));
-    all.push_back(
-        between(decay_error, -10, 10, theory("decay of a potential flow, to first order in nu k² / omega")).on(level));
-  }
+  for (const std::string& level : names) all.insert(all.end(), {swings_in_time.on(level), fades.on(level)});
   return all;
 }
 
@@ -76,8 +51,8 @@ Case vnv::the_case() {
           "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
           "damped oscillation fitted to the first moment of the particle heights.",
       .times = {end},
-      .watch = {.every = 0.02, .see = monitored, .quantities = {{"first moment of the particle heights", "kg"}}},
-      .measurements = {errors_of_swing},
+      .watch = monitored(L),
+      .measurements = {errors_of_swing(exact)},
       .methods = methods_up_levels(),
       .plots = {over_time("swing", "First moment of the particle heights",
                           "Mass times height times the cosine of the wave, summed over all particles.",

@@ -30,6 +30,7 @@ struct Reading {
   std::vector<std::string> fields{};  // "velocity", "pressure", "density", "mass": what was found
   std::string file{};                 // in words
   std::vector<std::string> words{};
+  bool has_volumes = true;  // else densities are the fluid's and masses equal
 };
 
 /// `density` [kg/m³] is that of the fluid at rest. Throws Unreadable: no places, two candidates for one field, a cloud

@@ -17,9 +17,19 @@ struct Named {
   Flow (*at)(Settings&);
 };
 const std::vector<Named> all_flows{
-    {"couette", couette},           {"oscillating_poiseuille", oscillating_poiseuille},
-    {"poiseuille", poiseuille},     {"shear_wave", shear_wave},
-    {"stokes_first", stokes_first}, {"stokes_second", stokes_second},
+    {"cavity", cavity},
+    {"couette", couette},
+    {"dam_break", dam_break},
+    {"elliptic_drop", elliptic_drop},
+    {"hydrostatic", hydrostatic},
+    {"manufactured", manufactured},
+    {"oscillating_poiseuille", oscillating_poiseuille},
+    {"poiseuille", poiseuille},
+    {"rotating_patch", rotating_patch},
+    {"shear_wave", shear_wave},
+    {"standing_wave", standing_wave},
+    {"stokes_first", stokes_first},
+    {"stokes_second", stokes_second},
     {"taylor_green", taylor_green},
 };
 

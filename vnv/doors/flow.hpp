@@ -3,13 +3,18 @@
 /// computes it, at parameters that its user sets.
 
 #include "solvers/fluids/newtonian.hpp"
+#include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "vnv/case.hpp"
 #include "vnv/measures/field_errors.hpp"
 
+#include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace touchstone::vnv::doors {
@@ -39,17 +44,28 @@ class Settings {
   std::vector<Parameter> asked_{};
 };
 
-/// A body force [m/s²]: an amplitude times cos(angular frequency t), or a formula.
+/// A body force [m/s²]: an amplitude times cos(angular frequency t), or a formula where it depends on the place: lines
+/// "name = expression" of x, y, t, pi and the flow's parameters, of which the last two are its components b_x and b_y;
+/// and what it is at some places and times, by which a program tests what it made of them.
 struct Drive {
   Vec2 amplitude = Vec2::Zero();
   double angular_frequency = 0;  // 1/s
-  std::string formula{};         // where it depends on the place
+  std::vector<std::string> formula{};
+  std::vector<std::array<double, 5>> examples{};  // x [m], y [m], t [s], b_x and b_y [m/s²]
+};
+
+/// What a measurement over time needs.
+struct Span {
+  double first, last;  // s  files at or before, at or after
+  std::size_t least;   // times
 };
 
 /// A measurement and the fields that it reads besides places.
 struct Measured {
   std::vector<std::string> fields;  // "velocity", "pressure"
   Measurement measurement;
+  std::optional<Span> over{};  // none: made at each time by itself
+  std::string name{};          // of what is measured over time
 };
 
 struct Flow {
@@ -57,11 +73,15 @@ struct Flow {
   std::vector<Parameter> parameters{};
   Case judged{};  // title, description, times, claims and figures; no methods
   std::vector<Measured> measured{};
-  double across{};  // m  the length that a resolution is counted over
+  double across{};                   // m  the length that a resolution is counted over
+  std::vector<Claim> of_resolved{};  // claims of levels with so many particles across
+  double resolved = INFINITY;
 
   Domain domain{};
   Newtonian fluid{};  // inviscid where its viscosity is zero
   Box filled{};
+  std::string shape{};  // what of the box is filled, where it is not all of it
+  double area{};        // m²  that is filled; zero: all of the box
   std::vector<Wall> walls{};
   double wall_frequency = 0;  // 1/s  walls move with their velocity times cos(frequency t)
   Drive drive{};
@@ -72,16 +92,24 @@ struct Flow {
   std::string case_name() const;
   /// The title with these parameters: "Start-up of plane Poiseuille flow, H = 1 m".
   std::string title() const;
+
+  double filled_area() const { return area > 0 ? area : filled.size().prod(); }  // m²
+  /// Whether the fluid may be elsewhere than where it started.
+  bool has_free_surface() const { return filled.low != domain.box.low || filled.high != domain.box.high; }
 };
 
-/// Of a scene all but its body force, which a flow says in words.
-template <class Force>
-void set_scene(Flow& flow, const Scene<Newtonian, Force>& scene) {
+inline Newtonian newtonian(const Newtonian& fluid) { return fluid; }
+inline Newtonian newtonian(const Tait& fluid) { return {fluid, 0}; }
+
+/// Of a scene all but a body force that is not uniform, which a flow says in words.
+template <class FluidLaw, class Force>
+void set_scene(Flow& flow, const Scene<FluidLaw, Force>& scene) {
   flow.domain = scene.domain;
-  flow.fluid = scene.fluid;
+  flow.fluid = newtonian(scene.fluid);
   flow.filled = scene.filled;
   flow.walls = scene.walls;
   flow.start = scene.start;
+  if constexpr (std::is_same_v<Force, Uniform>) flow.drive.amplitude = scene.body_force.per_mass;
 }
 
 /// The ladder of a code that is judged: the files given, by their spacing.

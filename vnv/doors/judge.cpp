@@ -1,5 +1,6 @@
 #include "vnv/doors/judge.hpp"
 
+#include "solvers/lattice.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
 
@@ -30,24 +31,57 @@ std::vector<Dataset> rows_to_judge(std::vector<Dataset> all) {
   return all;
 }
 
-/// Rows of a flow that fills its domain reach over most of it; those in another unit do not.
-void require_filled(const Flow& flow, const std::string& source, const Samples& samples) {
-  const Vec2 spread = samples.x.rowwise().maxCoeff() - samples.x.rowwise().minCoeff(), size = flow.filled.size();
-  if (samples.size() < 4 || (spread.array() >= size.array() / 2).all()) return;
-  throw Unreadable(
-      fmt::format("{}: rows spread over {:.4g} m by {:.4g} m, expected most of the {:.4g} m by {:.4g} m that the flow "
-                  "fills: --unit length=..., or --set its size",
-                  source, spread.x(), spread.y(), size.x(), size.y()));
+Vec2 spread_of(const Vectors& places) { return places.rowwise().maxCoeff() - places.rowwise().minCoeff(); }
+
+/// Rows of a flow that fills its domain reach over most of it, those of one with a free surface at the start over what
+/// it fills; those in another unit or of a flow of another size do not.
+void require_filled(const Flow& flow, const std::string& source, const Samples& samples, double spacing) {
+  const Vec2 spread = spread_of(samples.x), size = flow.filled.size();
+  const auto refuse = [&](const std::string& expected) {
+    throw Unreadable(
+        fmt::format("{}: rows spread over {:.4g} m by {:.4g} m, expected {}: --unit length=..., or --set its size",
+                    source, spread.x(), spread.y(), expected));
+  };
+  if (samples.size() < 4) return;
+  if (!flow.has_free_surface()) {
+    if ((spread.array() < size.array() / 2).any())
+      refuse(fmt::format("most of the {:.4g} m by {:.4g} m that the flow fills", size.x(), size.y()));
+  } else if (samples.time == 0) {
+    const Vec2 exact = spread_of(places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing)));
+    if (((spread - exact).array().abs() > 2 * spacing + 0.05 * exact.array()).any())
+      refuse(fmt::format("about {:.4g} m by {:.4g} m at the start", exact.x(), exact.y()));
+  } else if (const double area = flow.filled_area(); spread.prod() < area / 2) {
+    refuse(fmt::format("room for the {:.4g} m² of fluid", area));
+  }
+}
+
+/// Volumes of a plane flow: equal ones of rows that have none, and about those of the fluid where its surface is free.
+void require_volumes(const Flow& flow, const std::string& source, Reading& reading) {
+  Samples& samples = reading.samples;
+  const double area = flow.filled_area();
+  if (!reading.has_volumes) {
+    samples.mass = samples.density * (area / static_cast<double>(samples.size()));
+  } else if (const double found = samples.volumes().sum();
+             flow.has_free_surface() && std::abs(found / area - 1) > 0.2) {
+    throw Unreadable(fmt::format(
+        "{}: volumes of {:.4g} m² in all, per metre of depth, expected {:.4g} m²: --set the size of the flow", source,
+        found, area));
+  }
 }
 
 /// A run of what was given, as if it had been computed here.
-Run run_of(const GivenLevel& given, const std::string& level) {
+Run run_of(const GivenLevel& given, const std::string& level, const Watch& watch) {
   Run run{.summary = {.level = level,
                       .spacing = given.spacing,
                       .finished = given.outcome == "finished",
                       .outcome = given.outcome,
                       .cost = given.cost}};
-  for (const auto& [time, samples] : given.at) run.samples.push_back(samples);
+  for (const auto& [time, samples] : given.at) {
+    run.samples.push_back(samples);
+    if (!watch.see) continue;
+    run.history.time.push_back(time);
+    run.history.seen.push_back(watch.see(samples));
+  }
   if (run.samples.empty()) return run;
   run.summary.end_time = run.samples.back().time;
   run.summary.cost.particles = run.samples.back().size();
@@ -61,20 +95,30 @@ double asked(double time, const std::vector<double>& times) {
 }
 
 /// Those times at which a measurement can be made: at others, as at rest, there is nothing to compare with.
-Measurement where_defined(const Measurement& measurement, const std::vector<double>& times,
+Measurement where_defined(const Measured& measured, const std::vector<double>& times,
                           std::vector<std::string>& not_judged) {
-  return [&, measurement](const Level& level, const Run& run) {
-    std::vector<Value> all;
-    for (const Samples& samples : run.samples) {
-      const Run one{.summary = run.summary, .samples = {samples}};
-      try {
-        for (Value value : measurement(level, one)) {
-          value.time = asked(value.time, times);
-          all.push_back(std::move(value));
-        }
-      } catch (const std::invalid_argument& error) {
-        not_judged.push_back(fmt::format("{}, {:g} s: {}", level.name, samples.time, error.what()));
+  const auto add = [=, &times, &not_judged](std::vector<Value>& all, const Level& level, const Run& run) {
+    try {
+      for (Value value : measured.measurement(level, run)) {
+        value.time = asked(value.time, times);
+        all.push_back(std::move(value));
       }
+    } catch (const std::logic_error& error) {
+      not_judged.push_back(fmt::format("{}, {:g} s: {}", level.name, run.samples.back().time, error.what()));
+    }
+  };
+  return [=, &not_judged](const Level& level, const Run& run) {
+    std::vector<Value> all;
+    if (!measured.over) {
+      for (const Samples& samples : run.samples) add(all, level, {.summary = run.summary, .samples = {samples}});
+    } else if (const auto [first, last, least] = *measured.over; run.samples.size() < least ||
+                                                                 run.samples.front().time > first * (1 + 1e-9) ||
+                                                                 run.samples.back().time < last * (1 - 1e-9)) {
+      not_judged.push_back(fmt::format(
+          "{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s", level.name,
+          measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time, least, first, last));
+    } else {
+      add(all, level, run);
     }
     return all;
   };
@@ -89,7 +133,7 @@ Case case_of(const Flow& flow, const Given& given, const std::vector<double>& ti
     const auto missing = std::ranges::find_if(
         one.fields, [&](const std::string& name) { return given.fields && !has(*given.fields, name); });
     if (missing == one.fields.end())
-      judged.measurements.push_back(where_defined(one.measurement, times, not_judged));
+      judged.measurements.push_back(where_defined(one, times, not_judged));
     else
       not_judged.push_back(fmt::format("no {} in the files: what is measured of it is not judged", *missing));
   }
@@ -100,6 +144,7 @@ Case case_of(const Flow& flow, const Given& given, const std::vector<double>& ti
 std::vector<Claim> own_claims(const Flow& flow, const Judged& what, const std::string& finest) {
   std::vector<Claim> claims;
   for (const Claim& claim : flow.judged.claims) {
+    if (claim.quantity.kind != Kind::norm) continue;
     if (what.at_most)
       claims.push_back(at_most(claim.quantity, *what.at_most, baseline("limit of the user")).on(finest));
     if (what.order_at_least)
@@ -122,13 +167,13 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
     Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
     given.files.push_back(reading.file);
     for (const std::string& line : reading.words) given.say(line);
-    require_filled(flow, data.source, reading.samples);
     if (given.fields)
       std::erase_if(*given.fields, [&](const std::string& name) { return !has(reading.fields, name); });
     else
       given.fields = reading.fields;
-    const double area = flow.filled.size().prod(),
-                 spacing = said.value_or(std::sqrt(area / static_cast<double>(reading.samples.size())));
+    const double spacing = said.value_or(std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size())));
+    require_filled(flow, data.source, reading.samples, spacing);
+    require_volumes(flow, data.source, reading);
     given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
                           said ? "as said" : "the root of the filled area over the number of rows"));
     const double time = reading.samples.time;
@@ -147,7 +192,9 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   std::vector<Run> runs;
   for (const GivenLevel& level : given.levels) {
     const std::string name = fmt::format("{:.4g} across", flow.across / level.spacing);
-    runs.push_back(run_of(level, name));
+    runs.push_back(run_of(level, name, flow.judged.watch));
+    if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
+      for (const Claim& claim : flow.of_resolved) judged.claims.push_back(claim.on(name));
     const double end = level.at.empty() ? times.back() : asked(level.at.rbegin()->first, times);
     method.levels.push_back({.name = name, .spacing = level.spacing, .acceptance = end, .report = end, .nightly = end});
     method.ladders[0].levels.push_back(name);
@@ -156,6 +203,14 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
+  const auto not_measured = [&](const Verdict& verdict) {  // for want of a field, which has been said
+    return verdict.quantity != end_time_reached &&
+           std::ranges::none_of(judgement.record.values, [&](const Value& value) {
+             return verdict.quantity.find(value.quantity.name) != verdict.quantity.npos;
+           });
+  };
+  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; }))
+    std::erase_if(judgement.record.verdicts, not_measured);
   return judgement;
 }
 

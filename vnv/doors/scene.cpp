@@ -28,6 +28,10 @@ std::set<std::string> fields_of(const Flow& flow) {
   return fields;
 }
 
+Vectors places_at_start(const Flow& flow, double spacing) {
+  return places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
+}
+
 std::string oscillation(double angular_frequency) {
   return angular_frequency == 0 ? "" : fmt::format(" times cos({:.10g} t)", angular_frequency);
 }
@@ -49,14 +53,22 @@ std::string scene_in_words(const Flow& flow, double spacing) {
     text += fmt::format("wall: {} = {:g} m, {}, velocity {} m/s{}\n", wall.axis == 0 ? "x" : "y", wall.position,
                         condition_of(wall), in_words(velocity_of(wall)),
                         velocity_of(wall).isZero() ? "" : oscillation(flow.wall_frequency));
+  if (flow.has_free_surface()) text += "free surface: p = 0, wherever there is no wall\n";
   if (!flow.drive.amplitude.isZero())
     text += fmt::format("body force: {} m/s²{}\n", in_words(flow.drive.amplitude),
                         oscillation(flow.drive.angular_frequency));
-  text +=
-      fmt::format("start: {} particles with a spacing of {:g} m; places, velocities and pressures: --particles FILE\n",
-                  lattice(flow.filled, spacing).places().cols(), spacing);
+  if (!flow.drive.formula.empty())
+    text +=
+        fmt::format("body force [m/s²], of x and y in m and t in s:\n  {}\n", fmt::join(flow.drive.formula, "\n  "));
+  text += fmt::format(
+      "start: {} from {} to {} m, {} particles with a spacing of {:g} m; places, velocities and pressures: --particles FILE\n",
+      flow.shape.empty() ? "the box" : flow.shape, in_words(flow.filled.low), in_words(flow.filled.high),
+      places_at_start(flow, spacing).cols(), spacing);
   text += fmt::format("output: {} at t = {:.10g} s; more times are judged, too\n", fmt::join(fields_of(flow), ", "),
                       fmt::join(flow.judged.times, ", "));
+  if (std::isfinite(flow.judged.watch.every))
+    text += fmt::format("output over time: from 0 to {:.10g} s every {:.10g} s or more often\n",
+                        flow.judged.times.back(), flow.judged.watch.every);
   return text;
 }
 
@@ -73,7 +85,10 @@ std::string scene_as_json(const Flow& flow, double spacing) {
   json["fluid"] = {{"law", "p = K ((rho / rho0)^gamma - 1)"},          {"density [kg/m³]", flow.fluid.density},
                    {"bulk modulus K [Pa]", flow.fluid.bulk_modulus},   {"gamma [-]", Tait::gamma},
                    {"speed of sound [m/s]", flow.fluid.sound_speed()}, {"viscosity [Pa s]", flow.fluid.viscosity}};
-  json["filled"] = {{"low [m]", pair(flow.filled.low)}, {"high [m]", pair(flow.filled.high)}};
+  json["filled"] = {{"low [m]", pair(flow.filled.low)},
+                    {"high [m]", pair(flow.filled.high)},
+                    {"shape", flow.shape.empty() ? "box" : flow.shape}};
+  json["free surface"] = flow.has_free_surface();
   json["walls"] = Json::array();
   for (const Wall& wall : flow.walls)
     json["walls"].push_back({{"axis", wall.axis == 0 ? "x" : "y"},
@@ -84,21 +99,25 @@ std::string scene_as_json(const Flow& flow, double spacing) {
                              {"angular frequency [1/s]", velocity_of(wall).isZero() ? 0 : flow.wall_frequency}});
   json["body force"] = {{"amplitude [m/s²]", pair(flow.drive.amplitude)},
                         {"angular frequency [1/s]", flow.drive.angular_frequency}};
+  if (!flow.drive.formula.empty()) {
+    json["body force"]["formula"] = flow.drive.formula;
+    json["body force"]["examples: x [m], y [m], t [s], b_x [m/s²], b_y [m/s²]"] = flow.drive.examples;
+  }
   json["spacing [m]"] = spacing;
   json["times [s]"] = flow.judged.times;
+  if (std::isfinite(flow.judged.watch.every)) json["times from 0 on, every [s]"] = flow.judged.watch.every;
   json["fields"] = fields_of(flow);
   return json.dump(2) + "\n";
 }
 
 std::string particles_as_csv(const Flow& flow, double spacing) {
-  const Lattice regular = lattice(flow.filled, spacing);
-  const Vectors places = places_in(flow.domain.box, flow.start, regular);
+  const Vectors places = places_at_start(flow, spacing);
   std::string text = "x [m],y [m],v_x [m/s],v_y [m/s],p [Pa],rho [kg/m³],mass [kg/m]\n";
   for (Eigen::Index p = 0; p < places.cols(); ++p) {
     const Vec2 x = places.col(p), v = flow.start.velocity_at(x);
     const double pressure = flow.start.pressure_at(x);
     text += fmt::format("{},{},{},{},{},{},{}\n", x.x(), x.y(), v.x(), v.y(), pressure, flow.fluid.density_at(pressure),
-                        flow.fluid.density * regular.volume());
+                        flow.fluid.density * lattice(flow.filled, spacing).volume());
   }
   return text;
 }

@@ -14,12 +14,13 @@ inline constexpr Tait water{.density = 1000, .bulk_modulus = 0.36 * MPa};
 
 /// A column at the left end of a tank, both so long and high [m].
 template <class FluidLaw = Tait>
-Scene<FluidLaw, Uniform> collapse(const Vec2& column, const Vec2& tank, const FluidLaw& fluid = water) {
+Scene<FluidLaw, Uniform> collapse(const Vec2& column, const Vec2& tank, const FluidLaw& fluid = water,
+                                  double gravity = g) {
   return {.domain = {.box = {.high = tank}},
           .fluid = fluid,
           .filled = {.high = column},
           .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank.x(), free_slip())},
-          .body_force = {{0, -g}}};
+          .body_force = {{0, -gravity}}};
 }
 
 /// The column and tank of Lobovský et al. (2014), which Sun et al. compute.
@@ -38,14 +39,17 @@ inline const Claim near_the_experiment =
     at_most(DamFront::rms, 0.12,
             baseline("an independent prototype of MPM as printed differed by 0.09 from Lobovský et al. 2014"));
 
+/// What is followed of a front.
+inline Watch monitored(const DamFront& of) {
+  return {.every = 0.01, .see = [of](const Samples& s) { return of.monitored(s); }, .quantities = DamFront::quantities};
+}
+
 /// A case of this dam break, which follows its front.
 inline Case front_followed(std::string title, std::string description) {
   return {.title = std::move(title),
           .description = std::move(description),
           .times = {0.5},
-          .watch = {.every = 0.01,
-                    .see = [](const Samples& s) { return front.monitored(s); },
-                    .quantities = DamFront::quantities},
+          .watch = monitored(front),
           .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); }},
           .methods = {}};
 }

@@ -12,11 +12,55 @@ constexpr Window slope_times{1, 1.58};  // of T: until the measured front meets 
 constexpr Window shifts{
     -0.3, 0.3};  // of T: the largest doubt about the origin of time of such an experiment (Martin & Moyce)
 
+const std::vector<std::string> of_600_mm{"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"};
+const std::string front_by = "front L, ";
+
+/// What an experiment measured of columns of one aspect: L, or the residual height, over T.
+struct Experiment {
+  std::string name;
+  bool is_front;
+  FrontHistory measured;
+};
+
+/// Those of the best read-out of each, whose column is as many times as high as it is long.
+std::vector<Experiment> experiments_of(double aspect) {
+  struct Read {
+    const char *name, *file;
+    std::vector<std::string> headings;
+    const char* series;
+  };
+  const std::vector<std::string> by_series{"T [-]", "L [-]", "series"}, of_height{"T [-]", "eta [-]", "tau [-]"};
+  std::vector<Experiment> all;
+  for (const Read& read :
+       std::vector<Read>{{"Lobovský et al. 2014",
+                          "lobovsky_2014_front_300.csv",
+                          {"T [-]", "L [-]", "t [s]", "x_gate [m]", "T_H [-]", "X_H [-]"},
+                          ""},
+                         {"Lobovský et al. 2014", "lobovsky_2014_front_600.csv", of_600_mm, ""},
+                         {"Martin & Moyce 1952", "martin_moyce_1952_front_square.csv", by_series, "table"},
+                         {"Martin & Moyce 1952", "martin_moyce_1952_front_tall.csv", by_series, "table"},
+                         {"Koshizuka & Oka 1995", "koshizuka_oka_1996_front.csv", by_series, "pysph"},
+                         {"Martin & Moyce 1952", "martin_moyce_1952_height_square.csv", of_height, ""},
+                         {"Martin & Moyce 1952", "martin_moyce_1952_height_tall.csv", of_height, ""}}) {
+    DataTable table = read_table(data_folder() / "experiments" / read.file, read.headings);
+    if (std::abs(table.provenance().geometry.at("column_aspect").value / aspect - 1) > 1e-3) continue;
+    if (*read.series) table = table.only("series", read.series);
+    all.push_back({read.name, read.headings[1] == "L [-]", {table.numbers("T [-]"), table.numbers(read.headings[1])}});
+  }
+  return all;
+}
+
+/// T until which a measured front is judged: after that it may have met the far wall.
+double near_wall(const FrontHistory& front, double tank) {
+  double last = front.T.front();
+  for (std::size_t k = 0; k < front.T.size() && front.L[k] < 0.96 * tank; ++k) last = front.T[k];
+  return last;
+}
+
 enum Column { half_full, percentile, farthest, mass, inside };
 
 DataTable measured_by_lobovsky(const DamFront& dam) {
-  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
-                                     {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv", of_600_mm);
   require_geometry(table, "column_length", dam.column_length, 1e-3);
   require_geometry(table, "column_height", dam.column_height, 1e-3);
   require_geometry(table, "tank_length", dam.tank_length, 1e-3);
@@ -60,14 +104,80 @@ std::vector<double> DamFront::monitored(const Samples& samples) const {
           farthest_particle(samples) / column_length, samples.mass.sum(), static_cast<double>(in_tank)};
 }
 
+std::vector<Value> DamFront::positions(const Level& level, const Samples& samples) const {
+  const double dx = level.spacing, l0 = column_length;
+  const auto value = [&](const std::string& name, double found) {
+    return Value{level.name, dx, samples.time, {name}, found};
+  };
+  return {value(front_by + "half-full slab of l0 / 30", half_full_slab(samples, l0 / 30) / l0),
+          value(front_by + of_thin_slab, half_full_slab(samples, 2 * dx) / l0),
+          value(front_by + "99.5th percentile", percentile_front(samples) / l0),
+          value(front_by + "farthest particle of the main body", farthest_of_body(samples, 2 * dx) / l0),
+          value(front_by + "farthest particle", farthest_particle(samples) / l0),
+          value("residual height over h0, at the back wall", level_between(samples, 0, l0 / 10) / column_height)};
+}
+
+Quantity DamFront::speed_of(const std::string& front) { return {"front speed dL/dT, " + front}; }
+Quantity DamFront::rms_of(const std::string& front, const std::string& experiment) {
+  return {fmt::format("RMS error against {}, {}", experiment, front), "", Kind::error};
+}
+
+std::vector<Value> DamFront::against_experiments(const Level& level, const Run& run) const {
+  std::vector<Quantity> measured;
+  std::vector<FrontHistory> ours;
+  for (const Samples& samples : run.samples) {
+    const std::vector<Value> now = positions(level, samples);
+    ours.resize(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      if (measured.size() < now.size()) measured.push_back(now[k].quantity);
+      ours[k].T.push_back(scaled_time(samples.time));
+      ours[k].L.push_back(now[k].value);
+    }
+  }
+  std::vector<Value> found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
+  };
+  for (const Experiment& experiment : experiments_of(column_height / column_length)) {
+    const FrontHistory& theirs = experiment.measured;
+    Window window = experiment.is_front ? Window{judged_times.low, near_wall(theirs, tank_length / column_length)}
+                                        : Window{0.4, theirs.T.back()};
+    window.high = std::min(window.high, ours[0].T.back() - shifts.high);
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+      const std::string name = measured[k].name;
+      if (name.starts_with(front_by) != experiment.is_front) continue;
+      const std::string front = experiment.is_front ? name.substr(front_by.size()) : name;
+      const FrontComparison judged = compare_fronts(ours[k], theirs, window, window, shifts);
+      add(rms_of(front, experiment.name), judged.rms);
+      add({fmt::format("RMS error against {}, with the best time shift, {}", experiment.name, front), "", Kind::error},
+          judged.rms_at_best_shift);
+      if (experiment.is_front && std::ranges::find(found, speed_of(front), &Value::quantity) == found.end())
+        add(speed_of(front), judged.slope);
+    }
+  }
+  return found;
+}
+
+std::vector<Value> DamFront::kept(const Level& level, const Run& run) const {
+  if (!run.summary.finished) return {};
+  const double end = run.summary.end_time,
+               change = run.history.seen.back()[mass] / (density * column_length * column_height) - 1;
+  return {{level.name, level.spacing, end, mass_change, change},
+          {level.name, level.spacing, end, lost, 0 - largest_departure(run, inside)}};
+}
+
 std::vector<Value> DamFront::compare(const Level& level, const Run& run) const {
+  std::vector<Value> found = kept(level, run);
+  std::ranges::copy(against_lobovsky(level, run), std::back_inserter(found));
+  return found;
+}
+
+std::vector<Value> DamFront::against_lobovsky(const Level& level, const Run& run) const {
   std::vector<Value> found;
   const auto add = [&](const Quantity& quantity, double value) {
     found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
   if (!run.summary.finished) return found;
-  add(mass_change, run.history.seen.back()[mass] / (density * column_length * column_height) - 1);
-  add(lost, 0 - largest_departure(run, inside));
 
   constexpr double end_of_data = 1.59;  // T when the measured front meets the wall
   if (scaled_time(run.summary.end_time) < end_of_data) return found;

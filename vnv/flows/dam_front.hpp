@@ -20,6 +20,11 @@ struct DamFront {
   inline static const Quantity slope_error{
       "relative error of the front speed dL/dT from T = 1 to 1.58 or impact (measured 1.34)", "%", Kind::deviation};
 
+  /// Of the front by an operator, in `against_experiments`; the second follows the spacing.
+  inline static const std::string of_thin_slab = "half-full slab of two spacings";
+  static Quantity speed_of(const std::string& front);
+  static Quantity rms_of(const std::string& front, const std::string& experiment);
+
   // Of all runs.
   inline static const Quantity mass_change{"relative mass error", "", Kind::invariant};
   inline static const Quantity lost{"particles lost or outside the domain", "", Kind::count, Better::smaller};
@@ -35,7 +40,22 @@ struct DamFront {
                                                        {"mass", "kg/m"},
                                                        {"particles in the tank"}};
 
-  /// Fronts against the measured one, mass and number of particles, of a run with `monitored`.
+  /// The front as L by five operators, of which two follow the spacing [m], for which a slab of one height would be too
+  /// thin or too thick; and the residual height of the column at the back wall, over h0.
+  std::vector<Value> positions(const Level& level, const Samples& samples) const;
+
+  /// Each of them over time against each experiment with a column of this aspect, from when the gate is open until the
+  /// front is near the far wall: the RMS error with clocks as they are and with the time shift that fits best, and the
+  /// slope of our front.
+  std::vector<Value> against_experiments(const Level& level, const Run& run) const;
+
+  /// Mass and number of particles, of a run with `monitored`.
+  std::vector<Value> kept(const Level& level, const Run& run) const;
+
+  /// Fronts of a run with `monitored` against that of Lobovský et al. (2014).
+  std::vector<Value> against_lobovsky(const Level& level, const Run& run) const;
+
+  /// Both.
   std::vector<Value> compare(const Level& level, const Run& run) const;
 
   /// L over T for the levels named, with Lobovský et al., Martin & Moyce and Ritter's bound.

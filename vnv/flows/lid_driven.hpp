@@ -5,22 +5,52 @@
 #include "vnv/measures/centrelines.hpp"
 #include "vnv/methods/methods.hpp"
 
+#include <array>
+
 namespace touchstone::vnv::lid_driven {
 
 inline constexpr Cavity cavity{.side = 1, .lid_speed = 1};
 inline constexpr double rho = 1000, c = 5;       // kg/m³, m/s
 inline constexpr double output_interval = 0.25;  // s  holds a whole number of steps
 
-/// At a Reynolds number; `lid` says which way it slides. Where walls meet the last one holds: the lid reaches from wall
-/// to wall.
-inline Scene<Newtonian> scene_at(double Re, const Vec2& lid = {cavity.lid_speed, 0}) {
-  const Vec2 corner(cavity.side, cavity.side);
+/// A Reynolds number of the tables, and when its flow is steady.
+struct Flow {
+  int Re;
+  double end;  // s
+
+  std::string at(int particles) const { return fmt::format("Re {}, {} across", Re, particles); }
+};
+inline constexpr std::array flows{Flow{100, 12}, Flow{400, 25}, Flow{1000, 35}};
+
+/// At a Reynolds number; `lid` [m/s] says which way it slides. Where walls meet the last one holds: the lid reaches
+/// from wall to wall.
+inline Scene<Newtonian> scene_with(const Cavity& box, double density, double sound_speed, double Re, const Vec2& lid) {
+  const Vec2 corner(box.side, box.side);
   return {.domain = {.box = {.high = corner}},
-          .fluid = {{.density = rho, .bulk_modulus = rho * c * c / 7}, rho * cavity.lid_speed * cavity.side / Re},
+          .fluid = {{.density = density, .bulk_modulus = density * sound_speed * sound_speed / Tait::gamma},
+                    density * box.lid_speed * box.side / Re},
           .filled = {.high = corner},
-          .walls = {floor_at(0, no_slip()), left_at(0, no_slip()), right_at(cavity.side, no_slip()),
-                    ceiling_at(cavity.side, no_slip(lid))}};
+          .walls = {floor_at(0, no_slip()), left_at(0, no_slip()), right_at(box.side, no_slip()),
+                    ceiling_at(box.side, no_slip(lid))}};
 }
+inline Scene<Newtonian> scene_at(double Re, const Vec2& lid = {cavity.lid_speed, 0}) {
+  return scene_with(cavity, rho, c, Re, lid);
+}
+
+inline std::vector<Value> against_ghia(const Level& level, const Run& run, const Cavity& box, int Re) {
+  std::vector<Value> errors;
+  for (const auto direction : {Centreline::vertical, Centreline::horizontal})
+    for (const Value& error : box.compare(level, run, ghia_centreline(data_folder(), direction, Re)))
+      errors.push_back(error);
+  return errors;
+}
+
+/// Both components at most so far from the tables, in per cent of the lid's speed.
+inline std::vector<Claim> within(double percent, const Author& author) {
+  return {at_most(norm_of("L2", Centreline::vertical), percent, author),
+          at_most(norm_of("L2", Centreline::horizontal), percent, author)};
+}
+inline const Author ghia = literature("Ghia, Ghia & Shin 1982, tables I and II");
 
 // The methods that run it, for a scene.
 inline Method affine(const Scene<Newtonian>& scene) { return mpm_affine(scene, output_interval); }

@@ -9,21 +9,29 @@
 
 namespace touchstone::vnv::manufactured {
 
-inline constexpr double rho0 = 1000, c = 10;  // kg/m³, m/s
-inline constexpr Newtonian fluid{{.density = rho0, .bulk_modulus = rho0 * c * c / 7}, 10};
-inline constexpr reference::Manufactured exact{.L = square::side,
-                                               .U = 1,
-                                               .omega = 5,
-                                               .rho0 = rho0,
-                                               .ripple = 0.02,
-                                               .K = fluid.bulk_modulus,
-                                               .mu = fluid.viscosity};
+/// Its parameters; those that are set are those of the case.
+struct Chosen {
+  double L = square::side, U = 1, omega = 5, ripple = 0.02;  // m, m/s, 1/s, -
+  double rho0 = 1000, c = 10, Re = 100;                      // kg/m³, m/s, -
 
-inline Vec2 velocity(const Vec2& x, double t) {
-  const auto v = exact.velocity(x.x(), x.y(), t);
-  return {v[0], v[1]};
+  constexpr Newtonian fluid() const {
+    return {{.density = rho0, .bulk_modulus = rho0 * c * c / Tait::gamma}, rho0 * U * L / Re};
+  }
+  constexpr reference::Manufactured exact() const {
+    return {L, U, omega, rho0, ripple, fluid().bulk_modulus, fluid().viscosity};
+  }
+};
+inline constexpr Newtonian fluid = Chosen{}.fluid();
+inline constexpr reference::Manufactured exact = Chosen{}.exact();
+
+inline VelocityTruth velocity_of(const reference::Manufactured& flow) {
+  return [flow](const Vec2& x, double t) -> Vec2 { return Vec2(flow.velocity(x.x(), x.y(), t).data()); };
 }
-inline double pressure(const Vec2& x, double /*t*/) { return exact.pressure(x.x(), x.y()); }
+inline PressureTruth pressure_of(const reference::Manufactured& flow) {
+  return [flow](const Vec2& x, double) { return flow.pressure(x.x(), x.y()); };
+}
+inline const VelocityTruth velocity = velocity_of(exact);
+inline const PressureTruth pressure = pressure_of(exact);
 
 struct Sustaining {
   View seen = views::plain();
@@ -35,7 +43,7 @@ struct Sustaining {
   }
 };
 
-inline constexpr double end = 0.2;  // s
+inline constexpr double end = 0.2;  // s  a fifth of L / U
 inline const Scene<Newtonian, ForceField> scene{.domain = square::domain,
                                                 .fluid = fluid,
                                                 .filled = square::box,

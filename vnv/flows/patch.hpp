@@ -2,6 +2,10 @@
 /// A square patch of an inviscid fluid that begins to rotate as if rigid, in nothing [Colagrossi 2005].
 
 #include "reference/rotating_patch.hpp"
+#include "vnv/judge/norms.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/measures/half_axes.hpp"
+#include "vnv/measures/roughness.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 namespace touchstone::vnv::patch {
@@ -13,12 +17,91 @@ inline const reference::RotatingPatch exact{.L = L, .omega = omega, .rho = rho0}
 inline Vec2 velocity(const Vec2& x, double /*t*/) { return {exact.v_x(x.y()), exact.v_y(x.x())}; }
 inline double pressure(const Vec2& x, double /*t*/) { return exact.p(x.x(), x.y()); }
 
-inline Scene<Tait> scene() {
-  return {.domain = {.box = {.low = {-1.5, -1.5}, .high = {1.5, 1.5}}},
-          .fluid = {.density = rho0, .bulk_modulus = rho0 * c * c / 7},
-          .filled = {.low = {-L / 2, -L / 2}, .high = {L / 2, L / 2}},
-          .start = {.velocity = [](const Vec2& x) { return velocity(x, 0); },
-                    .pressure = [](const Vec2& x) { return pressure(x, 0); }}};
+inline Scene<Tait> scene_with(const reference::RotatingPatch& flow, double sound_speed) {
+  const Vec2 far = Vec2::Constant(1.5 * flow.L), corner = Vec2::Constant(flow.L / 2);
+  return {.domain = {.box = {.low = -far, .high = far}},
+          .fluid = {.density = flow.rho, .bulk_modulus = flow.rho * sound_speed * sound_speed / Tait::gamma},
+          .filled = {.low = -corner, .high = corner},
+          .start = {.velocity = [flow](const Vec2& x) -> Vec2 {
+                      return {flow.v_x(x.y()), flow.v_y(x.x())};
+                    },
+                    .pressure = [flow](const Vec2& x) { return flow.p(x.x(), x.y()); }}};
+}
+inline Scene<Tait> scene() { return scene_with(exact, c); }
+
+/// Columns of what is monitored.
+enum Monitored : std::size_t { momentum_x, momentum_y, turning, energy, longer, shorter, middle };
+
+/// Mean pressure [Pa] over the particles within a tenth of a side [m] from the middle.
+inline double pressure_in_the_middle(const Samples& s, double side) {
+  return mean_where(s, vnv::pressure, [side](const Vec2& x) { return x.norm() < 0.1 * side; });
+}
+
+inline Watch monitored(double side) {
+  return {.every = 0.02,
+          .see = [side](const Samples& s) -> std::vector<double> {
+            const auto axes = half_axes(s);
+            const Vec2 momentum = s.v * s.mass.matrix();
+            return {momentum.x(),
+                    momentum.y(),
+                    angular_momentum(s),
+                    kinetic_energy(s),
+                    axes[0],
+                    axes[1],
+                    pressure_in_the_middle(s, side)};
+          },
+          .quantities = {{"momentum along x", "kg/s"},
+                         {"momentum along y", "kg/s"},
+                         {"angular momentum", "kg m/s"},
+                         {"kinetic energy", "J/m"},
+                         {"longer half-axis", "m"},
+                         {"shorter half-axis", "m"},
+                         {"pressure in the middle", "Pa"}}};
+}
+
+inline const Quantity drift{"largest change of momentum over m omega L", "", Kind::invariant},
+    torque{"largest relative change of angular momentum", "%", Kind::invariant},
+    loss{"relative loss of kinetic energy", "%", Kind::invariant},
+    skew{"relative difference of the half-axes from second moments", "%", Kind::invariant};
+
+/// The last of them only where it is asked for.
+inline Measurement what_is_not_kept(const reference::RotatingPatch& flow,
+                                    std::function<bool(const Level&)> asks_for_skew) {
+  return [=](const Level& level, const Run& run) -> std::vector<Value> {
+    if (!run.summary.finished) return {};
+    const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
+    double largest = 0, farthest = 0;
+    for (const std::vector<double>& seen : run.history.seen) {
+      largest = norms::larger_magnitude(
+          largest, std::hypot(seen[momentum_x] - first[momentum_x], seen[momentum_y] - first[momentum_y]));
+      farthest = norms::larger_magnitude(farthest, seen[turning] / first[turning] - 1);
+    }
+    const auto at_the_end = [&](const Quantity& quantity, double value) {
+      return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
+    };
+    std::vector<Value> found = {at_the_end(drift, largest / (flow.mass() * flow.omega * flow.L)),
+                                at_the_end(torque, 100 * std::abs(farthest)),
+                                at_the_end(loss, 100 * (1 - last[energy] / first[energy]))};
+    if (asks_for_skew(level)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
+    return found;
+  };
+}
+
+inline Measurement central_pressure(const reference::RotatingPatch& flow) {
+  return [=](const Level& level, const Run& run) {
+    std::vector<Value> found;
+    for (const Samples& s : run.samples)
+      found.push_back({level.name,
+                       level.spacing,
+                       s.time,
+                       {"central pressure over that at the start"},
+                       pressure_in_the_middle(s, flow.L) / flow.p(0, 0)});
+    return found;
+  };
+}
+
+inline Measurement roughness_of_pressure(const reference::RotatingPatch& flow) {
+  return roughness_of("pressure", vnv::pressure, "rho omega² L²", flow.rho * flow.omega * flow.omega * flow.L * flow.L);
 }
 
 // The methods that run it, for a scene.

@@ -4,53 +4,103 @@
 #include "reference/hydrostatic.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 namespace touchstone::vnv::water_at_rest {
 
-inline constexpr double depth = 1, width = 0.5, g = 9.81, rho0 = 1000;  // m, m, m/s², kg/m³
-inline constexpr double c = 40;                                         // m/s  12.8 times that of a wave on it
-inline constexpr double output_interval = 0.1;                          // s  of which every step divides the times
-inline constexpr Tait water{.density = rho0, .bulk_modulus = rho0 * c * c / 7};
+/// Its parameters; those that are set are those of the case.
+struct Water {
+  double depth = 1, width = 0.5, g = 9.81, rho0 = 1000;  // m, m, m/s², kg/m³
+  double c = 40;                                         // m/s  12.8 times that of a wave on it
 
-/// As deep as water of uniform density would be 1 m deep.
-inline reference::Hydrostatic of_depth(double h) {
-  return {.rho0 = rho0, .K = water.bulk_modulus, .g = g, .h = h, .gamma = water.gamma};
-}
-inline double compressed_depth() {
-  double low = 0.9 * depth, high = depth;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = (low + high) / 2;
-    (of_depth(middle).mass() < rho0 * depth ? low : high) = middle;
+  constexpr Tait fluid() const { return {.density = rho0, .bulk_modulus = rho0 * c * c / Tait::gamma}; }
+  reference::Hydrostatic of_depth(double h) const {
+    return {.rho0 = rho0, .K = fluid().bulk_modulus, .g = g, .h = h, .gamma = Tait::gamma};
   }
-  return (low + high) / 2;
-}
-inline const reference::Hydrostatic exact = of_depth(compressed_depth());
+  /// As deep as the water of uniform density would be of that depth.
+  reference::Hydrostatic exact() const {
+    double low = 0.9 * depth, high = depth;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (of_depth(middle).mass() < rho0 * depth ? low : high) = middle;
+    }
+    return of_depth((low + high) / 2);
+  }
+};
 
 /// The height above which so much mass [kg/m²] lies in equilibrium: p = g mass.
-inline double height_below(double mass) {
-  const double power = exact.gamma / (exact.gamma - 1), rise = std::expm1(std::log1p(g * mass / exact.K) / power);
-  return exact.h - power * exact.K * rise / (rho0 * g);
+inline double height_below(double mass, const reference::Hydrostatic& exact) {
+  const double power = exact.gamma / (exact.gamma - 1), rise = std::expm1(std::log1p(exact.g * mass / exact.K) / power);
+  return exact.h - power * exact.K * rise / (exact.rho0 * exact.g);
 }
-inline Vectors compressed(const Vectors& lattice) {
+
+/// A row of a lattice over this depth [m] at the height at which it has its equilibrium column of water above it.
+inline Vectors compressed(const Vectors& lattice, double depth, const reference::Hydrostatic& exact) {
   Vectors places = lattice;
-  for (double& y : places.row(1).reshaped()) y = height_below(rho0 * (depth - y));
+  for (double& y : places.row(1).reshaped()) y = height_below(exact.rho0 * (depth - y), exact);
   return places;
 }
 
-inline const Scene<Tait, Uniform> scene{
-    .domain = {.box = {.high = {width, 1.2 * depth}}, .periodic_x = true},
-    .fluid = water,
-    .filled = {.high = {width, depth}},
-    .walls = {floor_at(0, free_slip())},
-    .body_force = {{0, -g}},
-    .start = {.pressure = [](const Vec2& x) { return exact.p(std::min(x.y(), exact.h)); }, .places = compressed},
-};
+inline Scene<Tait, Uniform> scene_with(const Water& water) {
+  const reference::Hydrostatic exact = water.exact();
+  return {
+      .domain = {.box = {.high = {water.width, 1.2 * water.depth}}, .periodic_x = true},
+      .fluid = water.fluid(),
+      .filled = {.high = {water.width, water.depth}},
+      .walls = {floor_at(0, free_slip())},
+      .body_force = {{0, -water.g}},
+      .start = {.pressure = [exact](const Vec2& x) { return exact.p(std::min(x.y(), exact.h)); },
+                .places = [=](const Vectors& lattice) { return compressed(lattice, water.depth, exact); }},
+  };
+}
 
-inline double pressure_at(double y, double /*t*/) { return y < exact.h ? exact.p(y) : 0; }
+inline constexpr double depth = Water{}.depth, g = Water{}.g, c = Water{}.c;
+inline constexpr double output_interval = 0.1;  // s  of which every step divides the times
+inline const reference::Hydrostatic exact = Water{}.exact();
+inline const Scene<Tait, Uniform> scene = scene_with({});
+
+inline Truth pressure_of(const reference::Hydrostatic& flow) {
+  return [flow](double y, double) { return y < flow.h ? flow.p(y) : 0; };
+}
+inline const Truth pressure_at = pressure_of(exact);
 inline Measure pressures(const Level&) { return per_particle(pressure); }
 inline const Quantity l2_p{"L2 p, per particle", "%", Kind::norm};
+
+/// Kinetic over potential energy, and the highest particle [m].
+inline Watch monitored(double gravity) {
+  return {
+      .every = 0.05,
+      .see = [gravity](const Samples& s) -> std::vector<double> {
+        return {kinetic_energy(s) / (gravity * (s.mass * s.x.row(1).transpose().array()).sum()), s.x.row(1).maxCoeff()};
+      },
+      .quantities = {{"kinetic over potential energy"}, {"height of the highest particle", "m"}}};
+}
+
+inline constexpr double settled = 1;  // s
+inline const Quantity kinetic{"maximum ratio of kinetic to potential energy after 1 s", "", Kind::error};
+inline const Quantity displacement{"largest displacement of the free surface over the depth", "%", Kind::error};
+
+/// At each time of a case once the start has died away: the largest until then.
+inline Measurement unrest(double of_depth) {
+  return [=](const Level& level, const Run& run) {
+    std::vector<Value> errors;
+    for (const Samples& s : run.samples) {
+      if (s.time <= settled * (1 + 1e-9)) continue;
+      double largest = 0, farthest = 0;
+      for (std::size_t k = 0; k < run.history.time.size() && run.history.time[k] <= s.time * (1 + 1e-9); ++k) {
+        const std::vector<double>& seen = run.history.seen[k];
+        if (run.history.time[k] >= settled) largest = std::max(largest, seen[0]);
+        farthest = std::max(farthest, std::abs(seen[1] - run.history.seen[0][1]));
+      }
+      errors.push_back({level.name, level.spacing, s.time, kinetic, largest});
+      errors.push_back({level.name, level.spacing, s.time, displacement, 100 * farthest / of_depth});
+    }
+    return errors;
+  };
+}
 
 // The methods that run it, for a scene.
 inline Method printed(const Scene<Tait, Uniform>& seen) { return mpm_as_printed(seen, output_interval, 0.4); }

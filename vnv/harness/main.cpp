@@ -130,6 +130,9 @@ int explore(const Case& declared) {
     Case unjudged = declared;
     unjudged.claims.clear();
     unjudged.plots.clear();
+    if (options.every > 0) unjudged.times.clear();
+    for (int k = 0; options.every > 0 && options.every * k < level.acceptance * (1 - 1e-9); ++k)
+      unjudged.times.push_back(options.every * k);
     const Record record = assess(case_name, unjudged, results_of(unjudged, custom, Suite::acceptance), std::nullopt);
     print(record);
     for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);

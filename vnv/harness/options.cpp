@@ -37,6 +37,9 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
   app.add_option("--until", until, "with --spacing: end time [s]; else the first time of the case")
       ->needs("--spacing")
       ->check(positive);
+  app.add_option("--every", every, "with --spacing: measure so often [s], from 0 on; else at the times of the case")
+      ->needs("--spacing")
+      ->check(positive);
   app.add_option("--accept", accept_reason, "make today's values the baselines, for this reason");
   app.add_option_function<std::string>(
          "--mutate", [this](const std::string& folder) { mutated = folder; },

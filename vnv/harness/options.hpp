@@ -13,7 +13,7 @@ struct Options {
   Suite suite = Suite::acceptance;
   std::string method{};   // empty: all
   bool explores = false;  // one run at this `spacing`, not judged
-  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0;
+  double spacing = 0, cell = not_a_number, time_step = not_a_number, until = 0, every = 0;
   bool accepts = false;
   std::string accept_reason{};
   std::filesystem::path vtp{};      // folder for the particles of each run; empty: none

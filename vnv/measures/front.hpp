@@ -1,7 +1,7 @@
 #pragma once
-/// Where the front of a dam break is that runs along a floor in +x. The answer depends on the operator, so there are
-/// three: log all, judge `half_full_slab`. Each gives x [m]; without a front, or with a place or volume that is not a
-/// finite number, it gives not a number.
+/// Where the front of a dam break is that runs along a floor in +x, and how high water stands. The answer depends on
+/// the operator, so there are four: log all, judge `half_full_slab`. Each gives x [m]; without a front, or with a place
+/// or volume that is not a finite number, it gives not a number.
 
 #include "solvers/samples.hpp"
 #include "vnv/record/quantity.hpp"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <queue>
 #include <stdexcept>
 #include <utility>
@@ -79,6 +80,40 @@ inline double percentile_front(const Samples& samples) {
   for (const auto& [place, volume] : in_order)
     if ((behind += volume) >= expected) return place;
   return x.maxCoeff();  // the sums differ by rounding
+}
+
+/// The farthest particle of the body of most particles: those closer than `reach` [m] to one of a body belong to it.
+inline double farthest_of_body(const Samples& samples, double reach) {
+  if (!fronts::known(samples)) return not_a_number;
+  std::multimap<std::array<long, 2>, Eigen::Index> left;  // by squares of that side
+  const auto square_of = [&](Eigen::Index p, long columns, long rows) -> std::array<long, 2> {
+    return {std::lround(std::floor(samples.x(0, p) / reach)) + columns,
+            std::lround(std::floor(samples.x(1, p) / reach)) + rows};
+  };
+  for (Eigen::Index p = 0; p < samples.size(); ++p) left.emplace(square_of(p, 0, 0), p);
+  std::vector<Eigen::Index> largest;
+  while (left.size() > largest.size()) {
+    std::vector<Eigen::Index> body{left.extract(left.begin()).mapped()};
+    for (std::size_t k = 0; k < body.size(); ++k)
+      for (const long columns : {-1, 0, 1})
+        for (const long rows : {-1, 0, 1}) {
+          const Eigen::Index p = body[k];
+          auto [near, end] = left.equal_range(square_of(p, columns, rows));
+          while (near != end)
+            if ((samples.x.col(near->second) - samples.x.col(p)).norm() < reach)
+              body.push_back(near->second), near = left.erase(near);
+            else
+              ++near;
+        }
+    if (body.size() > largest.size()) largest = std::move(body);
+  }
+  return samples.x(0, largest).maxCoeff();
+}
+
+/// The mean height [m] of the water that stands over a part of the floor.
+inline double level_between(const Samples& samples, double low, double high) {
+  const Scalars x = samples.x.row(0).transpose();
+  return (x >= low && x < high).select(samples.volumes(), 0).sum() / (high - low);
 }
 
 /// The middle of the farthest slab that is half full: one cell [m] long, one cell high, standing on the floor, anywhere

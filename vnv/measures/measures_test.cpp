@@ -160,6 +160,7 @@ TEST(Fronts, OnlyTheFarthestParticleFollowsADrop) {
   const auto spray = joined(column, drop({1.7, 0}, 0.05));
   EXPECT_NEAR(farthest_particle(spray), 1.725, 1e-14);
   EXPECT_LT(percentile_front(spray), 1);
+  EXPECT_NEAR(farthest_of_body(spray, cell), 0.975, 1e-14);
   EXPECT_NEAR(half_full_slab(spray, cell), 1, 1e-13);
 }
 
@@ -172,8 +173,21 @@ TEST(Fronts, AreNotANumberWithoutFluidOrWithAPlaceOrVolumeThatIsNone) {
   for (std::size_t i = 0; i < bad.size(); ++i) {
     EXPECT_TRUE(std::isnan(farthest_particle(bad[i]))) << i;
     EXPECT_TRUE(std::isnan(percentile_front(bad[i]))) << i;
+    EXPECT_TRUE(std::isnan(farthest_of_body(bad[i], cell))) << i;
     EXPECT_TRUE(std::isnan(half_full_slab(bad[i], cell))) << i;
   }
+}
+
+TEST(FarthestOfBody, FollowsAThinSheetAndNotALargerDropBehindAGap) {
+  const auto sheet = joined(column, block({1, 0}, {0.5, 0.05}, 0.05));
+  EXPECT_NEAR(farthest_of_body(sheet, cell), 1.475, 1e-14);
+  EXPECT_NEAR(farthest_of_body(joined(sheet, block({1.6, 0}, {0.3, 0.3}, 0.05)), cell), 1.475, 1e-14);
+  EXPECT_NEAR(farthest_of_body(moved(sheet, {-3, 0}), cell), -1.525, 1e-14);
+}
+
+TEST(LevelBetween, IsTheVolumeOverTheFloor) {
+  EXPECT_NEAR(level_between(column, 0, 0.2), 1, 1e-13);
+  EXPECT_NEAR(level_between(column, 0.5, 2.5), 0.25, 1e-13);
 }
 
 TEST(PercentileFront, HasNearlyAllOfTheVolumeBehindIt) {

@@ -1,0 +1,183 @@
+/// Flows with a free surface.
+
+#include "vnv/doors/flows.hpp"
+#include "vnv/flows/dam_break.hpp"
+#include "vnv/flows/drop.hpp"
+#include "vnv/flows/gravity_wave.hpp"
+#include "vnv/flows/patch.hpp"
+#include "vnv/flows/water_at_rest.hpp"
+#include "vnv/measures/roughness.hpp"
+
+namespace touchstone::vnv::doors {
+
+Flow hydrostatic(Settings& set) {
+  using namespace water_at_rest;
+  Water water;
+  water.depth = set.positive("h", water.depth, "m", "depth that the water would have at its density without pressure");
+  water.width = set.positive("L", water.width, "m", "length of the periodic box");
+  water.g = set.positive("g", water.g, "m/s²", "gravity, down");
+  water.rho0 = set.positive("rho", water.rho0, "kg/m³", "density without pressure");
+  water.c = set.positive("c", water.c, "m/s", "speed of sound without pressure");
+  Flow flow;
+  set_scene(flow, scene_with(water));
+  flow.shape = "rows of a lattice, each moved to the height at which it has its equilibrium column of water above it,";
+  flow.across = water.depth;
+  flow.judged.title = "Hydrostatic equilibrium";
+  flow.judged.description =
+      "Water rests under gravity between a bottom wall and a free surface, periodic along x. The oracle is the equilibrium of "
+      "Tait's law. Any motion is spurious.";
+  flow.judged.times = {settled, 2, 10};
+  flow.judged.watch = monitored(water.g);
+  flow.judged.claims = {is_consistent(l2_p)};
+  flow.of_resolved = {
+      at_most(displacement, 1, theory("water at rest stays at rest; a surface is resolved to half a spacing"))};
+  flow.resolved = 40;
+  flow.measured = {{{"pressure"}, norms_of("p, per particle", pressures, pressure_of(water.exact()))},
+                   {{"velocity"}, unrest(water.depth), Span{0, settled, 3}, "rest"}};
+  return flow;
+}
+
+Flow standing_wave(Settings& set) {
+  using namespace gravity_wave;
+  Wave wave;
+  wave.L = set.positive("L", wave.L, "m", "length of the wave and of the periodic box");
+  wave.depth = set.positive("h", wave.depth, "m", "depth at rest");
+  wave.a = set.positive("a", wave.a, "m", "amplitude at the start");
+  wave.g = set.positive("g", wave.g, "m/s²", "gravity, down");
+  wave.rho = set.positive("rho", wave.rho, "kg/m³", "density without pressure");
+  wave.nu = set.positive("nu", wave.nu, "m²/s", "kinematic viscosity");
+  wave.c = set.positive("c", wave.c, "m/s", "speed of sound without pressure");
+  const double scale = exact.omega() / wave.exact().omega();  // of times
+  Flow flow;
+  set_scene(flow, scene_with(wave));
+  flow.shape = "a lattice with a wave on it,";
+  flow.across = wave.L;
+  flow.judged.title = "Standing gravity wave";
+  flow.judged.description =
+      "Water starts at rest with a surface that is a cosine and oscillates. The oracle is the linear wave (Lamb 1932): period from "
+      "the dispersion relation, decay rate 2 nu k² from the potential flow over a floor that holds nothing back. Both are those of "
+      "the damped oscillation fitted to the first moment of the particle heights over time.";
+  flow.judged.watch = monitored(wave.L);
+  flow.judged.watch.every *= scale;
+  flow.judged.times = {4 * scale};  // five periods
+  flow.of_resolved = {swings_in_time, fades};
+  flow.resolved = 100;
+  flow.measured = {{{}, errors_of_swing(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"}};
+  return flow;
+}
+
+Flow elliptic_drop(Settings& set) {
+  using namespace drop;
+  const double radius = set.positive("R", R, "m", "radius at the start");
+  const double strain = set.positive("s", s0, "1/s", "strain rate at the start, extension along x");
+  const double density = set.positive("rho", rho0, "kg/m³", "density without pressure");
+  const double sound_speed = set.positive("c", c, "m/s", "speed of sound without pressure");
+  const reference::EllipticDrop drop{.R = radius, .s0 = strain, .rho = density};
+  const double until = end / strain;
+  Flow flow;
+  set_scene(flow, scene_with(drop, sound_speed));
+  flow.shape = "those places of a lattice that are in a drop of radius R about (0, 0),";
+  flow.area = std::numbers::pi * radius * radius;
+  flow.across = 2 * radius;
+  flow.judged.title = "Stretching elliptic drop";
+  flow.judged.description =
+      "A circular drop of an inviscid fluid starts with a uniform strain; no force acts on it. It stays an ellipse, whose half-axes "
+      "and whose pressure follow from an ordinary differential equation (Monaghan 1994).";
+  flow.judged.times = {until / 4, until / 2, 3 * until / 4, until};
+  flow.judged.watch = monitored_axes();
+  flow.judged.watch.every /= strain;
+  flow.judged.claims = {is_consistent(axes_error)};
+  flow.measured = {{{"velocity"}, velocity_errors(velocity_of(drop))},
+                   {{"pressure"}, error_of_pressure(drop)},
+                   {{}, error_of_axes_in(drop), Span{0, until, 2}, "half-axes"}};
+  return flow;
+}
+
+Flow rotating_patch(Settings& set) {
+  using namespace patch;
+  const double side = set.positive("L", L, "m", "side of the square");
+  const double spin = set.positive("omega", omega, "1/s", "angular velocity at the start, clockwise");
+  const double density = set.positive("rho", rho0, "kg/m³", "density without pressure");
+  const double sound_speed = set.positive("c", c, "m/s", "speed of sound without pressure");
+  const reference::RotatingPatch patch{.L = side, .omega = spin, .rho = density};
+  Flow flow;
+  set_scene(flow, scene_with(patch, sound_speed));
+  flow.across = side;
+  flow.judged.title = "Rotating square patch";
+  flow.judged.description =
+      "A square patch of an inviscid fluid starts in rigid rotation, with a free surface all around (Colagrossi 2005). Momentum, "
+      "angular momentum and the symmetry of a square are conserved; kinetic energy too, in the incompressible limit.";
+  flow.judged.times = {0.5 / spin, 1 / spin};
+  flow.judged.watch = monitored(side);
+  flow.judged.watch.every /= spin;
+  flow.judged.claims = {at_most(drift, 1e-6, theory("no external force; files in single precision")),
+                        between(skew, -1, 1, theory("fourfold symmetry"))};
+  flow.of_resolved = {at_most(torque, 1, theory("no external torque"))};
+  flow.resolved = 40;
+  flow.measured = {{{"velocity"},
+                    what_is_not_kept(patch, [](const Level&) { return true; }),
+                    Span{0, 1 / spin, 2},
+                    "what is conserved"},
+                   {{"pressure"}, roughness_of_pressure(patch)},
+                   {{"pressure"}, central_pressure(patch)}};
+  return flow;
+}
+
+Flow dam_break(Settings& set) {
+  using namespace vnv::dam_break;
+  const double l0 = set.positive("l0", column.x(), "m", "length of the column");
+  const double h0 = set.positive("h0", column.y(), "m", "height of the column");
+  const Vec2 size(set.positive("L", tank.x(), "m", "length of the tank"),
+                  set.positive("H", tank.y(), "m", "height of the domain"));
+  const double gravity = set.positive("g", g, "m/s²", "gravity, down");
+  const double rho = set.positive("rho", water.density, "kg/m³", "density without pressure");
+  const double c = set.positive("c", water.sound_speed(), "m/s", "speed of sound without pressure");
+  const Tait fluid{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma};
+  const DamFront dam{.column_length = l0,
+                     .column_height = h0,
+                     .tank_length = size.x(),
+                     .tank_height = size.y(),
+                     .density = rho,
+                     .gravity = gravity,
+                     .slab = l0 / 30};
+  const bool is_published = Vec2(l0, h0) == column && size == tank;           // those of Lobovský et al.
+  const double scale = dam_break::front.scaled_time(1) / dam.scaled_time(1);  // of times
+  Flow flow;
+  set_scene(flow, collapse({l0, h0}, size, fluid, gravity));
+  flow.across = l0;
+  flow.judged.title = "Dam break";
+  flow.judged.description =
+      "A column of water at the left end of a tank collapses under gravity from t = 0, L = l / l0 and T = t sqrt(g h0) / l0. The "
+      "oracles are the experiments with columns of its aspect: Lobovský et al. (2014), h0 = l0 and l0 / 2, Martin & Moyce (1952), "
+      "h0 = l0 and 2 l0, Koshizuka & Oka (1995), h0 = 2 l0; and Ritter's bound dL/dT = 2. A front depends on how it is read: it is "
+      "read in five ways.";
+  flow.judged.times = {0.32 * scale, 0.41 * scale, 0.46 * scale, 0.5 * scale};
+  flow.judged.watch = monitored(dam);
+  flow.judged.watch.every *= scale;
+  flow.judged.claims = {
+      between(dam.mass_change, -1e-6, 1e-6, theory("masses are constant; files in single precision")),
+      between(dam.lost, 0, 0, theory("water does not cross walls")),
+      at_most(dam.speed_of(dam.of_thin_slab), 2, theory("Ritter 1892: shallow water without friction"))};
+  for (const char* experiment : {"Lobovský et al. 2014", "Koshizuka & Oka 1995"})
+    flow.of_resolved.push_back(at_most(
+        dam.rms_of(dam.of_thin_slab, experiment), 0.17,
+        literature("so much the experiments of two authors with one column differ, Martin & Moyce (1952) being one")));
+  flow.resolved = 30;
+  flow.measured = {{{}, [dam](const Level& level, const Run& run) { return dam.positions(level, run.samples.back()); }},
+                   {{},
+                    [=](const Level& level, const Run& run) { return dam.kept(level, run); },
+                    Span{0, 0, 2},
+                    "mass and particles"},
+                   {{},
+                    [=](const Level& level, const Run& run) {
+                      std::vector<Value> found = dam.against_experiments(level, run);
+                      if (is_published) std::ranges::copy(dam.against_lobovsky(level, run), std::back_inserter(found));
+                      return found;
+                    },
+                    Span{0.5 * scale, 0.5 * scale, 20},
+                    "the front"},
+                   {{"pressure"}, roughness_of("pressure", vnv::pressure, "rho g h0", rho * gravity * h0)}};
+  return flow;
+}
+
+}  // namespace touchstone::vnv::doors
