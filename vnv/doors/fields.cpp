@@ -60,7 +60,9 @@ std::string plain(const std::string& name) {
 }
 std::string unit_in(const std::string& name) {
   const std::size_t open = name.find('['), close = name.find(']');
-  return open == name.npos || close == name.npos ? "" : name.substr(open + 1, close - open - 1);
+  if (open == name.npos || close == name.npos || close < open) return "";
+  const std::string unit = name.substr(open + 1, close - open - 1);
+  return std::ranges::all_of(unit, [](unsigned char c) { return std::isdigit(c); }) ? "" : unit;  // an index, "c_v[1]"
 }
 
 /// One field: an array of so many components, or several columns.
@@ -82,9 +84,12 @@ struct Found {
 /// "u" and "v", those of a place "x" and "y".
 std::vector<const Array*> components_of(const Dataset& data, const std::string& field, const std::string& base) {
   const auto column = [&](const std::string& name) -> const Array* {
-    for (const Array& array : data.arrays)
-      if (array.components == 1 && plain(array.name) == name) return &array;
-    return nullptr;
+    const Array* found = nullptr;
+    for (const Array& array : data.arrays) {
+      if (array.components != 1 || plain(array.name) != name) continue;
+      if (!found || array.name == name) found = &array;  // "v", where there is "V" too
+    }
+    return found;
   };
   std::vector<std::array<std::string, 3>> patterns{{base + "x", base + "y", base + "z"},
                                                    {base + "0", base + "1", base + "2"}};
@@ -101,6 +106,7 @@ std::vector<const Array*> components_of(const Dataset& data, const std::string& 
 
 Found found_as(const Dataset& data, const std::string& field, const std::string& base) {
   const bool is_vector = field == "position" || field == "velocity";
+  if (const Array* exact = data.array(base); exact && (exact->components > 1) == is_vector) return {{exact}, base};
   for (const Array& array : data.arrays)
     if (plain(array.name) == base && (array.components > 1) == is_vector) return {{&array}, array.name};
   if (!is_vector) return {};
@@ -182,7 +188,14 @@ std::vector<std::size_t> chosen_rows(const Dataset& data, const Mapping& mapping
     by = data.array(mapping.only.substr(0, equals));
     const std::string number = equals == mapping.only.npos ? "" : mapping.only.substr(equals + 1);
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (!by || by->components != 1 || error != std::errc{} || end != number.data() + number.size())
+    const bool is_number = error == std::errc{} && end == number.data() + number.size();
+    if (by && !by->labels.empty()) {
+      const auto label = std::ranges::find(by->labels, number);
+      if (label == by->labels.end())
+        throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, number,
+                                     fmt::join(by->labels, ", ")));
+      value = static_cast<double>(label - by->labels.begin());
+    } else if (!by || by->components != 1 || !is_number)
       throw Unreadable(
           fmt::format("{}: --only '{}', expected NAME=VALUE of an array of one component", data.source, mapping.only));
   }
@@ -207,6 +220,14 @@ double time_of(const Dataset& data, const Mapping& mapping, std::string& words) 
     return *mapping.time;
   }
   throw Unreadable(fmt::format("{}: no time in it, expected one: --time or --time-step", data.source));
+}
+
+/// Words by which rows can be chosen, such as PySPH's particle arrays.
+std::string labels_of(const Dataset& data) {
+  std::string words;
+  for (const Array& array : data.arrays)
+    if (!array.labels.empty()) words += fmt::format(" ({} is {})", array.name, fmt::join(array.labels, ", "));
+  return words;
 }
 
 /// What places outside the domain might be: in another unit, if a power of ten brings them in.
@@ -270,9 +291,9 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     if (!mapping.inside || within.empty())
       throw Unreadable(
           fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
-                      "fluid, --only NAME=VALUE or --inside, or where the origin is, --origin{}",
+                      "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
                       data.source, outside, rows.size(), domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
-                      domain.box.high.y(), guess_of_unit(s.x, domain)));
+                      domain.box.high.y(), labels_of(data), guess_of_unit(s.x, domain)));
     say("left out", fmt::format("{} rows outside the domain", outside));
     s.x = Vectors(s.x(Eigen::all, kept));
     rows = within;

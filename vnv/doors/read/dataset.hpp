@@ -15,6 +15,7 @@ struct Array {
   std::string name;
   int components = 1;
   std::vector<double> values{};
+  std::vector<std::string> labels{};  // where they stand for words: value k for labels[k]
 
   std::size_t rows() const { return values.size() / static_cast<std::size_t>(components); }
 };

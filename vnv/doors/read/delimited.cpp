@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <optional>
+
+#include "vnv/doors/read/columns.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -98,30 +99,10 @@ class Table {
           fmt::format("{}: no row of numbers, expected a table of text or a format that is known: VTP, VTU, "
                       "legacy VTK, PVD",
                       file_.string()));
-    const auto time = std::ranges::find_if(columns_, [](const Array& column) {
-      const std::string name = column.name.substr(0, column.name.find_first_of(" [("));
-      return name == "time" || name == "Time" || name == "t";
-    });
     Dataset whole{.source = file_.string(),
-                  .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_)};
-    if (time == columns_.end()) {
-      whole.arrays = std::move(columns_);
-      return {whole};
-    }
-    std::map<double, std::vector<std::size_t>> rows;
-    for (std::size_t k = 0; k < time->values.size(); ++k) rows[time->values[k]].push_back(k);
-    std::vector<Dataset> all;
-    for (const auto& [now, of_it] : rows) {
-      Dataset one = whole;
-      one.time = now;
-      for (const Array& column : columns_) {
-        Array part{.name = column.name};
-        for (const std::size_t k : of_it) part.values.push_back(column.values[k]);
-        one.arrays.push_back(std::move(part));
-      }
-      all.push_back(std::move(one));
-    }
-    return all;
+                  .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
+                  .arrays = std::move(columns_)};
+    return parted_by_time(std::move(whole));
   }
 
  private:

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "vnv/doors/read/vtk_numbers.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ FilesBeside::FilesBeside(const fs::path& first, const Limits& limits) : limits_(
 
 FilesBeside::Named FilesBeside::read(const fs::path& naming, const std::string& name) {
   const auto refuse = [&](const std::string& expected) {
-    vtk::refuse(naming.string(), fmt::format("file '{}', expected {}", name.substr(0, 200), expected));
+    doors::refuse(naming.string(), fmt::format("file '{}', expected {}", name.substr(0, 200), expected));
   };
   const fs::path relative = name;
   if (name.empty() || relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end() ||

@@ -1,18 +1,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
-#include "vnv/doors/read/vtk_testing.hpp"
+#include "vnv/doors/read/npy.hpp"
+#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/series.hpp"
+#include "vnv/doors/read/testing.hpp"
+#include "vnv/doors/read/vtk_legacy.hpp"
+#include "vnv/doors/read/vtk_xml.hpp"
 
-namespace touchstone::vnv::doors::vtk {
+namespace touchstone::vnv::doors {
 namespace mutations_test {
 
 namespace fs = std::filesystem;
 
 std::vector<fs::path> all_samples() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(sample("")))
+  for (const auto& entry : fs::recursive_directory_iterator(samples()))
     if (entry.is_regular_file() && entry.path().filename().string().find("make_") != 0 &&
         entry.path().extension() != ".md")
       files.push_back(entry.path());
@@ -45,14 +51,28 @@ std::string mutated(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
+using Reader = std::vector<Dataset> (*)(const fs::path&, std::string_view, const Limits&);
+
+Reader read_as(const std::string& extension) {
+  const std::map<std::string, Reader> readers = {
+      {".vtk", read_vtk_legacy},
+      {".series", read_series},
+      {".npy", read_npy},
+      {".npz", read_npz},
+      {".pickle", [](const fs::path& file, std::string_view bytes, const Limits&) {
+         Pickle(bytes, file.string());
+         return std::vector<Dataset>{};
+       }}};
+  const auto known = readers.find(extension);
+  return known == readers.end() ? static_cast<Reader>(read_vtk_xml) : known->second;
+}
+
 /// Datasets of equally many rows, or one line that says why there are none.
 void expect_rows_or_one_line(const fs::path& file, const std::string& bytes) {
   const Limits limits{.most_bytes = 1 << 24};
   const std::string extension = file.extension().string();
   try {
-    const std::vector<Dataset> datasets = extension == ".vtk"      ? read_vtk_legacy(file, bytes, limits)
-                                          : extension == ".series" ? read_series(file, bytes, limits)
-                                                                   : read_vtk_xml(file, bytes, limits);
+    const std::vector<Dataset> datasets = read_as(extension)(file, bytes, limits);
     for (const Dataset& dataset : datasets)
       for (const Array& array : dataset.arrays) ASSERT_EQ(array.rows(), dataset.rows()) << file << " " << array.name;
   } catch (const Unreadable& error) {
@@ -64,9 +84,9 @@ void expect_rows_or_one_line(const fs::path& file, const std::string& bytes) {
 
 TEST(MutatedSamples, AreReadOrRefusedInOneLine) {
   std::mt19937 random(1);
-  const std::vector<fs::path> samples = all_samples();
-  EXPECT_GT(samples.size(), 50u);
-  for (const fs::path& file : samples) {
+  const std::vector<fs::path> all = all_samples();
+  EXPECT_GT(all.size(), 100u);
+  for (const fs::path& file : all) {
     const std::string bytes = files::read_whole(file);
     expect_rows_or_one_line(file, bytes);
     for (int i = 0; i < 50; ++i) expect_rows_or_one_line(file, mutated(bytes, random));
@@ -74,4 +94,4 @@ TEST(MutatedSamples, AreReadOrRefusedInOneLine) {
 }
 
 }  // namespace mutations_test
-}  // namespace touchstone::vnv::doors::vtk
+}  // namespace touchstone::vnv::doors

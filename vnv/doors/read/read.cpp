@@ -1,4 +1,5 @@
 #include "vnv/doors/read/delimited.hpp"
+#include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"
@@ -8,20 +9,27 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace touchstone::vnv::doors {
 namespace {
 
-std::string bytes_of(const std::filesystem::path& file, const Limits& limits) {
+/// All bytes of a file, which are not filled before they are read.
+struct Bytes {
+  std::unique_ptr<char[]> held;
+  std::size_t size;
+};
+
+Bytes bytes_of(const std::filesystem::path& file, const Limits& limits) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (error) throw Unreadable(fmt::format("{}: {}, expected a file", file.string(), error.message()));
   if (size > limits.most_bytes)
     throw Unreadable(fmt::format("{}: {} bytes, expected at most {}", file.string(), size, limits.most_bytes));
-  std::string bytes(size, '\0');
+  Bytes bytes{std::make_unique_for_overwrite<char[]>(size), size};
   std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))
+  if (!stream.read(bytes.held.get(), static_cast<std::streamsize>(size)))
     throw Unreadable(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
   return bytes;
 }
@@ -29,11 +37,13 @@ std::string bytes_of(const std::filesystem::path& file, const Limits& limits) {
 }  // namespace
 
 std::vector<Dataset> read_datasets(const std::filesystem::path& file, const Limits& limits) {
-  const std::string bytes = bytes_of(file, limits);
-  const std::string_view head = std::string_view(bytes).substr(0, 2000);
+  const Bytes all = bytes_of(file, limits);
+  const std::string_view bytes(all.held.get(), all.size), head = bytes.substr(0, 2000);
   const bool is_collection = head.find("type=\"Collection\"") != head.npos || file.extension() == ".series";
   if (is_collection) return read_series(file, bytes, limits);
   if (head.starts_with("<?xml") || head.find("<VTKFile") != head.npos) return read_vtk_xml(file, bytes, limits);
+  if (bytes.starts_with(npy_begins)) return read_npy(file, bytes, limits);
+  if (bytes.starts_with(npz_begins)) return read_npz(file, bytes, limits);
   if (head.starts_with("# vtk DataFile")) return read_vtk_legacy(file, bytes, limits);
   return read_delimited(file, bytes, limits);
 }

@@ -28,25 +28,24 @@ std::vector<Entry> entries_of_json(const std::string& file, std::string_view byt
   using Json = nlohmann::json;
   const auto is_shallow = [&](int depth, Json::parse_event_t, Json&) {
     if (std::cmp_greater(depth, deepest_of_series))
-      vtk::refuse(file, fmt::format("JSON of more than {} levels, expected a series of files", deepest_of_series));
+      refuse(file, fmt::format("JSON of more than {} levels, expected a series of files", deepest_of_series));
     return true;
   };
   Json json;
   try {
     json = Json::parse(bytes, is_shallow);
   } catch (const Json::parse_error& error) {
-    vtk::refuse(fmt::format("{}: byte {}", file, error.byte), "expected JSON of a series of files");
+    refuse(fmt::format("{}: byte {}", file, error.byte), "expected JSON of a series of files");
   } catch (const Json::exception&) {  // a number that is none of a double
-    vtk::refuse(file, "expected JSON of a series of files");
+    refuse(file, "expected JSON of a series of files");
   }
   if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
-    vtk::refuse(file, "no list 'files', expected one");
+    refuse(file, "no list 'files', expected one");
   std::vector<Entry> entries;
   for (const Json& entry : json["files"]) {
     const std::string where = fmt::format("{}: files[{}]", file, entries.size());
-    if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string())
-      vtk::refuse(where, "expected a 'name'");
-    if (entry.contains("time") && !entry["time"].is_number()) vtk::refuse(where, "'time' is no number, expected one");
+    if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string()) refuse(where, "expected a 'name'");
+    if (entry.contains("time") && !entry["time"].is_number()) refuse(where, "'time' is no number, expected one");
     entries.push_back(
         {entry["name"], entry.contains("time") ? std::optional(entry["time"].get<double>()) : std::nullopt});
   }
@@ -55,15 +54,15 @@ std::vector<Entry> entries_of_json(const std::string& file, std::string_view byt
 
 std::vector<Entry> entries_of_collection(const std::string& file, std::string_view bytes, const Limits& limits) {
   const vtk::XmlFile xml(file, bytes, limits);
-  if (xml.type() != "Collection") vtk::refuse(file, fmt::format("type '{:.40}', expected Collection", xml.type()));
+  if (xml.type() != "Collection") refuse(file, fmt::format("type '{:.40}', expected Collection", xml.type()));
   std::vector<Entry> entries;
   for (const pugi::xml_node& dataset : xml.root().child("Collection").children("DataSet")) {
     Entry entry{dataset.attribute("file").value(), std::nullopt};
     std::string_view time = dataset.attribute("timestep").value();
     std::vector<double> read;
-    if (!vtk::next_word(time).empty())
-      vtk::append_text(time = dataset.attribute("timestep").value(), 1, vtk::Type::float64,
-                       fmt::format("{}: timestep of '{:.200}'", file, entry.file), read);
+    if (!next_word(time).empty())
+      append_text(time = dataset.attribute("timestep").value(), 1, Type::float64,
+                  fmt::format("{}: timestep of '{:.200}'", file, entry.file), read);
     if (!read.empty()) entry.time = read[0];
     entries.push_back(entry);
   }
@@ -85,13 +84,12 @@ std::vector<Dataset> read_series(const fs::path& file, std::string_view bytes, c
   const std::vector<Entry> entries =
       is_json ? entries_of_json(file.string(), bytes) : entries_of_collection(file.string(), bytes, limits);
   if (entries.size() > limits.most_datasets)
-    vtk::refuse(file.string(),
-                fmt::format("'{}' files, expected no more than {}", entries.size(), limits.most_datasets));
+    refuse(file.string(), fmt::format("'{}' files, expected no more than {}", entries.size(), limits.most_datasets));
   FilesBeside files(file, limits);
   std::vector<Dataset> datasets;
   for (const Entry& entry : entries) {
     if (entry.time && !std::isfinite(*entry.time))
-      vtk::refuse(file.string(), fmt::format("time '{}' of '{:.200}', expected a number", *entry.time, entry.file));
+      refuse(file.string(), fmt::format("time '{}' of '{:.200}', expected a number", *entry.time, entry.file));
     const FilesBeside::Named named = files.read(file, full_name(file, entry.file));
     const bool is_legacy = named.bytes.starts_with(vtk_legacy_begins);
     for (Dataset& dataset : is_legacy ? read_vtk_legacy(named.file, named.bytes, limits)

@@ -8,7 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "vnv/doors/read/vtk_numbers.hpp"
+#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 namespace {
@@ -197,32 +198,9 @@ Corners part_of(const std::vector<std::int64_t>& list, std::int64_t from, std::i
   return Corners(list).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
 }
 
-void keep_rows(Array& array, const std::vector<bool>& kept) {
-  const auto width = static_cast<std::size_t>(array.components);
-  std::size_t to = 0;
-  for (std::size_t row = 0; row < kept.size(); ++row)
-    if (kept[row]) {
-      std::copy_n(array.values.begin() + static_cast<std::ptrdiff_t>(row * width), width,
-                  array.values.begin() + static_cast<std::ptrdiff_t>(to));
-      to += width;
-    }
-  array.values.resize(to);
-}
-
-void check_arrays(const std::vector<Array>& arrays, const std::string& source) {
-  std::set<std::string> names;
-  for (const Array& array : arrays) {
-    if (!names.insert(array.name).second)
-      refuse(source, fmt::format("array '{}' twice, expected each name once", array.name));
-    if (array.rows() != arrays.front().rows())
-      refuse(source, fmt::format("array '{}' of {} rows, expected {}, as '{}' has", array.name, array.rows(),
-                                 arrays.front().rows(), arrays.front().name));
-  }
-}
-
 /// Leaves out ghosts, and of cells those of fewer dimensions.
 Dataset dataset_of(std::vector<Array> arrays, const std::string& source, std::vector<bool> kept) {
-  check_arrays(arrays, source);
+  require_equal_rows(arrays, source);
   kept.resize(arrays.front().rows(), true);
   const auto ghosts = std::find_if(arrays.begin(), arrays.end(),
                                    [](const Array& a) { return a.name == "vtkGhostType" && a.components == 1; });

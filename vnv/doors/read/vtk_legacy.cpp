@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "vnv/doors/read/numbers.hpp"
 #include "vnv/doors/read/vtk_grid.hpp"
-#include "vnv/doors/read/vtk_numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace vtk {
@@ -326,7 +326,7 @@ class Legacy {
 
 std::vector<Dataset> read_vtk_legacy(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
   std::vector<Dataset> datasets = vtk::Legacy(file, bytes, limits).datasets(file.filename().string());
-  for (Dataset& dataset : datasets) dataset.index = vtk::number_of(file);
+  for (Dataset& dataset : datasets) dataset.index = number_of(file);
   return datasets;
 }
 

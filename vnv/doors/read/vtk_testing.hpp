@@ -3,22 +3,19 @@
 
 #include <bit>
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "vnv/doors/read/dataset.hpp"
 #include "vnv/doors/read/series.hpp"
+#include "vnv/doors/read/testing.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"
-#include "vnv/files/whole_file.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 
 inline std::filesystem::path sample(const std::string& name) {
-  return std::filesystem::path(TOUCHSTONE_DATA_DIR).parent_path() / "vnv/doors/read/samples/vtk" / name;
+  return samples() / "vtk" / name;
 }
 
 /// By the reader of its extension.
@@ -28,16 +25,6 @@ inline std::vector<Dataset> read_sample(const std::string& name) {
   if (extension == ".vtk") return read_vtk_legacy(sample(name), bytes, {});
   if (extension == ".series" || extension == ".pvd") return read_series(sample(name), bytes, {});
   return read_vtk_xml(sample(name), bytes, {});
-}
-
-/// What a reader says of what it cannot read, without the folder before the file; empty where it can.
-inline std::string refusal(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const Unreadable& error) {
-    return error.what();
-  }
-  return "";
 }
 
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {

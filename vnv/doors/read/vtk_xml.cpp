@@ -215,7 +215,7 @@ std::vector<Dataset> read_vtk_xml(const fs::path& file, std::string_view bytes, 
   vtk::XmlFile xml(file.string(), bytes, limits);
   std::vector<Dataset> datasets = xml.type() == "vtkMultiBlockDataSet" ? vtk::read_tree(file, xml, limits, files)
                                                                        : vtk::read_leaf(file, xml, limits, files);
-  for (Dataset& dataset : datasets) dataset.index = vtk::number_of(file);
+  for (Dataset& dataset : datasets) dataset.index = number_of(file);
   return datasets;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "vnv/doors/read/vtk_numbers.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 

@@ -1,12 +1,13 @@
-#include "vnv/doors/read/vtk_numbers.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 #include <fmt/format.h>
 
-namespace touchstone::vnv::doors::vtk {
+namespace touchstone::vnv::doors {
 
 void refuse(const std::string& where, const std::string& what) {
   std::string line = where + ": " + what;
-  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
   throw Unreadable(line);
 }
 
@@ -56,4 +57,4 @@ std::optional<long> number_of(const std::filesystem::path& file) {
   return number;
 }
 
-}  // namespace touchstone::vnv::doors::vtk
+}  // namespace touchstone::vnv::doors

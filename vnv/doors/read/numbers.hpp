@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as VTK files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
+/// Numbers as files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 #include "vnv/doors/read/dataset.hpp"
 
-namespace touchstone::vnv::doors::vtk {
+namespace touchstone::vnv::doors {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
@@ -135,4 +135,4 @@ std::optional<int> rank_as_time(std::string_view name);
 /// The number that ends the name of a file before its extension: 12 of "out_12.vtp".
 std::optional<long> number_of(const std::filesystem::path& file);
 
-}  // namespace touchstone::vnv::doors::vtk
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,132 @@
+#include "vnv/doors/read/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "vnv/doors/read/numbers.hpp"
+
+namespace touchstone::vnv::doors {
+namespace {
+
+/// Properties of several numbers a particle are stored as one after the other; only real particles stay.
+void make_rows(ParticleArray& particles, const std::string& where) {
+  const auto named = [&](const char* name) { return std::ranges::find(particles.arrays, name, &Array::name); };
+  const auto x = named("x");
+  if (x == particles.arrays.end()) refuse(where, "no property 'x', expected one");
+  const std::size_t rows = x->values.size();
+  if (rows == 0) return particles.arrays.clear();
+  std::erase_if(particles.arrays, [](const Array& array) { return array.values.empty(); });
+  for (Array& array : particles.arrays) {
+    if (array.values.size() % rows != 0)
+      refuse(where, fmt::format("property '{}' of {} numbers, expected {} or a multiple", array.name,
+                                array.values.size(), rows));
+    array.components = static_cast<int>(array.values.size() / rows);
+  }
+  const auto tag = named("tag");
+  if (tag == particles.arrays.end() || tag->components != 1) return;
+  std::vector<bool> is_real(rows);
+  std::transform(tag->values.begin(), tag->values.end(), is_real.begin(), [](double value) { return value == 0; });
+  if (!std::all_of(is_real.begin(), is_real.end(), std::identity{}))
+    for (Array& array : particles.arrays) keep_rows(array, is_real);
+}
+
+}  // namespace
+
+bool names_time(std::string_view name) {
+  const std::string_view plain = name.substr(0, name.find_first_of(" [("));
+  constexpr std::array<std::string_view, 5> names = {"t", "time", "Time", "TIME", "TimeValue"};
+  return std::ranges::find(names, plain) != names.end();
+}
+
+void require_equal_rows(const std::vector<Array>& arrays, const std::string& source) {
+  std::set<std::string> names;
+  for (const Array& array : arrays) {
+    if (!names.insert(array.name).second)
+      refuse(source, fmt::format("array '{:.80}' twice, expected each name once", array.name));
+    if (array.rows() != arrays.front().rows())
+      refuse(source, fmt::format("array '{:.80}' of {} rows, expected {}, as '{:.80}' has", array.name, array.rows(),
+                                 arrays.front().rows(), arrays.front().name));
+  }
+}
+
+void keep_rows(Array& array, const std::vector<bool>& kept) {
+  const auto width = static_cast<std::size_t>(array.components);
+  std::size_t to = 0;
+  for (std::size_t row = 0; row < kept.size(); ++row)
+    if (kept[row]) {
+      std::copy_n(array.values.begin() + static_cast<std::ptrdiff_t>(row * width), width,
+                  array.values.begin() + static_cast<std::ptrdiff_t>(to));
+      to += width;
+    }
+  array.values.resize(to);
+}
+
+std::vector<Dataset> parted_by_time(Dataset whole) {
+  const auto time = std::ranges::find_if(
+      whole.arrays, [](const Array& array) { return array.components == 1 && names_time(array.name); });
+  if (time == whole.arrays.end()) return {std::move(whole)};
+  std::map<double, std::vector<std::size_t>> rows;
+  for (std::size_t k = 0; k < time->values.size(); ++k) {
+    if (!std::isfinite(time->values[k]))
+      refuse(whole.source, fmt::format("row {}: {:.80} = {}, expected a time", k + 1, time->name, time->values[k]));
+    rows[time->values[k]].push_back(k);
+  }
+  if (rows.size() == 1) {
+    whole.time = rows.begin()->first;
+    return {std::move(whole)};
+  }
+  std::vector<Dataset> all;
+  for (const auto& [now, of_it] : rows) {
+    Dataset& one = all.emplace_back(Dataset{
+        .source = whole.source, .format = whole.format, .time = now, .index = whole.index, .rows_are = whole.rows_are});
+    for (const Array& array : whole.arrays) {
+      const auto width = static_cast<std::size_t>(array.components);
+      Array& part = one.arrays.emplace_back(Array{.name = array.name, .components = array.components});
+      part.labels = array.labels;
+      part.values.reserve(of_it.size() * width);
+      for (const std::size_t k : of_it)
+        part.values.insert(part.values.end(), array.values.begin() + static_cast<std::ptrdiff_t>(k * width),
+                           array.values.begin() + static_cast<std::ptrdiff_t>((k + 1) * width));
+    }
+  }
+  return all;
+}
+
+std::vector<Array> rows_of(std::vector<ParticleArray> all, const std::string& source) {
+  Array of{.name = "array"};
+  std::vector<Array> rows;
+  for (ParticleArray& particles : all) {
+    const std::string where = fmt::format("{}: particle array '{:.80}'", source, particles.name);
+    make_rows(particles, where);
+    const std::size_t before = of.values.size(), count = particles.arrays.empty() ? 0 : particles.arrays[0].rows();
+    require_equal_rows(particles.arrays, where);
+    of.values.resize(before + count, static_cast<double>(of.labels.size()));
+    of.labels.push_back(particles.name);
+    for (Array& array : particles.arrays) {
+      const auto known = std::ranges::find(rows, array.name, &Array::name);
+      const auto width = static_cast<std::size_t>(array.components);
+      if (known == rows.end()) {
+        array.values.insert(array.values.begin(), before * width, NAN);
+        rows.push_back(std::move(array));
+      } else if (known->components == array.components) {
+        known->values.insert(known->values.end(), array.values.begin(), array.values.end());
+      } else {
+        refuse(where, fmt::format("property '{:.80}' of {} numbers a particle, expected {}", array.name,
+                                  array.components, known->components));
+      }
+    }
+    for (Array& array : rows) array.values.resize((before + count) * static_cast<std::size_t>(array.components), NAN);
+  }
+  if (of.values.empty()) refuse(source, "no real particle in it, expected particle arrays of PySPH");
+  rows.push_back(std::move(of));
+  require_equal_rows(rows, source);
+  return rows;
+}
+
+}  // namespace touchstone::vnv::doors

@@ -1,0 +1,33 @@
+#pragma once
+/// What readers of several formats do with the arrays of a dataset.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vnv/doors/read/dataset.hpp"
+
+namespace touchstone::vnv::doors {
+
+/// "t", "time [s]", "TimeValue": a column that parts rows by their time, or a number that is the time of all.
+bool names_time(std::string_view name);
+
+/// Throws Unreadable where an array is there twice or of other rows than the first.
+void require_equal_rows(const std::vector<Array>& arrays, const std::string& source);
+
+void keep_rows(Array& array, const std::vector<bool>& kept);
+
+/// A dataset of each time, in their order, where a column is the time; else the whole.
+std::vector<Dataset> parted_by_time(Dataset whole);
+
+/// One particle array of PySPH, with arrays of its properties.
+struct ParticleArray {
+  std::string name;
+  std::vector<Array> arrays;
+};
+
+/// Rows of all particle arrays, those that are real (tag 0), with an array "array" of their names: `--only array=fluid`
+/// chooses. What one lacks and another has is NaN. Throws Unreadable.
+std::vector<Array> rows_of(std::vector<ParticleArray> all, const std::string& source);
+
+}  // namespace touchstone::vnv::doors

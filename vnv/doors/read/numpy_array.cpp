@@ -1,0 +1,69 @@
+#include "vnv/doors/read/numpy_array.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+
+namespace touchstone::vnv::doors::numpy {
+
+Kind kind_named(std::string_view name, const std::string& where) {
+  Kind kind;
+  std::string_view rest = name;
+  if (rest.starts_with('>')) kind.order = std::endian::big;
+  if (!rest.empty() && std::string_view("<>|=").find(rest[0]) != rest.npos) rest.remove_prefix(1);
+  kind.letter = rest.empty() ? '?' : rest[0];
+  kind.bytes = 0;
+  const std::string_view digits = rest.substr(std::min<std::size_t>(rest.size(), 1));
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), kind.bytes);
+  const bool has_size = error == std::errc{} && end == digits.data() + digits.size();
+  if (digits.empty() && kind.letter == 'O') kind.bytes = 8;
+  const bool is_power = kind.bytes == 2 || kind.bytes == 4 || kind.bytes == 8;
+  const std::string_view no_numbers = "OSU";
+  const bool is_known = (kind.letter == 'b' && kind.bytes == 1) || (kind.letter == 'f' && is_power) ||
+                        ((kind.letter == 'i' || kind.letter == 'u') && (is_power || kind.bytes == 1)) ||
+                        no_numbers.find(kind.letter) != no_numbers.npos;
+  if (!is_known || (!digits.empty() && !has_size))
+    refuse(where, fmt::format("type '{:.40}', expected f2, f4, f8, i1 to i8, u1 to u8 or b1", name));
+  return kind;
+}
+
+std::size_t size_of(const NumpyArray& array, const std::string& where) {
+  std::size_t size = 1;
+  for (const std::size_t length : array.shape) {
+    if (length != 0 && size > array.bytes.size() / length)
+      refuse(where, fmt::format("a shape of more numbers than its {} bytes, expected no more", array.bytes.size()));
+    size *= length;
+  }
+  if (array.kind.bytes != 0 &&
+      (array.bytes.size() % array.kind.bytes != 0 || array.bytes.size() / array.kind.bytes != size))
+    refuse(where, fmt::format("'{}' bytes, expected {} numbers of {}", array.bytes.size(), size, array.kind.bytes));
+  return size;
+}
+
+std::vector<double> numbers_of(const NumpyArray& array, Budget& budget, const std::string& where) {
+  if (!array.kind.is_number()) refuse(where, fmt::format("type '{}', expected numbers", array.kind.letter));
+  if (array.shape.size() > 2) refuse(where, fmt::format("'{}' dimensions, expected 1 or 2", array.shape.size()));
+  std::vector<double> numbers;
+  const std::size_t size = size_of(array, where);
+  if (size == 0) return numbers;
+  budget.take(size, 1, where);
+  if (array.kind.letter == 'f' && array.kind.bytes == 2) {
+    numbers.reserve(size);
+    for (std::size_t i = 0; i < size; ++i)
+      numbers.push_back(Eigen::half_impl::half_to_float(
+          Eigen::half_impl::raw_uint16_to_half(load<std::uint16_t>(array.bytes.data() + 2 * i, array.kind.order))));
+  } else {
+    const auto power = static_cast<std::size_t>(std::countr_zero(array.kind.bytes));  // of 1, 2, 4 or 8 bytes
+    const Type type = array.kind.letter == 'f' ? (array.kind.bytes == 4 ? Type::float32 : Type::float64)
+                                               : static_cast<Type>(2 * power + (array.kind.letter != 'i'));
+    append_bytes(array.bytes, type, array.kind.order, numbers);
+  }
+  if (!array.is_fortran || array.shape.size() < 2) return numbers;
+  const std::size_t rows = array.shape[0], columns = array.shape[1];
+  std::vector<double> turned(size);
+  for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t row = 0; row < rows; ++row) turned[row * columns + column] = numbers[column * rows + row];
+  return turned;
+}
+
+}  // namespace touchstone::vnv::doors::numpy
