@@ -98,6 +98,35 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
   return all;
 }
 
+std::vector<Array> rows_of(std::vector<Block> blocks, const std::string& source) {
+  if (blocks.empty()) refuse(source, "no array of more than one number, expected some");
+  const std::vector<std::size_t> shape = blocks[0].shape;
+  const auto has = [&](const char* name) { return std::ranges::find(blocks, name, &Block::name) != blocks.end(); };
+  const bool is_grid = shape.size() == 2 && has("x") && has("y") &&
+                       std::ranges::all_of(blocks, [&](const Block& block) { return block.shape == shape; });
+  std::vector<Array> arrays;
+  for (Block& block : blocks) {
+    const std::size_t width = block.shape.size() == 2 && !is_grid ? block.shape[1] : 1;
+    const std::string where = fmt::format("{}: array '{:.80}'", source, block.name);
+    if (block.values.empty()) refuse(where, "no number in it, expected rows");
+    if (width > Limits{}.most_components)
+      refuse(where, fmt::format("'{}' components, expected 1 to {}", width, Limits{}.most_components));
+    arrays.push_back({.name = block.name, .components = static_cast<int>(width), .values = std::move(block.values)});
+  }
+  if (arrays.size() == 1 && arrays[0].components > 1) {
+    const Array table = std::move(arrays[0]);
+    const auto width = static_cast<std::size_t>(table.components);
+    arrays.assign(width, {});
+    for (std::size_t k = 0; k < width; ++k) {
+      arrays[k].name = fmt::format("column {}", k + 1);
+      arrays[k].values.reserve(table.rows());
+      for (std::size_t i = k; i < table.values.size(); i += width) arrays[k].values.push_back(table.values[i]);
+    }
+  }
+  require_equal_rows(arrays, source);
+  return arrays;
+}
+
 std::vector<Array> rows_of(std::vector<ParticleArray> all, const std::string& source) {
   Array of{.name = "array"};
   std::vector<Array> rows;

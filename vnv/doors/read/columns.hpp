@@ -20,6 +20,18 @@ void keep_rows(Array& array, const std::vector<bool>& kept);
 /// A dataset of each time, in their order, where a column is the time; else the whole.
 std::vector<Dataset> parted_by_time(Dataset whole);
 
+/// Numbers as a file holds them, the last index fastest.
+struct Block {
+  std::string name;
+  std::vector<std::size_t> shape;
+  std::vector<double> values;
+};
+
+/// Blocks by their names, a row for each first index; but "x", "y" and others of one shape of two dimensions are values
+/// on a grid, a row each, and a single block of two dimensions is a table of columns "column 1" and so on. Throws
+/// Unreadable.
+std::vector<Array> rows_of(std::vector<Block> blocks, const std::string& source);
+
 /// One particle array of PySPH, with arrays of its properties.
 struct ParticleArray {
   std::string name;

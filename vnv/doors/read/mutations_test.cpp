@@ -4,6 +4,8 @@
 #include <map>
 #include <random>
 
+#include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/pickle.hpp"
 #include "vnv/doors/read/series.hpp"
@@ -59,6 +61,9 @@ Reader read_as(const std::string& extension) {
       {".series", read_series},
       {".npy", read_npy},
       {".npz", read_npz},
+      {".lammpstrj", read_lammps},
+      {".gz", [](const fs::path& file, std::string_view bytes,
+                 const Limits& limits) { return read_lammps(file, gunzipped(file.string(), bytes, limits), limits); }},
       {".pickle", [](const fs::path& file, std::string_view bytes, const Limits&) {
          Pickle(bytes, file.string());
          return std::vector<Dataset>{};

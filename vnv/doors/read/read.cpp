@@ -1,4 +1,6 @@
 #include "vnv/doors/read/delimited.hpp"
+#include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
@@ -34,18 +36,25 @@ Bytes bytes_of(const std::filesystem::path& file, const Limits& limits) {
   return bytes;
 }
 
-}  // namespace
-
-std::vector<Dataset> read_datasets(const std::filesystem::path& file, const Limits& limits) {
-  const Bytes all = bytes_of(file, limits);
-  const std::string_view bytes(all.held.get(), all.size), head = bytes.substr(0, 2000);
+std::vector<Dataset> read_bytes(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+  const std::string_view head = bytes.substr(0, 2000);
   const bool is_collection = head.find("type=\"Collection\"") != head.npos || file.extension() == ".series";
   if (is_collection) return read_series(file, bytes, limits);
   if (head.starts_with("<?xml") || head.find("<VTKFile") != head.npos) return read_vtk_xml(file, bytes, limits);
   if (bytes.starts_with(npy_begins)) return read_npy(file, bytes, limits);
   if (bytes.starts_with(npz_begins)) return read_npz(file, bytes, limits);
+  if (bytes.starts_with(lammps_begins)) return read_lammps(file, bytes, limits);
   if (head.starts_with("# vtk DataFile")) return read_vtk_legacy(file, bytes, limits);
   return read_delimited(file, bytes, limits);
+}
+
+}  // namespace
+
+std::vector<Dataset> read_datasets(const std::filesystem::path& file, const Limits& limits) {
+  const Bytes all = bytes_of(file, limits);
+  const std::string_view bytes(all.held.get(), all.size);
+  if (!bytes.starts_with(gzip_begins)) return read_bytes(file, bytes, limits);
+  return read_bytes(file, gunzipped(file.string(), bytes, limits), limits);
 }
 
 }  // namespace touchstone::vnv::doors

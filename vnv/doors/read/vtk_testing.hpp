@@ -14,9 +14,7 @@
 
 namespace touchstone::vnv::doors::vtk {
 
-inline std::filesystem::path sample(const std::string& name) {
-  return samples() / "vtk" / name;
-}
+inline std::filesystem::path sample(const std::string& name) { return samples() / "vtk" / name; }
 
 /// By the reader of its extension.
 inline std::vector<Dataset> read_sample(const std::string& name) {
