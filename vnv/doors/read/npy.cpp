@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using numpy::NumpyArray;
 
-constexpr std::size_t longest_header = 1 << 16, most_entries = 10000, most_that_deflate_saves = 1032;
+constexpr std::size_t longest_header = 1 << 16, most_entries = 10000;
 
 /// Of the dictionary that describes an array, as Python writes it: what stands behind a key.
 std::string_view behind(std::string_view header, const std::string& key, const std::string& where) {
@@ -54,27 +54,6 @@ NumpyArray npy_array(std::string_view bytes, const std::string& where) {
     shape.remove_prefix(std::min(one.size() + 1, shape.size()));
   }
   return array;
-}
-
-void require_components(std::size_t width, const std::string& where) {
-  if (width > Limits{}.most_components)
-    refuse(where, fmt::format("'{}' components, expected 1 to {}", width, Limits{}.most_components));
-}
-
-/// A table of two dimensions, or a column.
-std::vector<Array> table_of(const NumpyArray& array, const std::string& name, Budget& budget,
-                            const std::string& where) {
-  const std::vector<double> numbers = numpy::numbers_of(array, budget, where);
-  const std::size_t width = array.shape.size() == 2 ? array.shape[1] : 1;
-  require_components(width, where);
-  std::vector<Array> columns;
-  for (std::size_t k = 0; k < width; ++k) {
-    Array& column = columns.emplace_back(Array{.name = width == 1 ? name : fmt::format("column {}", k + 1)});
-    column.values.reserve(numbers.size() / width);
-    for (std::size_t i = k; i < numbers.size(); i += width) column.values.push_back(numbers[i]);
-  }
-  if (numbers.empty()) refuse(where, "no number in it, expected rows");
-  return columns;
 }
 
 /// Entries of a zip file in memory, one after the other.
@@ -168,7 +147,7 @@ Dataset pysph_dataset(const std::map<std::string, std::string>& entries, const f
 /// Numbers by their names.
 Dataset plain_dataset(const std::map<std::string, std::string>& entries, const fs::path& file, Budget& budget) {
   Dataset dataset{.format = "NPZ"};
-  std::map<std::string, NumpyArray> arrays;
+  std::vector<Block> blocks;
   for (const auto& [name, bytes] : entries) {
     const std::string where = fmt::format("{}: '{:.80}.npy'", file.string(), name);
     const NumpyArray array = npy_array(bytes, where);
@@ -176,32 +155,14 @@ Dataset plain_dataset(const std::map<std::string, std::string>& entries, const f
       refuse(where, "objects of Python, expected numbers, or 'particles' and 'solver_data' of PySPH");
     if (!array.kind.is_number()) continue;  // texts are of no row
     if (numpy::size_of(array, where) != 1) {
-      arrays.emplace(name, array);
+      blocks.push_back({name, array.shape, numpy::numbers_of(array, budget, where)});
     } else if (names_time(name)) {
       const Type type = array.kind.letter == 'f' && array.kind.bytes == 4 ? Type::float32 : Type::float64;
       dataset.time = time_of(numpy::numbers_of({array.kind, {}, false, array.bytes}, budget, where)[0], type);
       if (!std::isfinite(*dataset.time)) refuse(where, fmt::format("'{}', expected a time", *dataset.time));
     }
   }
-  if (arrays.empty()) refuse(file.string(), "no array of more than one number, expected some");
-  const auto has = [&](const char* name) { return arrays.contains(name); };
-  const std::vector<std::size_t>& shape = arrays.begin()->second.shape;
-  const bool is_grid = has("x") && has("y") && shape.size() > 1 &&
-                       std::ranges::all_of(arrays, [&](const auto& array) { return array.second.shape == shape; });
-  for (const auto& [name, array] : arrays) {
-    const std::string where = fmt::format("{}: '{:.80}.npy'", file.string(), name);
-    if (arrays.size() == 1) {
-      dataset.arrays = table_of(array, name, budget, where);
-      continue;
-    }
-    const std::size_t width = array.shape.size() == 2 && !is_grid ? array.shape[1] : 1;
-    Array one{.name = name, .values = numpy::numbers_of(array, budget, where)};
-    if (one.values.empty()) refuse(where, "no number in it, expected rows");
-    require_components(width, where);
-    one.components = static_cast<int>(width);
-    dataset.arrays.push_back(std::move(one));
-  }
-  require_equal_rows(dataset.arrays, file.string());
+  dataset.arrays = rows_of(std::move(blocks), file.string());
   return dataset;
 }
 
@@ -214,9 +175,10 @@ std::vector<Dataset> with_file(Dataset dataset, const fs::path& file) {
 }  // namespace
 
 std::vector<Dataset> read_npy(const fs::path& file, std::string_view bytes, const Limits& limits) {
+  const NumpyArray array = npy_array(bytes, file.string());
   Budget budget(limits);
-  return with_file(
-      {.format = "NPY", .arrays = table_of(npy_array(bytes, file.string()), "column 1", budget, file.string())}, file);
+  std::vector<Block> blocks{{"column 1", array.shape, numpy::numbers_of(array, budget, file.string())}};
+  return with_file({.format = "NPY", .arrays = rows_of(std::move(blocks), file.string())}, file);
 }
 
 std::vector<Dataset> read_npz(const fs::path& file, std::string_view bytes, const Limits& limits) {

@@ -49,7 +49,7 @@ std::optional<int> rank_as_time(std::string_view name) {
 }
 
 std::optional<long> number_of(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
+  const std::string stem = (file.extension() == ".gz" ? file.stem() : file).stem().string();
   const std::size_t first = stem.find_last_not_of("0123456789") + 1;  // 0 where all are digits
   long number = 0;
   const auto [end, error] = std::from_chars(stem.data() + first, stem.data() + stem.size(), number);

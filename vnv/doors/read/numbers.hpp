@@ -53,6 +53,9 @@ inline std::size_t bytes_of(Type type) {
 }
 inline bool is_whole(Type type) { return type < Type::float32; }
 
+/// Times that zlib makes bytes smaller, at the most (zlib.net/zlib_tech.html); LZ4 255 times.
+inline constexpr std::size_t most_that_deflate_saves = 1032;
+
 /// Throws Unreadable in one line, whatever characters of a file it quotes.
 [[noreturn]] void refuse(const std::string& where, const std::string& what);
 

@@ -1,5 +1,6 @@
 #include "vnv/doors/read/delimited.hpp"
 #include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
 #include "vnv/doors/read/series.hpp"
@@ -43,6 +44,7 @@ std::vector<Dataset> read_bytes(const std::filesystem::path& file, std::string_v
   if (head.starts_with("<?xml") || head.find("<VTKFile") != head.npos) return read_vtk_xml(file, bytes, limits);
   if (bytes.starts_with(npy_begins)) return read_npy(file, bytes, limits);
   if (bytes.starts_with(npz_begins)) return read_npz(file, bytes, limits);
+  if (bytes.starts_with(hdf5_begins)) return read_hdf5(file, bytes, limits);
   if (bytes.starts_with(lammps_begins)) return read_lammps(file, bytes, limits);
   if (head.starts_with("# vtk DataFile")) return read_vtk_legacy(file, bytes, limits);
   return read_delimited(file, bytes, limits);

@@ -11,8 +11,7 @@
 namespace touchstone::vnv::doors::vtk {
 namespace {
 
-constexpr std::size_t most_elements = 1000000;      // of XML: each takes 64 bytes of memory
-constexpr std::size_t most_that_zlib_saves = 1032;  // zlib.net/zlib_tech.html; LZ4 saves 255 times at the most
+constexpr std::size_t most_elements = 1000000;  // of XML: each takes 64 bytes of memory
 
 std::string_view attribute_of(std::string_view tag, std::string_view name) {
   const std::size_t at = tag.find(name);
@@ -254,13 +253,13 @@ void XmlFile::append_compressed(Bytes& bytes, std::size_t count, Type type, cons
                                 std::vector<To>& to) {
   const std::size_t blocks = next_header(bytes), each = next_header(bytes), last = next_header(bytes),
                     size = count * bytes_of(type);
-  const std::size_t whole = blocks - (last != 0), most_in_file = bytes.most() * most_that_zlib_saves;
+  const std::size_t whole = blocks - (last != 0), most_in_file = bytes.most() * most_that_deflate_saves;
   if (blocks == 0 || each == 0 || whole > size / each || whole * each + last != size || last > each)
     refuse(where,
            fmt::format("'{}' blocks of {} bytes, the last of {}, expected {} bytes in all", blocks, each, last, size));
   if (size > most_in_file)
     refuse(where, fmt::format("'{}' bytes once decompressed, expected no more than {} times those of the file", size,
-                              most_that_zlib_saves));
+                              most_that_deflate_saves));
   if (blocks > bytes.most() / bytes_of(header_))
     refuse(where, fmt::format("'{}' blocks, expected their sizes", blocks));
   std::vector<std::size_t> sizes(blocks);

@@ -1,0 +1,176 @@
+#include "vnv/doors/read/in_a_child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+
+#include "vnv/doors/read/numbers.hpp"
+
+namespace touchstone::vnv::doors {
+namespace {
+
+/// What goes through a pipe, or comes; after the first failure nothing does.
+class Pipe {
+ public:
+  explicit Pipe(int end) : end_(end) {}
+  ~Pipe() { close(end_); }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  bool is_whole() const { return is_whole_; }
+
+  template <class Number>
+  void put(const Number* numbers, std::size_t count) {
+    transfer(reinterpret_cast<char*>(const_cast<Number*>(numbers)), count * sizeof(Number), ::write);
+  }
+  void put(std::uint64_t number) { put(&number, 1); }
+  void put(const std::string& text) {
+    put(text.size());
+    put(text.data(), text.size());
+  }
+
+  template <class Number>
+  std::vector<Number> get_all() {
+    std::vector<Number> numbers;
+    for (std::uint64_t left = get(); is_whole_ && left > 0;) {  // a broken count takes no more memory than comes
+      const std::size_t first = numbers.size(), count = std::min<std::uint64_t>(left, 1 << 20);
+      if (numbers.capacity() < first + count) numbers.reserve(std::max(2 * first, first + count));
+      numbers.resize(first + count);
+      transfer(reinterpret_cast<char*>(numbers.data() + first), count * sizeof(Number), ::read);
+      left -= count;
+    }
+    return numbers;
+  }
+  std::uint64_t get() {
+    std::uint64_t number = 0;
+    transfer(reinterpret_cast<char*>(&number), sizeof number, ::read);
+    return is_whole_ ? number : 0;
+  }
+  std::string get_text() {
+    const std::vector<char> text = get_all<char>();
+    return {text.begin(), text.end()};
+  }
+
+ private:
+  template <class Call>
+  void transfer(char* bytes, std::size_t left, Call call) {
+    while (is_whole_ && left > 0) {
+      const ssize_t done = call(end_, bytes, left);
+      if (done < 0 && errno == EINTR) continue;
+      if (done <= 0) {
+        is_whole_ = false;
+      } else {
+        bytes += done;
+        left -= static_cast<std::size_t>(done);
+      }
+    }
+  }
+
+  int end_;
+  bool is_whole_ = true;
+};
+
+void put(Pipe& pipe, const std::vector<Dataset>& datasets) {
+  pipe.put(datasets.size());
+  for (const Dataset& dataset : datasets) {
+    pipe.put(dataset.source);
+    pipe.put(dataset.format);
+    pipe.put(dataset.time.has_value());
+    pipe.put(std::bit_cast<std::uint64_t>(dataset.time.value_or(0)));
+    pipe.put(dataset.index.has_value());
+    pipe.put(static_cast<std::uint64_t>(dataset.index.value_or(0)));
+    pipe.put(dataset.arrays.size());
+    for (const Array& array : dataset.arrays) {
+      pipe.put(array.name);
+      pipe.put(static_cast<std::uint64_t>(array.components));
+      pipe.put(array.values.size());
+      pipe.put(array.values.data(), array.values.size());
+      pipe.put(array.labels.size());
+      for (const std::string& label : array.labels) pipe.put(label);
+    }
+  }
+}
+
+std::vector<Dataset> get(Pipe& pipe) {
+  std::vector<Dataset> datasets;
+  for (std::uint64_t left = pipe.get(); pipe.is_whole() && left > 0; --left) {
+    Dataset& dataset = datasets.emplace_back();
+    dataset.source = pipe.get_text();
+    dataset.format = pipe.get_text();
+    const bool has_time = pipe.get() != 0;
+    const auto time = std::bit_cast<double>(pipe.get());
+    if (has_time) dataset.time = time;
+    const bool has_index = pipe.get() != 0;
+    const auto index = static_cast<long>(pipe.get());
+    if (has_index) dataset.index = index;
+    for (std::uint64_t arrays = pipe.get(); pipe.is_whole() && arrays > 0; --arrays) {
+      Array& array = dataset.arrays.emplace_back();
+      array.name = pipe.get_text();
+      array.components = static_cast<int>(pipe.get());
+      array.values = pipe.get_all<double>();
+      for (std::uint64_t labels = pipe.get(); pipe.is_whole() && labels > 0; --labels)
+        array.labels.push_back(pipe.get_text());
+    }
+  }
+  return datasets;
+}
+
+[[noreturn]] void be_the_child(int end, unsigned seconds, const std::function<std::vector<Dataset>()>& read) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with its parent
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGABRT}) std::signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const rlimit no_core{0, 0}, time{seconds, seconds};
+  setrlimit(RLIMIT_CORE, &no_core);
+  setrlimit(RLIMIT_CPU, &time);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+  Pipe pipe(end);
+  try {
+    const std::vector<Dataset> datasets = read();
+    pipe.put("");
+    put(pipe, datasets);
+  } catch (const std::exception& error) {
+    pipe.put(error.what());
+  }
+  _exit(pipe.is_whole() ? 0 : 1);
+}
+
+}  // namespace
+
+std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
+                                     const std::function<std::vector<Dataset>()>& read) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(where, fmt::format("no pipe: {}", std::strerror(errno)));
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    be_the_child(ends[1], seconds, read);
+  }
+  close(ends[1]);
+  Pipe pipe(ends[0]);
+  if (child < 0) refuse(where, fmt::format("no process of its own: {}", std::strerror(errno)));
+  const std::string refusal = pipe.get_text();
+  std::vector<Dataset> datasets;
+  if (refusal.empty()) datasets = get(pipe);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!refusal.empty()) throw Unreadable(refusal);
+  if (!pipe.is_whole() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    refuse(where, fmt::format("the library that reads it ended by signal {}, expected a file that it can read",
+                              WIFSIGNALED(status) ? WTERMSIG(status) : 0));
+  return datasets;
+}
+
+}  // namespace touchstone::vnv::doors
