@@ -70,7 +70,11 @@ void keep_rows(Array& array, const std::vector<bool>& kept) {
 std::vector<Dataset> parted_by_time(Dataset whole) {
   const auto time = std::ranges::find_if(
       whole.arrays, [](const Array& array) { return array.components == 1 && names_time(array.name); });
-  if (time == whole.arrays.end()) return {std::move(whole)};
+  std::vector<Dataset> all;
+  if (whole.time || time == whole.arrays.end()) {
+    all.push_back(std::move(whole));
+    return all;
+  }
   std::map<double, std::vector<std::size_t>> rows;
   for (std::size_t k = 0; k < time->values.size(); ++k) {
     if (!std::isfinite(time->values[k]))
@@ -79,9 +83,9 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
   }
   if (rows.size() == 1) {
     whole.time = rows.begin()->first;
-    return {std::move(whole)};
+    all.push_back(std::move(whole));
+    return all;
   }
-  std::vector<Dataset> all;
   for (const auto& [now, of_it] : rows) {
     Dataset& one = all.emplace_back(Dataset{
         .source = whole.source, .format = whole.format, .time = now, .index = whole.index, .rows_are = whole.rows_are});
@@ -89,7 +93,7 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
       const auto width = static_cast<std::size_t>(array.components);
       Array& part = one.arrays.emplace_back(Array{.name = array.name, .components = array.components});
       part.labels = array.labels;
-      part.values.reserve(of_it.size() * width);
+      reserve_more(part.values, of_it.size() * width);
       for (const std::size_t k : of_it)
         part.values.insert(part.values.end(), array.values.begin() + static_cast<std::ptrdiff_t>(k * width),
                            array.values.begin() + static_cast<std::ptrdiff_t>((k + 1) * width));

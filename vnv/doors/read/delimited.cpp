@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -63,7 +64,8 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
 
 class Table {
  public:
-  Table(const std::filesystem::path& file, const Limits& limits) : file_(file), limits_(limits) {}
+  Table(const std::filesystem::path& file, std::string_view bytes, const Limits& limits)
+      : file_(file), bytes_(bytes), limits_(limits) {}
 
   void add(std::string_view line, long at) {
     const bool is_comment = line.starts_with('#') || line.starts_with('%');
@@ -115,11 +117,16 @@ class Table {
     if (!heading_.empty() && names.size() != count)
       throw Unreadable(fmt::format("{}: {} names of columns, '{}', expected {} as in the first row", file_.string(),
                                    names.size(), heading_.substr(0, 80), count));
+    const auto lines = static_cast<std::size_t>(std::count(bytes_.begin(), bytes_.end(), '\n')),
+               rows = std::min(lines + 1, bytes_.size() / (2 * count) + 1);
     for (std::size_t k = 0; k < count; ++k)
-      columns_.push_back({.name = names.empty() ? fmt::format("column {}", k + 1) : names[k]});
+      reserve_more(
+          columns_.emplace_back(Array{.name = names.empty() ? fmt::format("column {}", k + 1) : names[k]}).values,
+          rows);
   }
 
   const std::filesystem::path& file_;
+  std::string_view bytes_;
   const Limits& limits_;
   std::string heading_{};
   char separator_ = ' ';
@@ -131,7 +138,7 @@ class Table {
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
   if (bytes.find('\0') != bytes.npos)
     throw Unreadable(fmt::format("{}: not text and no format that is known: VTP, VTU, legacy VTK, PVD", file.string()));
-  Table table(file, limits);
+  Table table(file, bytes, limits);
   for (long at = 1; !bytes.empty(); ++at) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     table.add(bytes.substr(0, end), at);

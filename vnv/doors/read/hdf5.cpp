@@ -73,8 +73,11 @@ class File {
     const Open root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, name_);
     const std::vector<std::string> groups = groups_of(root);
     const auto has = [&](const char* name) { return std::ranges::find(groups, name) != groups.end(); };
-    if (has("particles") && has("solver_data")) return {of_pysph(root)};
     std::vector<Dataset> all;
+    if (has("particles") && has("solver_data")) {
+      all.push_back(of_pysph(root));
+      return all;
+    }
     for (const std::string& name : groups)
       if (name.starts_with("Step#")) {
         all.push_back(of_group(root, name));
@@ -96,7 +99,6 @@ class File {
                                 "particles and solver_data of PySPH",
                                 all.size()));
     all[0].index = number_of(path_);
-    if (all[0].time) return all;
     return parted_by_time(std::move(all[0]));
   }
 
@@ -182,7 +184,9 @@ class File {
     unread_ -= stored;
     const std::size_t rows = is.shape.empty() ? 1 : is.shape[0], width = is.shape.size() < 2 ? 1 : is.shape[1];
     budget_.take(rows * width, 1, where(name));
-    std::vector<double> numbers(rows * width);
+    std::vector<double> numbers;
+    reserve_more(numbers, rows * width);
+    numbers.resize(rows * width);
     if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
       refuse(where(name), fmt::format("libhdf5 cannot read it, expected {} numbers", numbers.size()));
     return numbers;

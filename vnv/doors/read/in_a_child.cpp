@@ -42,7 +42,7 @@ class Pipe {
     std::vector<Number> numbers;
     for (std::uint64_t left = get(); is_whole_ && left > 0;) {  // a broken count takes no more memory than comes
       const std::size_t first = numbers.size(), count = std::min<std::uint64_t>(left, 1 << 20);
-      if (numbers.capacity() < first + count) numbers.reserve(std::max(2 * first, first + count));
+      reserve_more(numbers, count);
       numbers.resize(first + count);
       transfer(reinterpret_cast<char*>(numbers.data() + first), count * sizeof(Number), ::read);
       left -= count;

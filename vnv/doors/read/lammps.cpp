@@ -103,7 +103,7 @@ class Dump {
     budget_.take(count, columns.size(), fmt::format("{}:{}: ATOMS", file_.string(), at_));
     if (count > rest_.size() / (2 * columns.size()) + 1)
       refuse_here(fmt::format("ends within its atoms, expected {}", count));
-    for (Array& column : columns) column.values.reserve(count);
+    for (Array& column : columns) reserve_more(column.values, count);
     for (std::size_t row = 0; row < count; ++row) {
       std::string_view line = next_line();
       for (Array& column : columns) column.values.push_back(cell(line, column, row == 0));

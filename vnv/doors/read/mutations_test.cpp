@@ -100,7 +100,8 @@ TEST(MutatedSamples, AreReadOrRefusedInOneLine) {
       file.replace_extension();
     }
     expect_rows_or_one_line(file, bytes);
-    for (int i = 0; i < 50; ++i) expect_rows_or_one_line(file, mutated(bytes, random));
+    const int times = bytes.starts_with(hdf5_begins) ? 10 : 50;  // a process each
+    for (int i = 0; i < times; ++i) expect_rows_or_one_line(file, mutated(bytes, random));
   }
 }
 

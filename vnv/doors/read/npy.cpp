@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/pickle.hpp"
@@ -89,7 +90,10 @@ class Zip {
                                 is.size, is.comp_size));
     unread_ -= is.comp_size;
     left_ -= is.size;
-    std::string bytes(is.size, '\0');
+    std::string bytes;
+    bytes.reserve(is.size);
+    expect_to_fill(bytes.data(), is.size);
+    bytes.resize(is.size);
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> open(zip_fopen_index(zip_.get(), entry, 0), zip_fclose);
     const bool is_whole = open && zip_fread(open.get(), bytes.data(), bytes.size()) == std::ssize(bytes);
     char beyond;
@@ -144,12 +148,12 @@ Dataset pysph_dataset(const std::map<std::string, std::string>& entries, const f
   return dataset;
 }
 
-/// Numbers by their names.
-Dataset plain_dataset(const std::map<std::string, std::string>& entries, const fs::path& file, Budget& budget) {
+/// Numbers by their names; an entry is gone as soon as it is read.
+Dataset plain_dataset(std::map<std::string, std::string> entries, const fs::path& file, Budget& budget) {
   Dataset dataset{.format = "NPZ"};
   std::vector<Block> blocks;
-  for (const auto& [name, bytes] : entries) {
-    const std::string where = fmt::format("{}: '{:.80}.npy'", file.string(), name);
+  for (auto& [name, held] : entries) {
+    const std::string bytes = std::exchange(held, {}), where = fmt::format("{}: '{:.80}.npy'", file.string(), name);
     const NumpyArray array = npy_array(bytes, where);
     if (array.kind.letter == 'O')
       refuse(where, "objects of Python, expected numbers, or 'particles' and 'solver_data' of PySPH");
@@ -169,7 +173,7 @@ Dataset plain_dataset(const std::map<std::string, std::string>& entries, const f
 std::vector<Dataset> with_file(Dataset dataset, const fs::path& file) {
   dataset.source = file.filename().string();
   dataset.index = number_of(file);
-  return dataset.time ? std::vector{std::move(dataset)} : parted_by_time(std::move(dataset));
+  return parted_by_time(std::move(dataset));
 }
 
 }  // namespace
@@ -191,7 +195,8 @@ std::vector<Dataset> read_npz(const fs::path& file, std::string_view bytes, cons
   }
   Budget budget(limits);
   const bool is_pysph = entries.contains("particles") && entries.contains("solver_data");
-  return with_file(is_pysph ? pysph_dataset(entries, file, budget) : plain_dataset(entries, file, budget), file);
+  return with_file(is_pysph ? pysph_dataset(entries, file, budget) : plain_dataset(std::move(entries), file, budget),
+                   file);
 }
 
 }  // namespace touchstone::vnv::doors

@@ -1,6 +1,7 @@
 #include "vnv/doors/read/numbers.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 namespace touchstone::vnv::doors {
 
@@ -17,6 +18,14 @@ std::size_t whole_number(std::string_view text, const std::string& where) {
   if (error != std::errc{} || end != text.data() + text.size())
     refuse(where, fmt::format("'{}', expected a whole number from 0", text.substr(0, 40)));
   return number;
+}
+
+void expect_to_fill(const void* begin, std::size_t bytes) {
+  constexpr std::uintptr_t page = 4096, least = 1 << 22;
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
+             end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
+  if (bytes >= least)
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);  // or not, where there are none
 }
 
 std::size_t Budget::take(std::size_t rows, std::size_t components, const std::string& where) {

@@ -62,6 +62,17 @@ inline constexpr std::size_t most_that_deflate_saves = 1032;
 /// A count as a file writes it. Throws Unreadable unless it is digits only.
 std::size_t whole_number(std::string_view text, const std::string& where);
 
+/// Memory that is about to be filled comes in large pages, since each page costs when it is first touched.
+void expect_to_fill(const void* begin, std::size_t bytes);
+
+/// Space for so many more numbers.
+template <class Number>
+void reserve_more(std::vector<Number>& numbers, std::size_t count) {
+  if (numbers.capacity() - numbers.size() >= count) return;
+  numbers.reserve(std::max(numbers.size() + count, 2 * numbers.size()));
+  expect_to_fill(numbers.data(), numbers.capacity() * sizeof(Number));
+}
+
 /// What the arrays of a file may still take.
 class Budget {
  public:
@@ -90,6 +101,7 @@ template <class To>
 void append_bytes(std::string_view bytes, Type type, std::endian order, std::vector<To>& to) {
   with_type(type, [&]<class From>(From) {
     const std::size_t count = bytes.size() / sizeof(From), first = to.size();
+    reserve_more(to, count);
     to.resize(first + count);
     const char* from = bytes.data();
     To* out = to.data() + first;

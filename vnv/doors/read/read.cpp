@@ -3,6 +3,7 @@
 #include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
+#include "vnv/doors/read/numbers.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"
@@ -31,6 +32,7 @@ Bytes bytes_of(const std::filesystem::path& file, const Limits& limits) {
   if (size > limits.most_bytes)
     throw Unreadable(fmt::format("{}: {} bytes, expected at most {}", file.string(), size, limits.most_bytes));
   Bytes bytes{std::make_unique_for_overwrite<char[]>(size), size};
+  expect_to_fill(bytes.held.get(), size);
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(bytes.held.get(), static_cast<std::streamsize>(size)))
     throw Unreadable(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
