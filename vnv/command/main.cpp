@@ -145,7 +145,7 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--axes", options.axes, "of the plane of the flow, in the coordinates of the files")
       ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
   command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
-  command.add_option("--only", options.only, "rows that are fluid, NAME=VALUE of an array");
+  command.add_option("--only", options.only, "rows that are fluid, NAME=VALUE of an array, array=fluid of PySPH");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
   command.add_option("--time", options.time, "of files that have none [s]")->check(CLI::NonNegativeNumber);
   command.add_option("--time-step", options.time_step, "between the indices of files that have no time [s]")
@@ -226,11 +226,12 @@ void add_subcommands(Session& session) {
       "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
       scene, declare_scene);
   add(session, "judge", "Judges the output of any code by a flow: norms of the error, observed order, verdicts.",
-      "Reads VTP, VTU, legacy VTK, PVD and series of them, and tables of text (CSV, TSV, ;). Files of equal spacing are\n"
-      "times of one resolution; three resolutions show the observed order.\n"
+      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ, HDF5 (PySPH, H5Part), LAMMPS dumps, and tables of\n"
+      "text (CSV, TSV, ;), also .gz. Files of equal spacing are times of one resolution; three resolutions show the order.\n"
       "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
+      "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid pysph_100.npz\n"
       "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz",
       judge, declare_judge);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
