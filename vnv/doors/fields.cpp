@@ -144,6 +144,14 @@ Found find(const Dataset& data, const std::string& field, const Mapping& mapping
   if (const auto said = mapping.arrays.find(field); said != mapping.arrays.end()) {
     if (const Array* array = data.array(said->second)) return {{array}, array->name};
     if (const Found columns = found_as(data, field, plain(said->second)); columns.there()) return columns;
+    Found list{.words = said->second};
+    for (std::string_view rest = said->second; !rest.empty();) {
+      const std::string_view name = rest.substr(0, rest.find(','));
+      if (const Array* column = data.array(std::string(name)); column && column->components == 1)
+        list.columns.push_back(column);
+      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+    }
+    if (std::ssize(list.columns) == 1 + std::ranges::count(said->second, ',')) return list;
     std::vector<std::string> names;
     for (const Array& array : data.arrays) names.push_back(array.name);
     throw Unreadable(fmt::format("{}: no array '{}' for {}, expected one of: {}", data.source, said->second, field,

@@ -14,7 +14,7 @@ namespace touchstone::vnv::doors {
 
 /// What a user says of files. What is empty is found by its common names and units, where that is unique.
 struct Mapping {
-  std::map<std::string, std::string> arrays{};  // field -> name of an array: "velocity" -> "U"
+  std::map<std::string, std::string> arrays{};  // field -> name of an array, "velocity" -> "U", or of columns, "a,b"
   std::map<std::string, std::string> units{};   // kind -> unit: "length" -> "mm", "velocity", "pressure", "time"
   std::string axes{};                           // of the plane, "xy", "xz", ...; empty: that in which the places lie
   Vec2 origin = Vec2::Zero();                   // m  the flow's origin, in the coordinates of the files

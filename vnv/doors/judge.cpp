@@ -155,6 +155,15 @@ std::vector<Claim> own_claims(const Flow& flow, const Judged& what, const std::s
   return claims;
 }
 
+/// For want of a field, as has been said.
+void leave_out_what_is_not_measured(const std::vector<Claim>& claims, Record& record) {
+  for (const Claim& claim : claims) {
+    const auto is_claimed = [&](const Value& value) { return value.quantity.name == claim.quantity.name; };
+    if (std::ranges::any_of(record.values, is_claimed)) continue;
+    std::erase_if(record.verdicts, [&](const Verdict& v) { return v.quantity == judged_quantity(claim).name; });
+  }
+}
+
 }  // namespace
 
 void Given::say(const std::string& line) {
@@ -203,14 +212,8 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
-  const auto not_measured = [&](const Verdict& verdict) {  // for want of a field, which has been said
-    return verdict.quantity != end_time_reached &&
-           std::ranges::none_of(judgement.record.values, [&](const Value& value) {
-             return verdict.quantity.find(value.quantity.name) != verdict.quantity.npos;
-           });
-  };
   if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; }))
-    std::erase_if(judgement.record.verdicts, not_measured);
+    leave_out_what_is_not_measured(judged.claims, judgement.record);
   return judgement;
 }
 

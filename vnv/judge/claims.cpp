@@ -17,12 +17,8 @@ std::string word_of(Outcome outcome) {
   return outcome == Outcome::holds ? "HOLDS" : outcome == Outcome::fails ? "FAILS" : "INCONCLUSIVE";
 }
 
-Quantity order_of(const Quantity& quantity, const std::string& ladder) {
-  return {fmt::format("order of {} over {}", quantity.name, ladder), "", Kind::order};
-}
-
 Verdict verdict_of(const Claim& claim, const Place& place, double value) {
-  const Quantity quantity = claim.ladder.empty() ? claim.quantity : order_of(claim.quantity, claim.ladder);
+  const Quantity quantity = judged_quantity(claim);
   Verdict v;
   v.case_name = place.case_name;
   v.method = place.method;
@@ -79,6 +75,11 @@ Verdict judge_convergence(const Claim& claim, const Place& place, const Observed
 }
 
 }  // namespace
+
+Quantity judged_quantity(const Claim& claim) {
+  if (claim.ladder.empty()) return claim.quantity;
+  return {fmt::format("order of {} over {}", claim.quantity.name, claim.ladder), "", Kind::order};
+}
 
 bool Claim::covers(std::string_view its_level, double its_time) const {
   return (level.empty() || level == its_level) &&

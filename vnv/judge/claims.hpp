@@ -86,6 +86,9 @@ struct Place {
 /// Judges a value. Written so that a value that is not a number fails.
 Verdict judge(const Claim& claim, const Place& place, double value);
 
+/// What its verdicts are about: the quantity itself, or its observed order.
+Quantity judged_quantity(const Claim& claim);
+
 /// Judges an observed order.
 Verdict judge(const Claim& claim, const Place& place, const ObservedOrder& order);
 

@@ -12,6 +12,7 @@
 namespace touchstone::vnv::doors {
 namespace {
 
+constexpr std::string_view known_formats = "VTP, VTU, legacy VTK, PVD, NPY, NPZ, HDF5 or a dump of LAMMPS";
 constexpr std::string_view blanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
@@ -98,9 +99,7 @@ class Table {
   std::vector<Dataset> datasets() && {
     if (columns_.empty())
       throw Unreadable(
-          fmt::format("{}: no row of numbers, expected a table of text or a format that is known: VTP, VTU, "
-                      "legacy VTK, PVD",
-                      file_.string()));
+          fmt::format("{}: no row of numbers, expected a table of text, {}", file_.string(), known_formats));
     Dataset whole{.source = file_.string(),
                   .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
                   .arrays = std::move(columns_)};
@@ -137,7 +136,7 @@ class Table {
 
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
   if (bytes.find('\0') != bytes.npos)
-    throw Unreadable(fmt::format("{}: not text and no format that is known: VTP, VTU, legacy VTK, PVD", file.string()));
+    throw Unreadable(fmt::format("{}: not text, expected text, {}", file.string(), known_formats));
   Table table(file, bytes, limits);
   for (long at = 1; !bytes.empty(); ++at) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());

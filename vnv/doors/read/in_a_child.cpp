@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors {
@@ -114,7 +115,7 @@ std::vector<Dataset> get(Pipe& pipe) {
     for (std::uint64_t arrays = pipe.get(); pipe.is_whole() && arrays > 0; --arrays) {
       Array& array = dataset.arrays.emplace_back();
       array.name = pipe.get_text();
-      array.components = static_cast<int>(pipe.get());
+      array.components = std::max(1, static_cast<int>(pipe.get()));
       array.values = pipe.get_all<double>();
       for (std::uint64_t labels = pipe.get(); pipe.is_whole() && labels > 0; --labels)
         array.labels.push_back(pipe.get_text());
@@ -158,18 +159,24 @@ std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
     be_the_child(ends[1], seconds, read);
   }
   close(ends[1]);
-  Pipe pipe(ends[0]);
-  if (child < 0) refuse(where, fmt::format("no process of its own: {}", std::strerror(errno)));
-  const std::string refusal = pipe.get_text();
+  std::string refusal;
   std::vector<Dataset> datasets;
-  if (refusal.empty()) datasets = get(pipe);
+  bool is_whole = false;
+  {  // which closes the pipe, so that a child that is astray does not wait for it
+    Pipe pipe(ends[0]);
+    if (child < 0) refuse(where, fmt::format("no process of its own: {}", std::strerror(errno)));
+    refusal = pipe.get_text();
+    if (refusal.empty()) datasets = get(pipe);
+    is_whole = pipe.is_whole();
+  }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!refusal.empty()) throw Unreadable(refusal);
-  if (!pipe.is_whole() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (!is_whole || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     refuse(where, fmt::format("the library that reads it ended by signal {}, expected a file that it can read",
                               WIFSIGNALED(status) ? WTERMSIG(status) : 0));
+  for (const Dataset& dataset : datasets) require_equal_rows(dataset.arrays, where);
   return datasets;
 }
 

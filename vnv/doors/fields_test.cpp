@@ -1,0 +1,56 @@
+#include "vnv/doors/fields.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::vnv::doors {
+namespace fields_test {
+
+const Domain domain{.box = {.high = {1, 1}}};
+
+/// Two particles of a fluid and one of a wall below it, as PySPH writes them.
+Dataset fluid_and_wall() {
+  return {.source = "a.npz",
+          .time = 1,
+          .arrays = {{.name = "V", .values = {9, 9, 9}},
+                     {.name = "u", .values = {1, 2, 3}},
+                     {.name = "v", .values = {4, 5, 6}},
+                     {.name = "x", .values = {0.1, 0.2, 0.3}},
+                     {.name = "y", .values = {0.1, 0.2, -0.3}},
+                     {.name = "array", .values = {0, 0, 1}, .labels = {"fluid", "wall"}}}};
+}
+
+std::string refusal(const Dataset& data, const Mapping& mapping) {
+  try {
+    reading_of(data, mapping, domain, 1000);
+  } catch (const Unreadable& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Fields, AreOfTheRowsThatAWordNames) {
+  const Samples samples = reading_of(fluid_and_wall(), {.only = "array=fluid"}, domain, 1000).samples;
+  ASSERT_EQ(samples.size(), 2);
+  EXPECT_EQ(samples.v, (Vectors(2, 2) << 1, 2, 4, 5).finished()) << "v is that of small letters";
+  EXPECT_EQ(refusal(fluid_and_wall(), {.only = "array=solid"}),
+            "a.npz: no rows with array 'solid', expected one of: fluid, wall");
+  EXPECT_EQ(reading_of(fluid_and_wall(), {}, domain, 1000).samples.size(), 2) << "fluid is chosen by its name";
+  Dataset oil = fluid_and_wall();
+  oil.arrays.back().labels = {"oil", "wall"};
+  EXPECT_NE(refusal(oil, {}).find("--only NAME=VALUE (array is oil, wall) or --inside"), std::string::npos);
+}
+
+TEST(Fields, AreOfColumnsThatTheUserLists) {
+  Dataset table{.source = "a.npy", .time = 1};
+  for (const char* name : {"column 1", "column 2", "column 3", "c_v[1]"})
+    table.arrays.push_back({.name = name, .values = {0.1, 0.2}});
+  Mapping mapping{.arrays = {{"position", "column 1,column 2"}, {"velocity", "column 3,c_v[1]"}}};
+  EXPECT_EQ(reading_of(table, mapping, domain, 1000).samples.v(1, 1), 0.2);
+  mapping.arrays["velocity"] = "column 3,column 5";
+  EXPECT_EQ(refusal(table, mapping),
+            "a.npy: no array 'column 3,column 5' for velocity, expected one of: column 1, "
+            "column 2, column 3, c_v[1]");
+}
+
+}  // namespace fields_test
+}  // namespace touchstone::vnv::doors
