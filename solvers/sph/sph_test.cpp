@@ -109,12 +109,13 @@ Index source(const Near& near, Index j) {
 }
 Listed all_listed(const Near& near, const Near::Lists& lists) {
   Listed found;
-  for (const auto& block : lists.parts[0].blocks) {
-    const auto rows = lists.parts[0].rows_of(block);
-    for (int lane = 0; lane < block.particles; ++lane)
-      for (std::size_t at = Near::width + lane; at < rows.size(); at += Near::width)
-        if (rows[at] != near.all.nowhere()) found[rows[lane]].insert(source(near, rows[at]));
-  }
+  for (const auto& part : lists.parts)
+    for (const auto& block : part.blocks) {
+      const auto rows = part.rows_of(block);
+      for (int lane = 0; lane < block.particles; ++lane)
+        for (std::size_t at = Near::width + lane; at < rows.size(); at += Near::width)
+          if (rows[at] != near.all.nowhere()) found[rows[lane]].insert(source(near, rows[at]));
+    }
   return found;
 }
 /// Those closer than `reach` [m] of all pairs i, j of two ranges, a period further too.
@@ -134,7 +135,7 @@ Listed all_within(const Near& near, const Domain& domain, double reach, Index fi
 }
 
 /// As runs have it: a skin that is a small part of the reach, so that what is missing at its edge is missed.
-Near with_thin_skin(const Domain& domain, const std::vector<Wall>& walls, double skin) {
+Near with_thin_skin(const Domain& domain, const std::vector<Wall>& walls, double skin, int threads = 1) {
   return Near(Scene<Newtonian>{.domain = domain,
                                .fluid = water,
                                .filled = box,
@@ -147,7 +148,7 @@ Near with_thin_skin(const Domain& domain, const std::vector<Wall>& walls, double
                                                return places;
                                              }}},
               spacing, {.kernel = 2 * h, .wall = 1.12 * spacing, .skin = skin},
-              lay_out_ghosts_and_walls(domain, walls, spacing, 2));
+              lay_out_ghosts_and_walls(domain, walls, spacing, 2), threads);
 }
 
 TEST(Neighbours, AreListedToTheEndOfTheKernelAndOfTheSkinWhenListsAreMade) {
@@ -178,6 +179,35 @@ TEST(Neighbours, StayListedForAsLongAsListsHold) {
     for (const auto& [i, within] : all_within(near, endless, 2 * h, 0, near.all.fluid, 0, near.all.fluid))
       ASSERT_TRUE(std::ranges::includes(listed[i], within)) << "step " << step << ", particle " << i;
   }
+}
+
+TEST(Neighbours, AreListedAnewWhicheverThreadSeesAParticleGoTooFar) {
+  const Domain endless{.box = box, .periodic_x = true, .periodic_y = true};
+  Near near = with_thin_skin(endless, {}, 0.1 * spacing, 4);
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    near.all.x[i] += spacing;
+    near.follow(i, 0, 0);
+    const auto within = all_within(near, endless, 2 * h, i, i + 1, 0, near.all.fluid);
+    Listed listed = all_listed(near, near.fluid_near_fluid);
+    for (const auto& [row, expected] : within) ASSERT_TRUE(std::ranges::includes(listed[row], expected)) << i;
+  }
+}
+
+TEST(Neighbours, TakeAllFieldsOfAParticleAlongWhenItIsSorted) {
+  Near near = with_thin_skin({.box = box, .periodic_x = true, .periodic_y = true}, {}, 0.1 * spacing);
+  near.carry(1, 3);
+  Particles& all = near.all;
+  const Index last = all.fluid - 1;
+  const Scalars number = Eigen::Map<const Eigen::ArrayXi>(all.number.data(), all.fluid).cast<double>();
+  all.each_field([&](Scalars& field) { field.head(all.fluid) = number; });
+  all.vx.setZero();
+  all.vy.setZero();
+  std::swap(all.x[0], all.x[last]);
+  std::swap(all.y[0], all.y[last]);
+  near.follow(0, 0, 0);
+  ASSERT_NE(all.number[0], static_cast<int>(number[0]));
+  for (const Scalars* field : {&all.rho, &all.ax, &all.drho, &all.carried[0], &all.past[0], &all.past[2]})
+    for (Index i = 0; i < all.fluid; ++i) ASSERT_EQ((*field)[i], all.number[i]);
 }
 
 TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
@@ -327,6 +357,23 @@ TEST(RestoreDensity, KeepsAConstantDensityAlsoAtASurface) {
   restore_density<CubicSpline>(near, h);
   EXPECT_NEAR(near.all.rho.minCoeff(), 1000, 1e-9);
   EXPECT_NEAR(near.all.rho.maxCoeff(), 1000, 1e-9);
+}
+
+TEST(RestoreDensity, IsTheMassAroundOverItsVolumeTheParticleItselfIncluded) {
+  const Domain free{.box = box};
+  Near near = disordered(free, {});
+  const Scalars rho = near.all.rho;
+  const Listed around = all_within(near, free, 2 * h, 0, near.all.fluid, 0, near.all.fluid);
+  restore_density<CubicSpline>(near, h);
+  for (Index i = 0; i < near.all.fluid; ++i) {
+    double mass = CubicSpline::w(0.0), volume = CubicSpline::w(0.0) / rho[i];
+    for (const Index j : around.at(i)) {
+      const double w = CubicSpline::w(apart(near, i, j) / h);
+      mass += w;
+      volume += w / rho[j];
+    }
+    ASSERT_NEAR(near.all.rho[i], mass / volume, 1e-9);
+  }
 }
 
 TEST(Walls, RefuseFluidThatStartsOnThem) {
