@@ -61,6 +61,15 @@ TEST(Steps, OfACostStayForTwoNights) {
   EXPECT_EQ(steps_of({10, 10.5, 9.6, 10.8}, cost), Nights{});
 }
 
+TEST(Steps, OfACostAreConfirmedByTheNextNightThatHasAValue) {
+  Series series;
+  series.kind = Series::Kind::cost;
+  series.points = {{true, 10, false}, {true, 10, false}, {true, 20, false}, {}, {true, 20, false}};
+  mark_steps(series, std::vector<bool>(5));
+  ASSERT_EQ(series.steps.size(), 1u);
+  EXPECT_EQ(series.steps[0].night, 2u);
+}
+
 TEST(Steps, OfACostAreNotMadeByAnotherMachine) {
   EXPECT_EQ(steps_of({10, 10, 20, 20}, Series::Kind::cost, std::nullopt, {false, false, true, false}), Nights{});
   EXPECT_EQ(steps_of({1, 1, 2, 2}, Series::Kind::error, std::nullopt, {false, false, true, false}), Nights{2});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace touchstone::reports {
 namespace {
@@ -94,6 +95,20 @@ TEST(CostRatios, SetEqualParticleNumberBesideEqualError) {
 TEST(CostRatios, SayWhoDoesNotReachAnError) {
   const vnv::Table table = cost_ratios(diagram, {point("mpm", 1, 2), point("mpm", 4, 0.05), point("sph", 10, 2)});
   EXPECT_EQ(std::get<std::string>(table.rows[1][2]), "SPH does not reach it");
+}
+
+/// What is said of 1 % where `mpm` and `sph` have these errors [%] in 1 and 4 s, and in 10 and 40 s.
+std::string ratio_at_one_per_cent(const std::array<double, 2>& mpm, const std::array<double, 2>& sph) {
+  const vnv::Table table = cost_ratios(
+      diagram, {point("mpm", 1, mpm[0]), point("mpm", 4, mpm[1]), point("sph", 10, sph[0]), point("sph", 40, sph[1])});
+  return std::get<std::string>(table.rows[1][2]);
+}
+
+TEST(CostRatios, AreBoundedWhereTheCheapestRunIsBetterThanAskedAlready) {
+  EXPECT_EQ(ratio_at_one_per_cent({2, 0.5}, {2, 0.5}), "10");
+  EXPECT_EQ(ratio_at_one_per_cent({2, 0.5}, {0.9, 0.5}), "≤ 5");
+  EXPECT_EQ(ratio_at_one_per_cent({0.9, 0.5}, {2, 0.5}), "≥ 20");
+  EXPECT_EQ(ratio_at_one_per_cent({0.9, 0.5}, {0.9, 0.5}), "about 10");
 }
 
 TEST(CostRatios, AreNoneWithoutBothFamilies) { EXPECT_TRUE(cost_ratios(diagram, {point("mpm", 1, 2)}).rows.empty()); }

@@ -18,6 +18,14 @@ TYPED_TEST_P(MpmStart, ARunHasTheVelocityAndThePressureOfItsScene) {
   expect_as_in(varied_start(), after<TypeParam>(0, endless(varied_start()), start_settings), 1e-14, 1e-8);
 }
 
+TYPED_TEST_P(MpmStart, ItsExtremesAreThoseOfTheFastestAndOfTheDensestParticle) {
+  const auto run = TypeParam::solver(endless(varied_start()), start_settings);
+  const Samples s = run.samples();
+  ASSERT_LT(s.density.minCoeff(), s.density.maxCoeff());
+  EXPECT_NEAR(run.extremes().speed, s.v.colwise().norm().maxCoeff(), 1e-12);
+  EXPECT_NEAR(run.extremes().density, s.density.maxCoeff(), 1e-9);
+}
+
 TYPED_TEST_P(MpmStart, ARunWithoutAWordIsAtRest) {
   const Samples s = after<TypeParam>(0, endless({}), start_settings);
   EXPECT_EQ(s.v.norm(), 0);
@@ -64,7 +72,8 @@ TYPED_TEST_P(MpmStart, ThreadsDoNotChangeABitWhereRowsRepeat) {
   EXPECT_EQ(one.v, three.v);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(MpmStart, ARunHasTheVelocityAndThePressureOfItsScene, ARunWithoutAWordIsAtRest,
+REGISTER_TYPED_TEST_SUITE_P(MpmStart, ARunHasTheVelocityAndThePressureOfItsScene,
+                            ItsExtremesAreThoseOfTheFastestAndOfTheDensestParticle, ARunWithoutAWordIsAtRest,
                             ASceneMayPutItsParticlesElsewhere, RefusesAParticleOutsideTheDomainAndNoneAtAll,
                             UniformFlowCrossesBothPeriodicBoundariesUnchanged, AShearWaveDecaysAlikeAlongBothAxes,
                             ThreadsDoNotChangeABitWhereRowsRepeat);

@@ -17,6 +17,14 @@ struct Reach {
   double least_skin = skin, greatest_skin = skin;
 };
 
+/// Refuses a wall across a periodic axis, whose ghosts would have no images: std::invalid_argument with one line.
+inline void require_no_wall_across_a_period(const Domain& domain, const std::vector<Wall>& walls) {
+  for (const Wall& wall : walls)
+    if (domain.periodic(wall.axis))
+      throw std::invalid_argument(fmt::format("sph: a wall at {} = {} m, expected none across a periodic axis",
+                                              wall.axis == 0 ? "x" : "y", wall.position));
+}
+
 /// Refuses fluid on a wall, where it would meet the particles that the wall is made of: std::invalid_argument with one
 /// line.
 inline void require_off_walls(const Vectors& places, const std::vector<Wall>& walls, double spacing) {
@@ -60,6 +68,7 @@ class Neighbourhood {
             "sph: neighbours are listed up to {} m, expected at most the period {} m", farthest, period[axis]));
     const Lattice cells = lattice(scene.filled, spacing, domain_.box);
     const Vectors places = places_in(domain_.box, scene.start, cells);
+    require_no_wall_across_a_period(domain_, scene.walls);
     require_off_walls(places, scene.walls, spacing);
     place(places);
     all.mass = density_ * cells.volume();

@@ -376,6 +376,10 @@ TEST(RestoreDensity, IsTheMassAroundOverItsVolumeTheParticleItselfIncluded) {
   }
 }
 
+TEST(Walls, RefuseToStandAcrossAPeriodicAxis) {
+  EXPECT_THROW(with_thin_skin(channel, {left_at(0, no_slip())}, 0.1 * spacing), std::invalid_argument);
+}
+
 TEST(Walls, RefuseFluidThatStartsOnThem) {
   const Vectors places{{0.5, 0.3}, {0.2, 0.004}};
   const std::vector<Wall> walls = {floor_at(0, [](const NearWall& near) { return near.v; })};

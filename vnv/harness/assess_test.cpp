@@ -177,6 +177,14 @@ TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   EXPECT_EQ(rows[0].basis, "wide");
 }
 
+TEST(Baselines, OfNegativeValuesAllowAsMuchAsOfPositiveOnes) {
+  Record record = assessed(second_order());
+  record.values[0].value = -3;
+  const Baseline row = baselines_from(record, {.relative = 0.1}).front();
+  EXPECT_NEAR(row.lower, -3.3, 1e-12);
+  EXPECT_NEAR(row.upper, -2.7, 1e-12);
+}
+
 TEST(Baselines, OfWhatIsZeroButForRoundingAllowForRounding) {
   Record record = assessed(second_order());
   record.values[0].value = 2e-15;

@@ -197,6 +197,10 @@ TEST(AFloor, IsSeenWhereThereIsNoneOnceInTwentyTimesAtMost) {
   EXPECT_LE(seen, repeats / 20);
 }
 
+TEST(AFloor, IsNoneWhereALineScattersHardlyMore) {
+  EXPECT_TRUE(std::isnan(observe_order({0.08, 0.04, 0.02, 0.01}, {1.571, 0.9714, 0.7171, 0.634}).floor));
+}
+
 TEST(AFloor, IsNotLookedForWithoutARungToSpare) {
   EXPECT_TRUE(std::isnan(observe_order({0.04, 0.02, 0.01}, {1e-3, 4e-4, 3e-4}).floor));
 }

@@ -86,6 +86,12 @@ TEST(Spectrum, KnowsWhatAMethodRemembersWithoutShowingIt) {
   }
 }
 
+TEST(Spectrum, OfSeveralStepsTakenForOneIsStillThatOfAStep) {
+  const double one = spectrum(diffusing(0.14), {.cells = 6}, 1).radius;
+  ASSERT_GT(one, 1.1);
+  EXPECT_NEAR(spectrum(diffusing(0.14), {.cells = 6}, 1, 3).radius, one, 1e-5);
+}
+
 TEST(Spectrum, HasTheClosedFormOfLinearHatsWithOneParticleInACell) {
   // Nodes see a wave of particles by cos(k/2) cos(l/2), particles its slope by 2 sin(k/2) cos(l/2) / cell: sound of
   // frequency omega <= c / cell, and symplectic steps bear omega dt <= 2.

@@ -414,6 +414,11 @@ struct Alone {
   }
 };
 
+TEST(AffineTransfer, HasRowsOfNodesNoLongerThanBlocksOfCellsNeed) {
+  const Grid wide(Domain{.box = {.high = {1000, 2}}}, 1);
+  EXPECT_LE((CentreNodes{wide, lanes}.stride), 1000 + 2 * lanes);
+}
+
 TEST(AffineTransfer, KeepsMassMomentumAndAngularMomentum) {
   Alone drop;
   drop.set([](const Vec2& x) {

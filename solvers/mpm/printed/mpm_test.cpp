@@ -383,6 +383,10 @@ TEST(Lanes, NoticeOneNumberThatIsNotOne) {
   for (int lane = 0; lane < lanes; ++lane) {
     Lanes a = fill<Lanes>(0.5);
     EXPECT_TRUE(all<Lanes>(between(0, a, 1)));
+    for (const double limit : {0.0, 1.0}) {
+      a[lane] = limit;
+      EXPECT_TRUE(all<Lanes>(between(0, a, 1)));
+    }
     a[lane] = std::nan("");
     EXPECT_FALSE(all<Lanes>(between(0, a, 1)));
     a[lane] = 1.001;

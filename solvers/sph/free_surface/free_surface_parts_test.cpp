@@ -330,6 +330,22 @@ TEST(Shifting, MovesNothingInStillWater) {
   EXPECT_EQ(places(near), before);
 }
 
+TEST(Shifting, MovesNothingAcrossASurfaceAlsoInTheRowsBelowIt) {
+  Near near = neighbourhood(
+      {.domain = {.box = {.low = {-1, -1}, .high = {2, 2}}}, .fluid = water, .filled = square});  // on a lattice
+  see(near, passing, even, even);
+  const Vectors before = places(near);
+  shift(near, 0.01);
+  const Vectors way = places(near) - before;
+  int in_the_middle = 0;
+  for (Index k = 0; k < way.cols(); ++k) {
+    if (std::abs(before(0, k) - 0.5) > 2 * spacing || before(1, k) < 1 - 6 * spacing) continue;
+    ASSERT_LT(way.col(k).norm(), 1e-12) << (1 - before(1, k)) / spacing << " spacings below the surface";
+    ++in_the_middle;
+  }
+  EXPECT_EQ(in_the_middle, 24);
+}
+
 TEST(Shifting, CarriesALinearVelocityAndDensityAlongExactly) {
   const Motion stretching = [](const Vec2& x) -> Vec2 { return {3 * x.x() - x.y(), 2 * x.x() + x.y()}; };
   Near near = drop(stretching, linear, even);
