@@ -97,6 +97,7 @@ int collect(const Build& build, const CollectOptions& options);
 
 struct OrderOptions {
   std::string file{};
+  bool are_values = false;  // of quantities whose truth nobody knows, not errors
   std::optional<double> surely_above{};
 };
 int order(const Build& build, const OrderOptions& options);

@@ -183,6 +183,8 @@ void declare_collect(CLI::App& command, CollectOptions& options) {
 
 void declare_order(CLI::App& command, OrderOptions& options) {
   command.add_option("FILE", options.file, "a table: a column of spacings, then columns of errors")->required();
+  command.add_flag("--values", options.are_values,
+                   "the columns hold values of unknown truth: extrapolated, with the grid convergence index");
   command.add_option("--surely-above", options.surely_above,
                      "exit status 1 unless each 95 % interval lies above this order");
 }
@@ -268,7 +270,9 @@ void add_subcommands(Session& session) {
       "Example:\n  vnv collect mine.toml runs --records build/records/acceptance", collect, declare_collect);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
       "The first column holds spacings, each other one errors; rows in any order. CSV, TSV, ; or blanks.\n"
-      "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5",
+      "Of values whose truth nobody knows, --values shows what each three neighbouring resolutions say: order,\n"
+      "Richardson's extrapolation and the grid convergence index of the finest (Roache 1994, Celik et al. 2008).\n"
+      "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
   add_completion(session);
 }

@@ -195,6 +195,7 @@ int mutate(const Case& declared) {
         options.mutates_samples
             ? mutate_samples(case_name, declared, *method, options.suite, baselines_of_case(), least)
             : mutate_record(declared, *method, read_record(file), baselines_of_case(), claims_of_case());
+    if (all.failing && !options.records.empty()) write(*all.failing, options.records / file.filename());
     for (const std::string& line : least) fmt::print("{}\n", line);
     for (const std::string& line : all.survivors) fmt::print("SURVIVED {}\n", line);
     fmt::print("{}.{}: {}\n", case_name, method->name, all.sentence());

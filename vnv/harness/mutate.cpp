@@ -284,6 +284,18 @@ struct Least {
   std::string words{};
 };
 
+/// Whether no claim that reads a run of this level waits for a change larger than this.
+bool are_settled(const std::vector<Least>& least, const Record& judged, const std::string& level, double change) {
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    const Verdict& v = judged.verdicts[k];
+    const bool waits = v.outcome == Outcome::holds && !is_end(v) && least[k].change > change;
+    const bool is_of_another =
+        v.level != level && std::ranges::find(judged.runs, v.level, &RunSummary::level) != judged.runs.end();
+    if (waits && !is_of_another) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Mutations mutate_samples(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
@@ -293,21 +305,23 @@ Mutations mutate_samples(const std::string& case_name, const Case& declared, con
   Results results{method, suite, run_levels(case_name, declared, method, suite)};
   const Record judged = assess(case_name, unplotted, results, baselines);
   std::vector<Least> of_each(judged.verdicts.size());
+  Mutations all;
   for (Run& run : results.runs) {
     const Run original = run;
-    for (const auto& [field, scale] : fields)
-      for (double s = 1e-6; s < 1e4; s *= 4)
+    for (double s = 1e-6; s < 1e4 && !are_settled(of_each, judged, original.summary.level, s); s *= 4)
+      for (const auto& [field, scale] : fields)
         for (const double factor : {1 + s, 1 / (1 + s)}) {
           run = original;
           scale(run, factor);
           const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
           for (std::size_t k = 0; mutated && k < of_each.size(); ++k)
-            if (s < of_each[k].change && fails_in(*mutated, judged.verdicts[k]))
+            if (s < of_each[k].change && fails_in(*mutated, judged.verdicts[k])) {
               of_each[k] = {s, fmt::format("{} of {} times {:.7g}", field, run.summary.level, factor)};
+              if (judged.verdicts[k].outcome == Outcome::holds) all.failing = mutated;
+            }
         }
     run = original;
   }
-  Mutations all;
   for (std::size_t k = 0; k < of_each.size(); ++k) {
     const Verdict& v = judged.verdicts[k];
     if (v.outcome != Outcome::holds || is_end(v)) continue;

@@ -4,6 +4,7 @@
 #include "vnv/harness/assess.hpp"
 
 #include <array>
+#include <optional>
 
 namespace touchstone::vnv {
 
@@ -19,6 +20,7 @@ struct Mutations {
   long claims = 0;
   std::array<long, words(Mutation{}).size()> tried{}, seen{};
   std::vector<std::string> survivors{};
+  std::optional<Record> failing{};  // of samples: as judged where the last of its claims failed
 
   /// "34 claims hold: beyond 34/34, nan 30/30, ..."
   std::string sentence() const;

@@ -84,6 +84,8 @@ TEST_F(Mutation, OfSamplesIsSeenOfEachClaimOnThem) {
   const Mutations all = mutate_samples("made_up_case", declared, declared.methods[0], Suite::report, accepted, least);
   EXPECT_EQ(all.claims, 6);
   EXPECT_EQ(all.seen[0], 5);
+  ASSERT_TRUE(all.failing);
+  EXPECT_FALSE(complaints(*all.failing, {}).empty());
   ASSERT_EQ(all.survivors.size(), 1u);
   EXPECT_NE(all.survivors[0].find("slope"), std::string::npos) << "which no sample is read for";
 }

@@ -45,7 +45,9 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
          "--mutate", [this](const std::string& folder) { mutated = folder; },
          "judge the records of this folder with each value beyond its limit, and say whose claim does not fail")
       ->check(CLI::ExistingDirectory);
-  app.add_flag("--mutate-samples", mutates_samples, "run, and do the same to the fields of the particles");
+  app.add_flag(
+      "--mutate-samples", mutates_samples,
+      "run, and do the same to the fields of the particles; with --records, a record of each method that fails so");
   app.add_flag("--list", list, "name the methods and their levels");
   app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
   app.add_option("--ctest-file", ctest_file)->group("");

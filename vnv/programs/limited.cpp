@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -29,7 +28,7 @@ std::map<pid_t, Process> processes() {
     const std::string name = entry.path().filename();
     if (name.find_first_not_of("0123456789") != name.npos) continue;
     std::ifstream file(entry.path() / "stat");
-    std::string stat((std::istreambuf_iterator<char>(file)), {});
+    const std::string stat = said_by_process(file);
     const std::size_t close = stat.rfind(')');  // the name between the brackets may hold anything
     if (close == stat.npos) continue;
     std::ifstream pages(entry.path() / "statm");
@@ -79,6 +78,12 @@ double user_time_of_children() {  // s
 }
 
 }  // namespace
+
+std::string said_by_process(std::ifstream& file) {
+  std::string said;
+  std::getline(file, said, '\0');  // an iterator over the buffer would throw
+  return said;
+}
 
 std::string Ran::sentence() const { return stopped.empty() ? ending.sentence() : "was ended: " + stopped; }
 

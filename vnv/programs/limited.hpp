@@ -3,7 +3,9 @@
 
 #include "vnv/programs/programs.hpp"
 
+#include <fstream>
 #include <optional>
+#include <string>
 
 namespace touchstone::programs {
 
@@ -26,6 +28,9 @@ struct Ran {
   /// "ended with status 3", "was ended: took longer than 600 s"
   std::string sentence() const;
 };
+
+/// What a file of /proc says of a process; nothing where that has ended since the file was opened.
+std::string said_by_process(std::ifstream& file);
 
 /// Runs a program in a folder to its end or to a limit; it writes into `log`. What it started and left is killed, also
 /// where that left its process group. `name` is what it is called where this program is interrupted. It must be the

@@ -2,9 +2,13 @@
 
 #include "vnv/programs/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 namespace touchstone::programs {
 namespace {
@@ -41,6 +45,19 @@ TEST_F(ALimitedProgram, LeavesNothingThatItStarted) {
   const Ran ran = shell("setsid sh -c 'echo $$ > id; exec sleep 60' & while [ ! -s id ]; do sleep 0.01; done");
   EXPECT_TRUE(ran.well()) << ran.sentence();
   EXPECT_NE(kill(written("id"), 0), 0) << "still runs";
+}
+
+TEST(AProcess, ThatEndsBetweenLookingAndReadingSaysNothing) {
+  const pid_t child = fork();
+  if (child == 0) {
+    pause();
+    _exit(0);
+  }
+  std::ifstream open_before(fmt::format("/proc/{}/stat", child)), file(fmt::format("/proc/{}/stat", child));
+  EXPECT_NE(said_by_process(open_before).find(')'), std::string::npos);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_EQ(said_by_process(file), "");
 }
 
 TEST_F(ALimitedProgram, ThatIsNotThereFails) {

@@ -7,7 +7,11 @@ never measured (CASE --mutate). The report reads the record with the verdict cha
 and puts it on an index (touchstone_verdict_mutation). A few mutations are made for real: programs end with status 1, and
 the index is red. Exit status: 0 all were seen; 1 one survived; 3 bad input.
 
-Example: vnv/trials/verdicts/try.py build --records build/records/nightly
+With --samples each method of the records is run anew, and a field of its particles is scaled before anything is measured
+(CASE --mutate-samples); the index of a record that fails so is red. Claims that no field moves, such as on cost, are named.
+
+Examples: vnv/trials/verdicts/try.py build --records build/records/nightly
+          vnv/trials/verdicts/try.py build --samples
 """
 
 import collections
@@ -116,12 +120,41 @@ def try_for_real(build, data, files, at_most):
     return seen, tried
 
 
+def mutate_samples(options, folder, name):
+    """Claims that hold of a method, those that fail by some field of its samples, the others, and whether the index is red."""
+    case, method = name.split(".")
+    records = folder / name
+    records.mkdir()
+    done = run([options.build / "vnv" / case, "--data", options.data, "--method", method, "--mutate-samples", "--records", records])
+    told = re.search(r"^[\w.]+: (\d+) claims hold: beyond (\d+)/\d+", done.stdout, re.MULTILINE)
+    if done.returncode not in (0, 1) or not told:
+        raise BadInput(f"{name} --mutate-samples: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
+    survivors = [line for line in done.stdout.splitlines() if line.startswith("SURVIVED")]
+    is_red = int(told[2]) == 0 or report_on(options.build, options.data, records)[0] == 1
+    return int(told[1]), int(told[2]), survivors, is_red
+
+
+def try_samples(options):
+    """Exit status: all claims that samples can move are seen, and each index is red."""
+    began, names = time.monotonic(), sorted(file.stem for file in options.records.glob("*.json"))[:: options.every]
+    if not names:
+        raise BadInput(f"{options.records}: no records in it, expected *.json")
+    with tempfile.TemporaryDirectory(prefix="samples.") as scratch, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = list(pool.map(lambda name: mutate_samples(options, pathlib.Path(scratch), name), names))
+    claims, seen, red = (sum(result[k] for result in results) for k in (0, 1, 3))
+    print("\n".join(line for result in results for line in result[2]))
+    print(f"{claims} claims of {len(names)} methods, {seen} made to fail from samples; {red} of {len(names)} indexes as they "
+          f"should be; {time.monotonic() - began:.0f} s")
+    return 0 if seen == claims and red == len(names) else 1
+
+
 def options_of(arguments):
     parser = Parser(__doc__)
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
     parser.add_argument("--records", type=pathlib.Path, help="folder of records; default: BUILD/records/acceptance")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "data", help="whose baselines and accepted claims")
     parser.add_argument("--every", type=int, default=1, help="one record of so many, as the test of the day does")
+    parser.add_argument("--samples", action="store_true", help="mutate the samples of each method instead of its record")
     parser.add_argument("--for-real", type=int, default=3, help="so many records at most are mutated for real")
     parser.add_argument("--jobs", type=int, default=2, help="programs at once")
     options = parser.parse_args(arguments)
@@ -132,6 +165,8 @@ def options_of(arguments):
 
 def main(arguments):
     options = options_of(arguments)
+    if options.samples:
+        return try_samples(options)
     chosen = sorted(options.records.glob("*.json"))[::options.every]
     with tempfile.TemporaryDirectory(prefix="records.") as folder:
         for file in chosen if options.every > 1 else []:

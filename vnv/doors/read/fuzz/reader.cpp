@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "vnv/doors/read/delimited.hpp"
 #include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"

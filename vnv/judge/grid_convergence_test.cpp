@@ -1,0 +1,68 @@
+#include "vnv/judge/grid_convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace touchstone::vnv {
+namespace grid_convergence_test {
+
+using Approach = GridConvergence::Trend;
+
+/// Of f = 3 - 2 h^p at three spacings.
+GridConvergence of_a_power(double p, double coarse, double middle, double fine) {
+  const auto at = [=](double h) { return AtSpacing{h, 3 - 2 * std::pow(h, p)}; };
+  return grid_convergence(at(coarse), at(middle), at(fine));
+}
+
+TEST(GridConvergence, FindsOrderAndLimitOfAPowerLawAtAnyRatiosOfSpacings) {
+  for (const double p : {0.5, 1.0, 2.0, 4.3})
+    for (const double coarse : {0.4, 0.3, 0.23}) {
+      const GridConvergence found = of_a_power(p, coarse, 0.2, 0.1);
+      EXPECT_EQ(found.trend, Approach::monotone);
+      EXPECT_NEAR(found.order, p, 1e-9);
+      EXPECT_NEAR(found.extrapolated, 3, 1e-10);
+      EXPECT_NEAR(found.index, 1.25 * 2 * std::pow(0.1, p), 1e-10);
+    }
+}
+
+TEST(GridConvergence, IsThatOfThePublishedExample) {
+  // Celik et al. (2008), table 1: three grids of 18000, 8000 and 4500 cells in two dimensions, dimensionless
+  // reattachment length; the order is printed as 1.53, the extrapolated value as 6.1685, the index as 2.2 %.
+  const GridConvergence found =
+      grid_convergence({1 / std::sqrt(4500.0), 5.863}, {1 / std::sqrt(8000.0), 5.972}, {1 / std::sqrt(18000.0), 6.063});
+  EXPECT_NEAR(found.order, 1.53, 0.01);
+  EXPECT_NEAR(found.extrapolated, 6.1685, 1e-3);
+  EXPECT_NEAR(found.index / 6.063, 0.022, 5e-4);
+}
+
+TEST(GridConvergence, DoesNotDependOnUnits) {
+  const GridConvergence one = grid_convergence({4, 1.7}, {2, 1.4}, {1, 1.3}),
+                        other = grid_convergence({4e-3, 1.7e5}, {2e-3, 1.4e5}, {1e-3, 1.3e5});
+  EXPECT_NEAR(other.order, one.order, 1e-9);
+  EXPECT_NEAR(other.extrapolated, 1e5 * one.extrapolated, 1e-5);
+  EXPECT_NEAR(other.index, 1e5 * one.index, 1e-5);
+}
+
+TEST(GridConvergence, IsNoNumberWhereNoPowerLawPasses) {
+  EXPECT_EQ(grid_convergence({4, 1}, {2, 3}, {1, 2}).trend, Approach::oscillating);
+  EXPECT_EQ(grid_convergence({4, 1}, {2, 2}, {1, 3}).trend, Approach::diverging) << "as a logarithm does";
+  EXPECT_EQ(grid_convergence({4, 1}, {2, 1}, {1, 3}).trend, Approach::diverging);
+  EXPECT_TRUE(std::isnan(grid_convergence({4, 1}, {2, 2}, {1, 4}).index));
+}
+
+TEST(GridConvergence, OfAValueThatDoesNotChangeIsThatValue) {
+  EXPECT_EQ(grid_convergence({4, 1}, {2, 1}, {1, 1}).trend, Approach::constant);
+  EXPECT_EQ(grid_convergence({4, 2}, {2, 1}, {1, 1}).extrapolated, 1);
+  EXPECT_EQ(grid_convergence({4, 2}, {2, 1}, {1, 1}).index, 0);
+}
+
+TEST(GridConvergence, RefusesInOneLineWhatIsNoLadder) {
+  EXPECT_THROW(grid_convergence({1, 1}, {2, 1}, {4, 1}), std::invalid_argument);
+  EXPECT_THROW(grid_convergence({4, 1}, {2, std::numeric_limits<double>::infinity()}, {1, 1}), std::invalid_argument);
+}
+
+}  // namespace grid_convergence_test
+}  // namespace touchstone::vnv

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Each scene that `vnv scene FLOW --json` prints is of the JSON schema that documents it, and what is not is refused by it.
+
+scenes_are_of_their_schema.py VNV
+"""
+
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+
+import jsonschema
+
+SCHEMA = pathlib.Path(__file__).resolve().parents[2] / "doors" / "scene.schema.json"
+
+
+def said(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def spoilt(scene):
+    """The scene without one of its keys, with one more, and with one that is no number: none is of the schema."""
+    for key in scene:
+        if key != "times from 0 on, every [s]":
+            yield {name: value for name, value in scene.items() if name != key}
+    yield {**scene, "gravity": 9.81}
+    for group, key in (("domain", "low [m]"), ("fluid", "density [kg/m³]"), ("body force", "amplitude [m/s²]")):
+        changed = copy.deepcopy(scene)
+        changed[group][key] = "1"
+        yield changed
+
+
+def main(vnv):
+    validator = jsonschema.Draft7Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
+    validator.check_schema(validator.schema)
+    flows = [line.split()[0] for line in said(vnv, "scene").splitlines() if line.strip()]
+    wrong = []
+    for flow in flows:
+        scene = json.loads(said(vnv, "scene", flow, "--json"))
+        wrong += [f"{flow}: {'/'.join(map(str, error.path))}: {error.message}" for error in validator.iter_errors(scene)]
+        wrong += [f"{flow}: passes though it is spoilt" for other in spoilt(scene) if validator.is_valid(other)]
+    print("\n".join(wrong) or f"{len(flows)} scenes are of {SCHEMA.name}")
+    return 1 if wrong or len(flows) < 14 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
