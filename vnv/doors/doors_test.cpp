@@ -89,7 +89,9 @@ TEST_F(Doors, FindTheErrorThatWasPutIn) {
   const Record record = judged("poiseuille", {poiseuille(20, 0.03)}).record;
   ASSERT_EQ(record.values.size(), 4u) << "L2 and Linf, per particle and of row means";
   for (const Value& value : record.values) EXPECT_NEAR(value.value, 3, 1e-9) << value.quantity.name;
-  EXPECT_TRUE(record.verdicts.empty()) << "nothing is claimed of one resolution";
+  ASSERT_EQ(record.verdicts.size(), 1u);
+  EXPECT_TRUE(says(record.verdicts[0].sentence, "poiseuille.files: nothing was claimed: three resolutions"));
+  EXPECT_EQ(record.verdicts[0].outcome, Outcome::fails);
 }
 
 TEST_F(Doors, ObserveTheOrderOverThreeResolutions) {

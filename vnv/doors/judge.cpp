@@ -164,6 +164,18 @@ void leave_out_what_is_not_measured(const std::vector<Claim>& claims, Record& re
   }
 }
 
+/// That its runs end says nothing of what they computed: who claims no more does not pass.
+void refuse_to_claim_nothing(Record& record) {
+  if (claims_more_than_ends(record)) return;
+  Verdict v = judge(at_least({std::string(anything_claimed)}, 1, theory("a verdict needs a claim")),
+                    Place{.case_name = record.case_name, .method = record.method, .level = ""}, 0);
+  v.sentence = fmt::format(
+      "{}.{}: nothing was claimed: three resolutions show the order, --at-most PERCENT or at_most in [claims] sets a "
+      "limit: FAILS",
+      record.case_name, record.method);
+  record.verdicts.push_back(std::move(v));
+}
+
 }  // namespace
 
 void Given::say(const std::string& line) {
@@ -212,8 +224,10 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
-  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; }))
+  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; })) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
+    refuse_to_claim_nothing(judgement.record);
+  }
   return judgement;
 }
 
