@@ -2,21 +2,22 @@
 # they read, so that they find each other wherever they lie, and what it takes to judge a solver of one's own.
 #
 #   bin/vnv -> lib/touchstone/vnv/vnv      lib/touchstone/reports, lib/touchstone/data
-#   include/touchstone/solver.hpp          share/cmake/Touchstone: find_package(Touchstone)
-#   share/touchstone/python, examples, IS_MY_SOLVER_RIGHT.md, README.md, LICENSE, LICENSE-MIT
+#   share/touchstone/{client,python,examples,IS_MY_SOLVER_RIGHT.md,README.md,LICENSE,LICENSE-MIT}
+#   include/touchstone -> share/touchstone/client/touchstone      share/cmake/Touchstone: find_package(Touchstone)
 install(TARGETS vnv_command DESTINATION lib/touchstone/vnv)
 install(TARGETS touchstone_report DESTINATION lib/touchstone/reports)
-set(link ${PROJECT_BINARY_DIR}/bin/vnv)
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-file(CREATE_LINK ../lib/touchstone/vnv/vnv ${link} SYMBOLIC)
-install(FILES ${link} DESTINATION bin)
+set(links ${PROJECT_BINARY_DIR}/links)
+file(MAKE_DIRECTORY ${links})
+file(CREATE_LINK ../lib/touchstone/vnv/vnv ${links}/vnv SYMBOLIC)
+file(CREATE_LINK ../share/touchstone/client/touchstone ${links}/touchstone SYMBOLIC)
+install(FILES ${links}/vnv DESTINATION bin)
+install(FILES ${links}/touchstone DESTINATION include)
 install(DIRECTORY data/ DESTINATION lib/touchstone/data PATTERN README.md EXCLUDE PATTERN baselines EXCLUDE PATTERN claims EXCLUDE)  # the last two are of our methods
 
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TouchstoneConfigVersion.cmake COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES vnv/doors/client/TouchstoneConfig.cmake ${PROJECT_BINARY_DIR}/TouchstoneConfigVersion.cmake DESTINATION share/cmake/Touchstone)
-install(DIRECTORY vnv/doors/client/touchstone DESTINATION include)
-install(DIRECTORY vnv/doors/python vnv/doors/examples DESTINATION share/touchstone PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY vnv/doors/client vnv/doors/python vnv/doors/examples DESTINATION share/touchstone PATTERN __pycache__ EXCLUDE PATTERN TouchstoneConfig.cmake EXCLUDE)
 install(FILES vnv/doors/IS_MY_SOLVER_RIGHT.md vnv/doors/README.md vnv/doors/LICENSE-MIT LICENSE DESTINATION share/touchstone)
 
 # build-portable/touchstone_0.1.0_amd64.deb: `cpack --config build-portable/CPackConfig.cmake`, with dpkg-dev and file.

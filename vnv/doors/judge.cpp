@@ -88,10 +88,10 @@ Run run_of(const GivenLevel& given, const std::string& level, const Watch& watch
   return run;
 }
 
-/// The time that was asked for, of one within 1 % of it.
+/// The nearest time that was asked for, of one within 1 % of it.
 double asked(double time, const std::vector<double>& times) {
-  const auto near = std::ranges::find_if(times, [&](double one) { return std::abs(time - one) <= 0.01 * one; });
-  return near == times.end() ? time : *near;
+  const auto nearest = std::ranges::min_element(times, {}, [&](double one) { return std::abs(time - one); });
+  return nearest != times.end() && std::abs(time - *nearest) <= 0.01 * *nearest ? *nearest : time;
 }
 
 /// Those times at which a measurement can be made: at others, as at rest, there is nothing to compare with.

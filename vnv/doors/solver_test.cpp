@@ -133,6 +133,11 @@ TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
   for (const Verdict& v : run(one).verdicts) EXPECT_EQ(v.outcome, Outcome::holds) << v.sentence;
 }
 
+TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
+  const Solver one = solver(std::string(frozen), "times = [0.1]", "times = [0.1, 0.25]\nevery = 0.1");
+  EXPECT_EQ(one.times, std::vector<double>({0, 0.1, 0.2, 0.25}));
+}
+
 TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
   const std::string needs =
       "needs = { sh = \"any shell\", no_such_program = \"package none\", \"/no/such/file\" = \"by hand\" }\n";

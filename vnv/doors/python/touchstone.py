@@ -28,7 +28,7 @@ class Judgement:
     """What came of samples: true if all claims hold and there is one."""
 
     def __init__(self, text, record):
-        self.text = text  # as `vnv judge` prints it
+        self.text = text.rstrip("\n")  # as `vnv judge` prints it
         self.record = record  # all values, orders and verdicts, as in the JSON file of `vnv judge --records`
         self.verdicts = record["verdicts"]
         self.values = record["values"]

@@ -64,10 +64,10 @@ def reads_data_elsewhere(prefix, work, environment):
     """Without its own data it cannot judge by them."""
     data = prefix / "lib/touchstone/data"
     data.chmod(0o755)
-    (data / "experiments").rename(data / "elsewhere")
+    (data / "papers").rename(data / "elsewhere")
     (said,) = run(["vnv scene cavity --particles cavity.csv > /dev/null && vnv judge cavity cavity.csv --time 12"], work, environment)
-    if str(data / "experiments") not in said:
-        yield f"vnv judge cavity, without {data}/experiments, says\n{said}expected it to name that folder"
+    if str(data / "papers") not in said:
+        yield f"vnv judge cavity, without {data}/papers, says\n{said}expected it to name that folder"
 
 
 def complaints(scratch):
