@@ -146,7 +146,8 @@ std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
 
 /// Besides the times [s] all multiples of a step, from 0 to the last time.
 std::vector<double> with_multiples(std::vector<double> times, double step) {
-  for (double k = 0; k * step < times.back() * (1 - 1e-9); ++k) {
+  const double end = times.back();
+  for (double k = 0; k * step < end * (1 - 1e-9); ++k) {
     const auto is_there = [&](double time) { return std::abs(time - k * step) <= 1e-9 * time; };
     if (std::ranges::none_of(times, is_there)) times.push_back(k * step);
   }
