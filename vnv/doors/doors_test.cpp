@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace touchstone::vnv::doors {
 namespace {
 
@@ -92,6 +94,18 @@ TEST_F(Doors, FindTheErrorThatWasPutIn) {
   ASSERT_EQ(record.verdicts.size(), 1u);
   EXPECT_TRUE(says(record.verdicts[0].sentence, "poiseuille.files: nothing was claimed: three resolutions"));
   EXPECT_EQ(record.verdicts[0].outcome, Outcome::fails);
+}
+
+TEST_F(Doors, CallTheNearestSampleAloneByTheTimeThatWasAskedFor) {
+  std::vector<std::filesystem::path> files;
+  const Flow flow = flow_named("shear_wave");  // at 1 s
+  for (const double time : {0.992, 0.996, 1.003})
+    for (const int across : {10, 20})
+      files.push_back(changed(
+          flow, time, [](Samples&) {}, across));
+  std::set<double> times;
+  for (const Value& value : judge_files(flow, files).record.values) times.insert(value.time);
+  EXPECT_EQ(times, std::set<double>({0.992, 0.996, 1.0}));
 }
 
 TEST_F(Doors, ObserveTheOrderOverThreeResolutions) {

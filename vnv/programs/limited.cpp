@@ -29,7 +29,8 @@ std::map<pid_t, Process> processes() {
     const std::string name = entry.path().filename();
     if (name.find_first_not_of("0123456789") != name.npos) continue;
     std::ifstream file(entry.path() / "stat");
-    std::string stat((std::istreambuf_iterator<char>(file)), {});
+    std::string stat;
+    std::getline(file, stat, '\0');             // fails, and does not throw, where the process has just ended
     const std::size_t close = stat.rfind(')');  // the name between the brackets may hold anything
     if (close == stat.npos) continue;
     std::ifstream pages(entry.path() / "statm");
