@@ -26,7 +26,9 @@ struct Build {
 
   /// Installed, programs lie as in a build folder, and their data beside them.
   std::filesystem::path installed_data() const { return folder / "data"; }
-  bool is_installed() const { return std::filesystem::is_directory(installed_data()); }
+  bool is_installed() const {
+    return std::filesystem::is_directory(installed_data()) && !std::filesystem::exists(folder / "CMakeCache.txt");
+  }
 };
 
 /// One method of one case. It points into a catalogue, which lives longer.
