@@ -32,6 +32,14 @@ class Lame : public Thirds {
   client::Samples samples() const { return {.x = {1, 2}, .y = {1, 2}, .v_x = {1}}; }
 };
 
+class Changing : public Thirds {
+ public:
+  using Thirds::Thirds;
+  client::Samples samples() const {
+    return time() < 0.15 ? client::Samples{.x = {1}, .y = {1}, .p = {1}} : client::Samples{.x = {1}, .y = {1}};
+  }
+};
+
 class Stuck : public Thirds {
  public:
   using Thirds::Thirds;
@@ -65,7 +73,7 @@ std::vector<Dataset> written_by(const std::vector<double>& times) {
 template <class Solver>
 std::string refusal() {
   try {
-    client::write_samples<Solver>(scene, {0.1}, folder() / "none.csv");
+    client::write_samples<Solver>(scene, {0.1, 0.2}, folder() / "none.csv");
   } catch (const std::exception& error) {
     EXPECT_FALSE(std::filesystem::exists(folder() / "none.csv"));
     return error.what();
@@ -100,6 +108,7 @@ TEST(ClassesOfOthers, EndTheirStepsAtTheTimesAskedForIfTheyCan) {
 
 TEST(ClassesOfOthers, AreRefusedWhereTheirSamplesOrTimesCannotBe) {
   EXPECT_EQ(refusal<Lame>(), "samples(): 1 values of v_x [m/s], expected 2 as of x");
+  EXPECT_EQ(refusal<Changing>(), "samples(): t [s],x [m],y [m], expected t [s],x [m],y [m],p [Pa] as before");
   EXPECT_EQ(refusal<Stuck>(), "step() left the time at 0.000000 s");
   EXPECT_THROW(scene["mu"], std::invalid_argument);
 }

@@ -104,7 +104,8 @@ def _write(file, fields):
             heading = repr({"descr": f"{'>' if order == '>' else '<'}{kind}{view.itemsize}", "fortran_order": False, "shape": view.shape})
             with archive.open(f"{name}.npy", "w") as member:
                 member.write(b"\x93NUMPY\x01\x00" + (len(heading) + 1).to_bytes(2, "little") + heading.encode() + b"\n")
-                member.write(view if view.c_contiguous else view.tobytes())
+                shares = view.nbytes > 0 and view.c_contiguous and view.format == letter  # a copy of what is not a plain run of native numbers
+                member.write(view.cast("B") if shares else view.tobytes())
 
 
 def _memory_of(values):

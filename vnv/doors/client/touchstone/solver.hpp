@@ -14,7 +14,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -93,10 +92,10 @@ inline Samples read_particles(const std::string& file) {
   std::string line;
   if (!std::getline(in, line)) throw std::invalid_argument(file + ": cannot be read, expected particles");
   Samples all;
+  const auto in_order = columns();
   while (std::getline(in, line)) {
     const std::vector<std::string> cells = parts(line);
-    std::size_t k = 0;
-    for (const auto& [name, column] : columns()) (all.*column).push_back(number(cells.at(k++)));
+    for (std::size_t k = 0; k < in_order.size(); ++k) (all.*in_order[k].second).push_back(number(cells.at(k)));
   }
   return all;
 }
@@ -105,23 +104,26 @@ inline Samples read_particles(const std::string& file) {
 class Table {
  public:
   void add(double time, const Samples& samples) {
+    std::string heading = "t [s]";
+    std::vector<const std::vector<double>*> there;
     for (const auto& [name, column] : columns()) {
-      const std::size_t rows = (samples.*column).size();
-      if (rows != samples.x.size() && (rows > 0 || name[0] == 'y'))
-        throw std::invalid_argument("samples(): " + std::to_string(rows) + " values of " + name + ", expected " +
-                                    std::to_string(samples.x.size()) + " as of x");
-      if (is_first_) is_there_.push_back(rows > 0);
-      if (is_first_ && rows > 0) text_ += "," + name;
+      const std::vector<double>& values = samples.*column;
+      if (values.empty() && column != &Samples::y) continue;
+      if (values.size() != samples.x.size())
+        throw std::invalid_argument("samples(): " + std::to_string(values.size()) + " values of " + name +
+                                    ", expected " + std::to_string(samples.x.size()) + " as of x");
+      heading += "," + name;
+      there.push_back(&values);
     }
-    if (is_first_) text_ = "t [s]" + text_ + "\n";
-    is_first_ = false;
+    if (text_.empty()) text_ = heading + "\n";
+    if (text_.compare(0, heading.size() + 1, heading + "\n") != 0)
+      throw std::invalid_argument("samples(): " + heading + ", expected " + text_.substr(0, text_.find('\n')) +
+                                  " as before");
     for (std::size_t row = 0; row < samples.x.size(); ++row) {
       write(time);
-      std::size_t k = 0;
-      for (const auto& [name, column] : columns()) {
-        if (!is_there_[k++]) continue;
+      for (const std::vector<double>* values : there) {
         text_ += ',';
-        write((samples.*column).at(row));
+        write((*values)[row]);
       }
       text_ += '\n';
     }
@@ -141,8 +143,6 @@ class Table {
   }
 
   std::string text_{};
-  std::vector<bool> is_there_{};
-  bool is_first_ = true;
 };
 
 template <Solver S>
