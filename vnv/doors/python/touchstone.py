@@ -50,7 +50,7 @@ class Flow:
 
     def scene(self, spacing):
         """All that a solver needs, as vnv/doors/README.md lists it; `spacing` [m] is that of the particles."""
-        return json.loads(_vnv("scene", *self._words, f"--spacing={float(spacing)!r}", "--json")[1])
+        return json.loads(_vnv("scene", *self._words, f"--spacing={float(spacing)!r}", "--json"))
 
     def particles(self, spacing):
         """The particles at the start: {"x [m]": array, "y [m]": array, ...}, with that spacing [m]."""
@@ -73,7 +73,7 @@ class Flow:
             for k, sample in enumerate([samples] if hasattr(samples, "keys") else samples):
                 files.append(f"{folder}/sample_{k}.npz")
                 _write(files[-1], sample)
-            status, text = _vnv("judge", *self._words, *files, f"--records={folder}", *words)
+            text = _vnv("judge", *self._words, *files, f"--records={folder}", *words)
             (record,) = pathlib.Path(folder).glob("*.json")
             return Judgement(text.replace(f"{folder}/", ""), json.loads(record.read_text(encoding="utf-8")))
 
@@ -84,14 +84,14 @@ def flow(name, **parameters):
 
 
 def _vnv(*words):
-    """Exit status and output of `vnv`, which ends with 3 or 4 where its input is bad."""
+    """What `vnv` prints; it ends with 3 or 4 where its input is bad."""
     program = shutil.which("vnv")
     if program is None:
         raise FileNotFoundError("vnv: not on the PATH, expected there the folder bin of an installed Touchstone")
     ended = subprocess.run([program, *words], capture_output=True, text=True, encoding="utf-8", check=False)
     if ended.returncode not in (0, 1):
         raise BadInput(ended.stderr.strip() or f"vnv ended with {ended.returncode}")
-    return ended.returncode, ended.stdout
+    return ended.stdout
 
 
 def _write(file, fields):

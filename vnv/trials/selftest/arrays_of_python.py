@@ -31,6 +31,7 @@ def pairs(first, second):
 
 
 samples = {
+    "particles as they are given": flow.particles(0.05),
     "doubles": {"x": x, "y": y, "v_x": v_x, "v_y": v_y},
     "lists": {"x": list(x), "y": list(y), "v_x": list(v_x), "v_y": list(v_y)},
     "with gaps": {"x": every_other(x), "y": every_other(y), "v_x": every_other(v_x), "v_y": every_other(v_y)},
