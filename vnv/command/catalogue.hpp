@@ -20,7 +20,15 @@ struct Build {
   std::filesystem::path program(const std::string& case_name) const { return folder / "vnv" / case_name; }
   /// The program of a case with arguments.
   Words call(const std::string& case_name, const Words& arguments) const;
-  std::filesystem::path records(const std::string& suite) const { return folder / "records" / suite; }
+  /// What is run leaves its records and pages in the build folder, that of an installed program where its user is.
+  std::filesystem::path results() const { return is_installed() ? "" : folder; }
+  std::filesystem::path records(const std::string& suite) const { return results() / "records" / suite; }
+
+  /// Installed, programs lie as in a build folder, and their data beside them.
+  std::filesystem::path installed_data() const { return folder / "data"; }
+  bool is_installed() const {
+    return std::filesystem::is_directory(installed_data()) && !std::filesystem::exists(folder / "CMakeCache.txt");
+  }
 };
 
 /// One method of one case. It points into a catalogue, which lives longer.

@@ -2,6 +2,7 @@
 /// other file of it knows CLI11.
 
 #include "vnv/command/commands.hpp"
+#include "vnv/files/data_folder.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -277,7 +278,7 @@ void add_subcommands(Session& session) {
   add_completion(session);
 }
 
-/// This program lies in BUILD/vnv/.
+/// This program lies in BUILD/vnv/, installed in PREFIX/lib/touchstone/vnv/.
 std::filesystem::path own_build_folder() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
@@ -309,6 +310,8 @@ int work(int count, char** arguments) {
     fmt::print(stderr, "vnv: {}\n\n{}", error.what(), app.help());  // that of the subcommand, if it got so far
     return bad_usage;
   }
+  if (session.build.data.empty() && session.build.is_installed()) session.build.data = session.build.installed_data();
+  if (!session.build.data.empty()) set_data_folder(session.build.data);
   return session.work();
 }
 

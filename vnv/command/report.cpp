@@ -38,7 +38,7 @@ int make_pages(const Build& build, const Words& arguments) {
 /// Without options as the test SUITE.pages does.
 int report(const Build& build, const ReportOptions& options) {
   const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
-  const std::string site = options.site.empty() ? (build.folder / "site" / options.suite).string() : options.site;
+  const std::string site = options.site.empty() ? (build.results() / "site" / options.suite).string() : options.site;
   Words arguments{records, site};
   const auto pass_on = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) arguments.insert(arguments.end(), {option, value});

@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace touchstone::vnv::doors {
 namespace {
 
@@ -89,7 +91,21 @@ TEST_F(Doors, FindTheErrorThatWasPutIn) {
   const Record record = judged("poiseuille", {poiseuille(20, 0.03)}).record;
   ASSERT_EQ(record.values.size(), 4u) << "L2 and Linf, per particle and of row means";
   for (const Value& value : record.values) EXPECT_NEAR(value.value, 3, 1e-9) << value.quantity.name;
-  EXPECT_TRUE(record.verdicts.empty()) << "nothing is claimed of one resolution";
+  ASSERT_EQ(record.verdicts.size(), 1u);
+  EXPECT_TRUE(says(record.verdicts[0].sentence, "poiseuille.files: nothing was claimed: three resolutions"));
+  EXPECT_EQ(record.verdicts[0].outcome, Outcome::fails);
+}
+
+TEST_F(Doors, CallTheNearestSampleAloneByTheTimeThatWasAskedFor) {
+  std::vector<std::filesystem::path> files;
+  const Flow flow = flow_named("shear_wave");  // at 1 s
+  for (const double time : {0.992, 0.996, 1.003})
+    for (const int across : {10, 20})
+      files.push_back(changed(
+          flow, time, [](Samples&) {}, across));
+  std::set<double> times;
+  for (const Value& value : judge_files(flow, files).record.values) times.insert(value.time);
+  EXPECT_EQ(times, std::set<double>({0.992, 0.996, 1.0}));
 }
 
 TEST_F(Doors, ObserveTheOrderOverThreeResolutions) {

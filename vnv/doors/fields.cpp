@@ -140,6 +140,16 @@ Found found_as(const Dataset& data, const std::string& field, const std::string&
   return found;
 }
 
+/// Refuses one component of a velocity without another: "v_x" alone.
+void refuse_lone_component(const Dataset& data) {
+  for (const std::string& base : common_names.at("velocity"))
+    for (const Array& array : data.arrays)
+      for (const char* axis : {"x", "y"})
+        if (array.components == 1 && plain(array.name) == base + axis)
+          throw Unreadable(fmt::format("{}: velocity is '{}' alone, expected its component along {} too", data.source,
+                                       array.name, *axis == 'x' ? "y" : "x"));
+}
+
 Found find(const Dataset& data, const std::string& field, const Mapping& mapping) {
   if (const auto said = mapping.arrays.find(field); said != mapping.arrays.end()) {
     if (const Array* array = data.array(said->second)) return {{array}, array->name};
@@ -166,6 +176,7 @@ Found find(const Dataset& data, const std::string& field, const Mapping& mapping
   if (all.size() > 1)
     throw Unreadable(fmt::format("{}: {} may be '{}' or '{}': say which, --field {}=NAME", data.source, field,
                                  all[0].words, all[1].words, field));
+  if (all.empty() && field == "velocity") refuse_lone_component(data);
   return all.empty() ? Found{} : all[0];
 }
 
@@ -203,9 +214,6 @@ std::array<std::size_t, 2> plane_of(const Dataset& data, const Found& places, co
         fmt::format("{}: places spread over {:.4g} along {} and {:.4g} along {} and {:.4g} along {}, expected a cloud "
                     "in a plane; say which with --axes",
                     data.source, spread[0], 'x', spread[1], 'y', spread[2], 'z'));
-  if (std::max(plane[0], plane[1]) >= places.components())
-    throw Unreadable(fmt::format("{}: places of {} components, expected those along {}", data.source,
-                                 places.components(), mapping.axes));
   return plane;
 }
 
@@ -304,6 +312,10 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   const auto vectors = [&](const Found& found, const std::string& field, const std::string& kind) {
     std::string as = found.words;
     const double to_si = factor(found, kind, mapping, density, as);
+    if (std::max(plane[0], plane[1]) >= found.components())
+      throw Unreadable(fmt::format("{}: {} is '{}' of {} component{}, expected those along {} and {}", data.source,
+                                   field, found.words, found.components(), found.components() == 1 ? "" : "s",
+                                   "xyz"[plane[0]], "xyz"[plane[1]]));
     Vectors all(2, static_cast<Eigen::Index>(rows.size()));
     for (std::size_t p = 0; p < rows.size(); ++p)
       for (const int k : {0, 1}) {

@@ -52,5 +52,14 @@ TEST(Fields, AreOfColumnsThatTheUserLists) {
             "column 2, column 3, c_v[1]");
 }
 
+TEST(Fields, OfAVelocityAreBothComponents) {
+  Dataset table = fluid_and_wall();
+  table.arrays.erase(table.arrays.begin() + 1);
+  table.arrays[1].name = "v_x";
+  EXPECT_EQ(refusal(table, {}), "a.npz: velocity is 'v_x' alone, expected its component along y too");
+  EXPECT_EQ(refusal(table, {.arrays = {{"velocity", "v_x"}}}),
+            "a.npz: velocity is 'v_x' of 1 component, expected those along x and y");
+}
+
 }  // namespace fields_test
 }  // namespace touchstone::vnv::doors

@@ -88,19 +88,24 @@ Run run_of(const GivenLevel& given, const std::string& level, const Watch& watch
   return run;
 }
 
-/// The time that was asked for, of one within 1 % of it.
-double asked(double time, const std::vector<double>& times) {
-  const auto near = std::ranges::find_if(times, [&](double one) { return std::abs(time - one) <= 0.01 * one; });
-  return near == times.end() ? time : *near;
+/// The time that was asked for, of a sample that is the nearest to it and within 1 %; of any other sample its own.
+double asked(double time, const std::vector<double>& times, const std::vector<Samples>& all) {
+  const auto to = [](double one) { return [one](double other) { return std::abs(one - other); }; };
+  const auto one = std::ranges::min_element(times, {}, to(time));
+  if (one == times.end() || to(*one)(time) > 0.01 * *one) return time;
+  const bool another_is_nearer = std::ranges::any_of(
+      all, [&](double other) { return to(*one)(other) < to(*one)(time); }, &Samples::time);
+  return another_is_nearer ? time : *one;
 }
 
 /// Those times at which a measurement can be made: at others, as at rest, there is nothing to compare with.
 Measurement where_defined(const Measured& measured, const std::vector<double>& times,
                           std::vector<std::string>& not_judged) {
-  const auto add = [=, &times, &not_judged](std::vector<Value>& all, const Level& level, const Run& run) {
+  const auto add = [=, &times, &not_judged](std::vector<Value>& all, const Level& level, const Run& run,
+                                            const std::vector<Samples>& given) {
     try {
       for (Value value : measured.measurement(level, run)) {
-        value.time = asked(value.time, times);
+        value.time = asked(value.time, times, given);
         all.push_back(std::move(value));
       }
     } catch (const std::logic_error& error) {
@@ -110,7 +115,8 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
   return [=, &not_judged](const Level& level, const Run& run) {
     std::vector<Value> all;
     if (!measured.over) {
-      for (const Samples& samples : run.samples) add(all, level, {.summary = run.summary, .samples = {samples}});
+      for (const Samples& samples : run.samples)
+        add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);
     } else if (const auto [first, last, least] = *measured.over; run.samples.size() < least ||
                                                                  run.samples.front().time > first * (1 + 1e-9) ||
                                                                  run.samples.back().time < last * (1 - 1e-9)) {
@@ -118,7 +124,7 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
           "{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s", level.name,
           measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time, least, first, last));
     } else {
-      add(all, level, run);
+      add(all, level, run, run.samples);
     }
     return all;
   };
@@ -164,6 +170,18 @@ void leave_out_what_is_not_measured(const std::vector<Claim>& claims, Record& re
   }
 }
 
+/// That its runs end says nothing of what they computed: who claims no more does not pass.
+void refuse_to_claim_nothing(Record& record) {
+  if (claims_more_than_ends(record)) return;
+  Verdict v = judge(at_least({std::string(anything_claimed)}, 1, theory("a verdict needs a claim")),
+                    Place{.case_name = record.case_name, .method = record.method, .level = ""}, 0);
+  v.sentence = fmt::format(
+      "{}.{}: nothing was claimed: three resolutions show the order, --at-most PERCENT or at_most in [claims] sets a "
+      "limit: FAILS",
+      record.case_name, record.method);
+  record.verdicts.push_back(std::move(v));
+}
+
 }  // namespace
 
 void Given::say(const std::string& line) {
@@ -204,7 +222,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
     runs.push_back(run_of(level, name, flow.judged.watch));
     if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
       for (const Claim& claim : flow.of_resolved) judged.claims.push_back(claim.on(name));
-    const double end = level.at.empty() ? times.back() : asked(level.at.rbegin()->first, times);
+    const double end = level.at.empty() ? times.back() : asked(level.at.rbegin()->first, times, runs.back().samples);
     method.levels.push_back({.name = name, .spacing = level.spacing, .acceptance = end, .report = end, .nightly = end});
     method.ladders[0].levels.push_back(name);
   }
@@ -212,8 +230,10 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
-  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; }))
+  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; })) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
+    refuse_to_claim_nothing(judgement.record);
+  }
   return judgement;
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::vnv {
@@ -61,6 +62,9 @@ struct Judgement {
   std::vector<std::string> files{}, words{}, not_judged{};
   Record record{};
 };
+
+/// The quantity of the verdict that fails where nothing was claimed of a flow but that runs end.
+inline constexpr std::string_view anything_claimed = "anything claimed";
 
 /// Judges levels of equal spacing as times of one resolution, and several of them as a ladder. A sample within 1 % of a
 /// time that was asked for is judged at its own time and counts as of that.

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -143,6 +144,17 @@ std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
   return spacings;
 }
 
+/// Besides the times [s] all multiples of a step, from 0 to the last time.
+std::vector<double> with_multiples(std::vector<double> times, double step) {
+  const double end = times.back();
+  for (double k = 0; k * step < end * (1 - 1e-9); ++k) {
+    const auto is_there = [&](double time) { return std::abs(time - k * step) <= 1e-9 * time; };
+    if (std::ranges::none_of(times, is_there)) times.push_back(k * step);
+  }
+  std::ranges::sort(times);
+  return times;
+}
+
 void read_command(const Keys& keys, Solver& solver) {
   keys.require("command");
   solver.command = keys.texts("command");
@@ -167,6 +179,7 @@ Solver read_solver(const fs::path& file) {
   if (!std::ranges::is_sorted(solver.times) || !(solver.times.front() > 0))
     throw std::invalid_argument(
         fmt::format("{}: times = {}, expected rising ones above 0", file.string(), solver.times));
+  if (keys.has("every")) solver.times = with_multiples(solver.times, keys.positive("every", 0));
   read_command(keys, solver);
   solver.needs = keys.table("needs").pairs<std::string>("how to get it");
   keys.require("output");

@@ -122,6 +122,22 @@ TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
       << "other times, other values";
 }
 
+TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
+  const Solver one = solver(std::string(frozen), "across = [10, 20, 40]", "across = [10]");
+  const Record record = run(one);
+  ASSERT_EQ(record.verdicts.size(), 2u);
+  EXPECT_EQ(record.verdicts[0].outcome, Outcome::holds) << "its run ends";
+  EXPECT_EQ(record.verdicts[1].quantity, anything_claimed);
+  EXPECT_EQ(record.verdicts[1].outcome, Outcome::fails);
+  accept(one, record, "first values");
+  for (const Verdict& v : run(one).verdicts) EXPECT_EQ(v.outcome, Outcome::holds) << v.sentence;
+}
+
+TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
+  const Solver one = solver(std::string(frozen), "times = [0.1]", "times = [0.1, 0.25]\nevery = 0.1");
+  EXPECT_EQ(one.times, std::vector<double>({0, 0.1, 0.2, 0.25}));
+}
+
 TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
   const std::string needs =
       "needs = { sh = \"any shell\", no_such_program = \"package none\", \"/no/such/file\" = \"by hand\" }\n";
@@ -139,7 +155,7 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
-            "particles, rho, scene, spacing, times, until; a brace is {{");
+            "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
   EXPECT_EQ(refusal("\"frozen\"", "\"../frozen\""),
             "mine.toml: name = '../frozen', expected one without points, slashes and blanks");
 }

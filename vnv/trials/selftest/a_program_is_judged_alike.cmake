@@ -7,6 +7,7 @@ across = [20]
 times = [0.1]
 command = [\"${PROGRAM}\", \"--method\", \"mpm\", \"--spacing\", \"{spacing}\", \"--until\", \"{until}\", \"--vtp\", \"{folder}\"]
 output = \"*.pvd\"
+claims = { at_most = 100 }
 ")
 file(COPY_FILE ${folder}/ours.toml ${folder}/changed.toml)
 execute_process(COMMAND ${PROGRAM} --method mpm --spacing 5e-5 --until 0.1 OUTPUT_VARIABLE inner RESULT_VARIABLE ended)
