@@ -156,6 +156,24 @@ TEST(Printed, StillWaterStaysStill) {
 
 TEST(TransportVelocity, TwoRunsAreBitEqual) { expect_equal(after_transport(300), after_transport(300)); }
 
+TEST(TransportVelocity, DriftsForAStepByWhatABackgroundPressureDoesInHalfOfOne) {
+  // Adami, Hu & Adams (2013), eq. 13, on two particles at rest: -(p_b / m) (V_i² + V_j²) dW/dr, p_b = 0.1 rho c².
+  constexpr double dt = 1e-7, apart = 1.3 * spacing;
+  Scene<Newtonian> two{.domain = {.box = box}, .fluid = channel.fluid, .filled = box};
+  two.start.places = [](const Vectors&) { return Vectors{{0.2 * mm, 0.2 * mm + apart}, {0.2 * mm, 0.2 * mm}}; };
+  const auto after = [&](int steps) {
+    const auto terms = regular_terms();
+    return run(transport_velocity<QuinticSpline>(two, {spacing, spacing, dt}, terms), steps);
+  };
+  EXPECT_EQ(after(1).x, after(0).x) << "nothing drives a drift yet";
+  const double rho = channel.fluid.density, c = channel.fluid.sound_speed(), mass = rho * spacing * spacing;
+  const double slope = Slope<QuinticSpline>(spacing)(apart, 1.0);
+  const double expected = -0.1 * rho * c * c * mass * 2 / (rho * rho) * slope * dt * dt / 2;
+  const Samples moved = after(2);
+  EXPECT_NEAR((moved.x(0, 1) - moved.x(0, 0) - apart) / (2 * expected), 1, 1e-5);
+  EXPECT_GT(expected, 0);
+}
+
 TEST(TransportVelocity, KeepsTheVolumeOfItsFluid) {
   auto solver = transport_velocity<QuinticSpline>(falling, {spacing, spacing, 5 * us}, regular_terms());
   for (int k = 0; k < 300; ++k) solver.step();

@@ -125,6 +125,30 @@ TEST(Cost, SaysTheSameOfOnePerCent) {
   for (unsigned seed = 0; seed < 100; ++seed) EXPECT_EQ(gate_once({seed, 0.02}, 1.01, 1).same, 1) << seed;
 }
 
+/// A method that is a tenth slower in each of so many pairs of runs, by chance once in 2^pairs.
+Timing slower_in_each(long pairs) {
+  Timing timing{"case", std::to_string(pairs), {}, {}};
+  for (long k = 0; k < pairs; ++k) {
+    timing.before.push_back(1);
+    timing.after.push_back(1.1 + 0.001 * static_cast<double>(k));
+  }
+  return timing;
+}
+
+TEST(Cost, IsWorseByTheProbabilityAmongAsManyMethodsAsAreCompared) {
+  // Holm (1979): of three methods the smallest p-value has to be below 0.001 / 3, the next below 0.001 / 2, then 0.001.
+  const auto changes = [](const std::vector<Timing>& timings) {
+    std::vector<Change> found;
+    for (const CostChange& cost : judge_costs(timings)) found.push_back(cost.change);
+    return found;
+  };
+  const Timing as_before{"case", "mpm", std::vector<double>(10, 1.0), std::vector<double>(10, 1.0)};
+  EXPECT_EQ(changes({slower_in_each(10)}), std::vector{Change::worse});
+  EXPECT_EQ(changes({as_before, slower_in_each(10), as_before}),
+            (std::vector{Change::same, Change::inconclusive, Change::same}));
+  EXPECT_EQ(changes({slower_in_each(10), slower_in_each(12), slower_in_each(11)}), std::vector(3, Change::worse));
+}
+
 TEST(Cost, OfTooFewRunsIsInconclusive) {
   const auto found = judge_costs({Machine(1, 0).pairs("mpm", 1, 1, 5)});
   EXPECT_EQ(found.front().change, Change::inconclusive);
