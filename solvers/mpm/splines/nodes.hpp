@@ -195,7 +195,7 @@ class SplineWalls {
   };
   /// Of a column or row of nodes [cells from the low edge].
   static double place(int node, int cells, bool periodic) {
-    return periodic ? node - 0.5 : std::clamp(node - 0.5, 0.0, static_cast<double>(cells));
+    return periodic ? node % cells - 0.5 : std::clamp(node - 0.5, 0.0, static_cast<double>(cells));
   }
 
   std::vector<Wall> walls_;
