@@ -112,11 +112,11 @@ class SplineNodes : public CentreNodes {
     find_mean(field_of_x, mean.x, threads);
     find_mean(field_of_x + 1, mean.y, threads);
   }
-  /// Adds so many times one field to another.
-  void add(double times, const NodeVectors& from, NodeVectors& to, int threads) const {
+  /// One field and so many times another.
+  void add_up(const NodeVectors& one, double times, const NodeVectors& other, NodeVectors& sum, int threads) const {
     for_near(near(), threads, [&](int node) {
-      store(load<Lanes>(&to.x[node]) + times * load<Lanes>(&from.x[node]), &to.x[node]);
-      store(load<Lanes>(&to.y[node]) + times * load<Lanes>(&from.y[node]), &to.y[node]);
+      store(load<Lanes>(&one.x[node]) + times * load<Lanes>(&other.x[node]), &sum.x[node]);
+      store(load<Lanes>(&one.y[node]) + times * load<Lanes>(&other.y[node]), &sum.y[node]);
     });
   }
   /// Adds the same to all nodes that move.

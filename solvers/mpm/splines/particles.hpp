@@ -76,7 +76,6 @@ struct SplineParticles : ParticlesInCells<double> {
 struct IfPresent {
   Truth<Lanes> present;
 
-  IfPresent(int k, const Lanes& count) : present(fill<Lanes>(k) < count) {}
   Lanes operator()(const Lanes& value, double* to) const {
     const Lanes kept = present ? value : Lanes{};
     store(kept, to);
@@ -88,7 +87,9 @@ struct IfPresent {
 template <class Block, class Work>
 void for_particles_of(const Block& block, const Work& work) {
   const Lanes count = converted<Lanes>(block.count.data());
-  for (int k = 0; k < block.most(); ++k) work(block.first + k * lanes, IfPresent(k, count));
+  Lanes k{};
+  for (int slot = block.first, end = block.slot(0, block.most()); slot < end; slot += lanes, k += 1)
+    work(slot, IfPresent{k < count});
 }
 
 /// Sets a particle going, with the affine velocity of its velocity's slopes and the stress of these and its density.

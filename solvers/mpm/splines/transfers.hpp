@@ -155,7 +155,7 @@ class InCells<Xpic<m>> {
  public:
   static constexpr int given = 5;
 
-  InCells(const SplineNodes& nodes) : taken_(nodes.places()), smoothed_(nodes.places()) {}
+  InCells(const SplineNodes& nodes) : taken_(nodes.places()) {}
 
   template <class Particles>
   static void push(Particles& particles, int slot, const Vec2& dv) {
@@ -190,7 +190,7 @@ class InCells<Xpic<m>> {
                          int threads) {
     nodes.find_mean(momentum_given, nodes.start, threads);
     nodes.find_mean(impulse_given, nodes.velocity, threads);
-    nodes.add(1, nodes.start, nodes.velocity, threads);
+    nodes.add_up(nodes.start, 1, nodes.velocity, nodes.velocity, threads);
     nodes.push(push, nodes.velocity, threads);
     walls.hold_motion(nodes, clock.time(), clock.time_step(), clock.steps() == 0);
     nodes.edges.unfold(nodes.start);
@@ -199,15 +199,14 @@ class InCells<Xpic<m>> {
 
   template <class Particles>
   void gather(SplineNodes& nodes, const Grid&, int threads, Particles& particles) {
-    smoothed_ = nodes.start;
-    taken_ = nodes.velocity;
-    nodes.add(m - 1, smoothed_, taken_, threads);
+    NodeVectors& smoothed = nodes.start;
+    nodes.add_up(nodes.velocity, m - 1, smoothed, taken_, threads);
     double binomial = m;  // m over k, with the sign of the term
     for (int k = 2; k <= m; ++k) {
-      there_and_back(particles.order, smoothed_, smoothed_, nodes, threads);
-      nodes.edges.unfold(smoothed_);
+      there_and_back(particles.order, smoothed, smoothed, nodes, threads);
+      nodes.edges.unfold(smoothed);
       binomial *= -static_cast<double>(m - k + 1) / k;
-      nodes.add(binomial, smoothed_, taken_, threads);
+      nodes.add_up(taken_, binomial, smoothed, taken_, threads);
     }
     there_and_back(particles.order, taken_, nodes.strained, nodes, threads);
   }
@@ -257,7 +256,7 @@ class InCells<Xpic<m>> {
     nodes.find_mean(0, to_field, threads);
   }
 
-  NodeVectors taken_, smoothed_;  // m/s
+  NodeVectors taken_;             // m/s
   std::vector<Moments> moments_;  // of each block
 };
 
