@@ -27,6 +27,14 @@ int cell_along(Number& within, int at, int cells, bool periodic) {
   return to;
 }
 
+/// Whether a particle is in its cell, with a plausible density.
+template <class Particles>
+bool is_calm(const Particles& particles, int slot) {
+  const auto between = [](double low, double number, double high) { return low <= number && number <= high; };
+  return between(0, particles.X[slot], 1) && between(0, particles.Y[slot], 1) &&
+         between(1 / most_density, 1 + particles.expansion[slot], 1 / least_density);
+}
+
 /// Settles a particle that may have left its cell: returns the cell it is in now, with its place within that one.
 /// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
 template <class Particles, class FluidLaw>
@@ -64,8 +72,8 @@ bool keep_order(Particles& particles, const std::vector<char>& calm, const Grid&
     for (int lane = 0; lane < order.width; ++lane)
       for (int k = 0; k < order.blocks()[index].count[lane];) {
         const auto& block = order.blocks()[index];
-        const int cell = order.cell(block, lane),
-                  to = settle(particles, block.slot(lane, k), cell, grid, fluid, step, time);
+        const int slot = block.slot(lane, k), cell = order.cell(block, lane),
+                  to = is_calm(particles, slot) ? cell : settle(particles, slot, cell, grid, fluid, step, time);
         if (to == cell)
           ++k;
         else

@@ -86,6 +86,20 @@ class Stress {
     return {Sum<Real>::of(p, Y), Sum<Real>::of(p, X)};
   }
 
+  /// Of the force along an axis, what acts along another [m²/s²].
+  template <class Real>
+  Real of(int /*axis*/, int /*along*/, int slot) const {
+    return -load<Real>(&pressure_[slot]);
+  }
+
+  /// Keeps rates of strain until `update` needs them; or none, for a pressure.
+  template <class Real, class Store>
+  static void keep_rates(int, const Slopes<Real>&, const Store&) {}
+  template <class Real>
+  static Slopes<Real> kept_rates(int) {
+    return {Real{}, Real{}, Real{}, Real{}};
+  }
+
   /// (33), of the particles from `slot` on that `Store` writes.
   template <class Real, class Store>
   void update(int slot, const FluidLaw& fluid, const Real& expansion, const Slopes<Real>&, const Store& write) {
@@ -140,6 +154,23 @@ class Stress<FluidLaw, Number> {
     const Real xy = load<Real>(&xy_[slot]);
     return {Sum<Real>::of(load<Real>(&xx_[slot]), Y), Sum<Real>::of(xy, Y), Sum<Real>::of(xy, X),
             Sum<Real>::of(load<Real>(&yy_[slot]), X)};
+  }
+
+  template <class Real>
+  Real of(int axis, int along, int slot) const {
+    return load<Real>(&(axis != along ? xy_ : axis == 0 ? xx_ : yy_)[slot]);
+  }
+
+  /// In place of the stress.
+  template <class Real, class Store>
+  void keep_rates(int slot, const Slopes<Real>& of_v, const Store& write) {
+    write(of_v.xx, &xx_[slot]);
+    write(of_v.xy + of_v.yx, &xy_[slot]);
+    write(of_v.yy, &yy_[slot]);
+  }
+  template <class Real>
+  Slopes<Real> kept_rates(int slot) const {
+    return {.xx = load<Real>(&xx_[slot]), .yx = Real{}, .xy = load<Real>(&xy_[slot]), .yy = load<Real>(&yy_[slot])};
   }
 
   /// (32) and (33): 2 mu eps - (2/3) mu tr(eps) I - P I.

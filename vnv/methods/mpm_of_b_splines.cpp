@@ -1,17 +1,13 @@
 #include "vnv/methods/free_surface_methods.hpp"
 
-#include "solvers/mpm/composed/composed.hpp"
-#include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/transfers/apic.hpp"
-#include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/shapes/b_spline.hpp"
+#include "solvers/mpm/splines/splines.hpp"
 #include "vnv/methods/scenes.hpp"
 
 namespace touchstone::vnv {
 
 template <class Transfer, class AnyScene>
 Simulation mpm_of_b_splines_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::composed<mpm::BSpline<2>, Transfer, mpm::AffineDensity>(
+  return mpm::on_splines<Transfer, mpm::AffineDensity>(
       scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 

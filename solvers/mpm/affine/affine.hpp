@@ -21,8 +21,8 @@ namespace touchstone::mpm {
 /// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double. A change of
 /// the time step reaches the stress, which particles hold as what it gives in a step, one step later.
 template <class Number, class FluidLaw, class Force>
-class Affine : public SimulationInCells<AffineParticles<Number>, CentreNodes, FluidLaw, Force> {
-  using Base = SimulationInCells<AffineParticles<Number>, CentreNodes, FluidLaw, Force>;
+class Affine : public SimulationInCells<AffineParticles<Number>, AffineNodes, FluidLaw, Force> {
+  using Base = SimulationInCells<AffineParticles<Number>, AffineNodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:

@@ -363,7 +363,7 @@ struct Alone {
   const Grid grid{scene.domain, 0.1};
   const Tait fluid = scene.fluid;
   AffineParticles<> particles = at_rest<AffineParticles<>>(scene, 0.03, grid);
-  CentreNodes nodes{grid, lanes};
+  AffineNodes nodes{grid, lanes};
   std::vector<char> calm{};
 
   Alone() { nodes.list_near(particles.order); }

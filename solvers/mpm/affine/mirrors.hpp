@@ -35,12 +35,12 @@ class Mirrors {
     }
   }
 
-  void list_near(const CentreNodes& nodes) {
+  void list_near(const AffineNodes& nodes) {
     for (Line& line : lines_) line.list_near(nodes);
   }
 
   /// Takes what the ghosts were given to the nodes in the fluid, as walls answer at `time` [s].
-  void fold(CentreNodes& nodes, double time) const {
+  void fold(AffineNodes& nodes, double time) const {
     for (const Line& line : lines_)
       for (const auto& [ghost, inner] : line.pairs) {
         const double m = nodes.mass[ghost];
@@ -51,7 +51,7 @@ class Mirrors {
   }
 
   /// Has the ghosts move as the nodes in the fluid have them; in a corner a ghost mirrors a ghost.
-  void unfold(CentreNodes& nodes, double time) const {
+  void unfold(AffineNodes& nodes, double time) const {
     for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
       for (const auto& [ghost, inner] : line->pairs)
         nodes.velocity.set(ghost, line->mirrored(nodes.velocity[inner], time));
@@ -65,7 +65,7 @@ class Mirrors {
 
     Vec2 mirrored(const Vec2& v, double time) const { return wall ? Vec2(2 * wall->at_wall(v, time) - v) : v; }
 
-    void list_near(const CentreNodes& nodes) {
+    void list_near(const AffineNodes& nodes) {
       const int step = (inner - ghosts) * (axis == 0 ? 1 : nodes.stride);
       pairs.clear();
       for (int first : nodes.near())

@@ -4,10 +4,6 @@
 
 namespace touchstone::mpm {
 
-/// One number for each function of X, and for each of Y; or for each column of nodes around a cell, and for each row.
-template <class Real>
-using ThreeByThree = std::array<std::array<Real, 3>, 3>;
-
 /// Sums over the particles of the cells of a block, one cell a lane, of products of the three functions of X and of Y
 /// of which the weights are made. Slots without a particle, at X = Y = 0, add nothing to sums of powers.
 template <class Number, class Block, class Real = LanesOf<Number>>

@@ -9,59 +9,23 @@
 
 namespace touchstone::mpm {
 
-/// What a row of cells gives to a row of nodes, from left to right. A node belongs to three cells: what the one on its
-/// left and the one at it give waits for the one on its right.
-class GivenToRow {
- public:
-  GivenToRow(CentreNodes& nodes, int row, int towards)
-      : nodes_(nodes), towards_(towards), first_((row + towards) * nodes.stride) {}
-
-  /// `shares` by column of nodes around the cells from `column` on.
-  void give(int column, const std::array<Shares<Lanes>, 3>& shares) {
-    const auto sum = [&](Lanes Shares<Lanes>::*of) -> Lanes {
-      return shares[0].*of + shifted<1>(waiting_[0].*of, shares[1].*of) + shifted<2>(waiting_[1].*of, shares[2].*of);
-    };
-    nodes_.give(towards_, first_ + column, {sum(&Shares<Lanes>::mass), sum(&Shares<Lanes>::x), sum(&Shares<Lanes>::y)});
-    waiting_ = {shares[1], shares[2]};
-  }
-
- private:
-  CentreNodes& nodes_;
-  int towards_, first_;
-  std::array<Shares<Lanes>, 2> waiting_{};  // for the nodes at the cells, and right of them
-};
-
 /// What a block of cells gives to its rows of nodes.
 template <class Number, class Block>
-[[gnu::flatten]] void give(const AffineParticles<Number>& particles, const Block& block,
-                           std::array<GivenToRow, 3>& to) {
-  const auto mass = mass_of(particles, block);
-  const auto x = momentum_of(particles, particles.x, block), y = momentum_of(particles, particles.y, block);
+[[gnu::flatten]] void give(const AffineParticles<Number>& particles, const Block& block, GivenToCentres<3>& to) {
+  const std::array given{mass_of(particles, block), momentum_of(particles, particles.x, block),
+                         momentum_of(particles, particles.y, block)};
   const auto give_part = [&]<int part>(std::integral_constant<int, part>) {
-    const auto m = at_nodes(widened<part>(mass)), p = at_nodes(widened<part>(x)), q = at_nodes(widened<part>(y));
-    const auto share = [&](int a, int b) { return Shares<Lanes>{m[a][b], p[a][b], q[a][b]}; };
-    for (int b = 0; b < 3; ++b) to[b].give(block.column + part * lanes, {share(0, b), share(1, b), share(2, b)});
+    for (int field = 0; field < 3; ++field)
+      to.give(field, block.column + part * lanes, at_nodes(widened<part>(given[field])));
   };
   with_indices<lanes_of<Number> / lanes>([&](auto... part) { (give_part(part), ...); });
 }
 
 /// Masses and momenta of the nodes, as they are given by the rows of cells.
 template <class Number>
-void scatter(const AffineParticles<Number>& particles, int threads, CentreNodes& nodes) {
-  const auto& blocks = particles.order.blocks();
-  share_out_rows(particles.order, threads, [&](auto row, auto rows_end) {
-    for (; row < rows_end; ++row) {
-      const int begin = row[0], end = row[1], cells = blocks[begin].row;
-      std::array<GivenToRow, 3> to{GivenToRow(nodes, cells, 0), GivenToRow(nodes, cells, 1),
-                                   GivenToRow(nodes, cells, 2)};
-      for (int i = begin; i < end; ++i) {
-        give(particles, blocks[i], to);
-        const int next = blocks[i].column + lanes_of<Number>;
-        if (i + 1 == end || blocks[i + 1].column > next)
-          for (GivenToRow& row_of_nodes : to) row_of_nodes.give(next, {});
-      }
-    }
-  });
+void scatter(const AffineParticles<Number>& particles, int threads, AffineNodes& nodes) {
+  give_by_rows<3>(particles.order, threads, nodes,
+                  [&](int, const auto& block, auto& to) { give(particles, block, to); });
 }
 
 /// Adds to the particles' velocities what a body force that differs from place to place gives them in a step.
@@ -178,7 +142,7 @@ void begin(AffineParticles<Number>& particles, int slot, const Beginning& there,
 /// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
 /// their cells, and of a plausible density; not a number is neither.
 template <class Number, class FluidLaw>
-void gather(const CentreNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
+void gather(const AffineNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
             AffineParticles<Number>& particles, std::vector<char>& calm) {
   using Real = LanesOf<Number>;
   const auto& blocks = particles.order.blocks();

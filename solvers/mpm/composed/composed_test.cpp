@@ -9,6 +9,7 @@
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/splines/splines.hpp"
 #include "solvers/mpm/testing.hpp"
 #include "solvers/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -24,13 +25,21 @@ struct Of {
     return composed<Shape, Transfer, Density>(as_one_kind(scene), settings);
   }
 };
+/// The same in the order of cells.
+template <class Transfer, class Density>
+struct InOrder {
+  static auto solver(const auto& scene, const Settings& settings) {
+    return on_splines<Transfer, Density>(as_one_kind(scene), settings);
+  }
+};
 using HatFlip = Of<LinearHat, Flip>;
 using SplineApic = Of<BSpline<2>, Apic, AffineDensity>;
 
 template <class Parts>
 class ComposedMpm : public testing::Test {};
-using Variants = testing::Types<HatFlip, Of<Gimp, Flip>, Of<BSpline<3>, Xpic<1>>, SplineApic,
-                                Of<BSpline<2>, Xpic<5>, AffineDensity>>;
+using Variants =
+    testing::Types<HatFlip, Of<Gimp, Flip>, Of<BSpline<3>, Xpic<1>>, SplineApic, Of<BSpline<2>, Xpic<5>, AffineDensity>,
+                   InOrder<Apic, AffineDensity>, InOrder<Xpic<5>, CarriedDensity>>;
 TYPED_TEST_SUITE(ComposedMpm, Variants);
 
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.05, .time_step = 4e-3};

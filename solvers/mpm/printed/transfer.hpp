@@ -9,10 +9,10 @@
 #include "solvers/forces/none.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/beginning.hpp"
+#include "solvers/mpm/cell_rows.hpp"
 #include "solvers/mpm/printed/cell_sums.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/threads.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -57,14 +57,6 @@ class GivenByRow {
   int low_, high_;  // the first nodes below and above the row
   std::array<Waiting, last - first + 1> waiting_;
 };
-
-/// Calls work(begin, end) with iterators of where rows of blocks begin, so that each thread has about as many blocks.
-template <int width, class Work>
-void share_out_rows(const CellOrder<width>& order, int threads, const Work& work) {
-  const std::vector<int>& rows = order.rows();
-  const auto row_of = [&](Eigen::Index block) { return std::lower_bound(rows.begin(), rows.end(), block); };
-  share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
-}
 
 /// Calls work(begin, end, block_at) for the blocks of each row. Rows of cells with one particle each have code of their
 /// own, in which no loop over particles takes registers.

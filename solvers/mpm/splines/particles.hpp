@@ -1,0 +1,114 @@
+#pragma once
+#include "solvers/mpm/composed/densities/affine_density.hpp"
+#include "solvers/mpm/composed/transfers/apic.hpp"
+#include "solvers/mpm/composed/transfers/xpic.hpp"
+#include "solvers/mpm/particles.hpp"
+#include "solvers/mpm/stress.hpp"
+
+namespace touchstone::mpm {
+
+/// One component of the velocity of all particles, and what a transfer has them hold besides.
+template <class Transfer>
+struct VelocityOf;
+template <>
+struct VelocityOf<Apic> {
+  Field<double> v;                 // m/s
+  Field<double> along_x, along_y;  // m/s  change of the affine velocity over a cell
+
+  explicit VelocityOf(int slots) : v(slots), along_x(v), along_y(v) {}
+  const Field<double>& of_place() const { return v; }
+  auto fields() { return std::array{&v, &along_x, &along_y}; }
+};
+template <int m>
+struct VelocityOf<Xpic<m>> {
+  Field<double> v;      // m/s
+  Field<double> place;  // m/s  of the place; before, what a body force that is not the same everywhere gives in a step
+
+  explicit VelocityOf(int slots) : v(slots), place(v) {}
+  const Field<double>& of_place() const { return place; }
+  auto fields() { return std::array{&v, &place}; }
+};
+
+/// How the expansion changes over a cell, where a density has particles hold it.
+template <class Density>
+struct GradientOf {
+  explicit GradientOf(int) {}
+  auto fields() { return std::array<Field<double>*, 0>{}; }
+};
+template <>
+struct GradientOf<AffineDensity> {
+  Field<double> along_x, along_y;  // -
+
+  explicit GradientOf(int slots) : along_x(slots), along_y(slots) {}
+  auto fields() { return std::array{&along_x, &along_y}; }
+};
+
+/// The state of all particles.
+template <class FluidLaw, class Transfer, class Density>
+struct SplineParticles : ParticlesInCells<double> {
+  VelocityOf<Transfer> x, y;  // components of the velocity
+  GradientOf<Density> gradient;
+  Stress<FluidLaw, double> stress;
+
+  SplineParticles(Index n, double mass_of_each, CellOrder<lanes> cells)
+      : ParticlesInCells<double>(n, mass_of_each, std::move(cells)),
+        x(this->order.slots()),
+        y(this->order.slots()),
+        gradient(this->order.slots()),
+        stress(this->order.slots()) {}
+
+  Vec2 velocity(int slot) const { return {x.v[slot], y.v[slot]}; }  // m/s
+
+  template <class F>
+  void for_fields(const F& f) {
+    f(this->X);
+    f(this->Y);
+    f(this->expansion);
+    for (auto* field : x.fields()) f(*field);
+    for (auto* field : y.fields()) f(*field);
+    for (auto* field : gradient.fields()) f(*field);
+    stress.for_fields(f);
+    f(this->number);
+  }
+};
+
+/// Writes the lanes that hold a particle, and zero to the others.
+struct IfPresent {
+  Truth<Lanes> present;
+
+  Lanes operator()(const Lanes& value, double* to) const {
+    const Lanes kept = present ? value : Lanes{};
+    store(kept, to);
+    return kept;
+  }
+};
+
+/// Calls work(slot, write) for the k-th particles of all cells of a block at once, for every k.
+template <class Block, class Work>
+void for_particles_of(const Block& block, const Work& work) {
+  const Lanes count = converted<Lanes>(block.count.data());
+  Lanes k{};
+  for (int slot = block.first, end = block.slot(0, block.most()); slot < end; slot += lanes, k += 1)
+    work(slot, IfPresent{k < count});
+}
+
+/// Sets a particle going, with the affine velocity of its velocity's slopes and the stress of these and its density.
+template <class FluidLaw, class Transfer, class Density>
+void begin(SplineParticles<FluidLaw, Transfer, Density>& particles, int slot, const Beginning& there,
+           const FluidLaw& fluid, const Vec2& cell, double /*dt*/) {
+  particles.x.v[slot] = there.v.x();
+  particles.y.v[slot] = there.v.y();
+  if constexpr (std::same_as<Transfer, Apic>) {
+    particles.x.along_x[slot] = cell.x() * there.of.xx;
+    particles.x.along_y[slot] = cell.y() * there.of.xy;
+    particles.y.along_x[slot] = cell.x() * there.of.yx;
+    particles.y.along_y[slot] = cell.y() * there.of.yy;
+  }
+  particles.expansion[slot] = there.expansion;
+  const Slopes<double>& of = there.of;
+  particles.stress.template update<Lanes>(
+      slot, fluid, fill<Lanes>(there.expansion),
+      {fill<Lanes>(of.xx), fill<Lanes>(of.yx), fill<Lanes>(of.xy), fill<Lanes>(of.yy)}, FirstLane{});
+}
+
+}  // namespace touchstone::mpm

@@ -1,0 +1,92 @@
+#pragma once
+/// The material point method with quadratic B-splines cut off at the edges of the domain (`BSpline<2>`), stress last
+/// (MUSL): what `composed` does with this shape, equal but for rounding, over particles in the order of their cells.
+
+#include "solvers/mpm/printed/node_motion.hpp"
+#include "solvers/mpm/simulation.hpp"
+#include "solvers/mpm/splines/densities.hpp"
+
+namespace touchstone::mpm {
+
+/// One simulation of a scene. `Transfer` and `Density` are names of those of `composed`; walls prescribe the motion of
+/// their nodes.
+template <class Transfer, class Density, class FluidLaw, class Force>
+class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force> {
+  using Base = SimulationInCells<SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force>;
+  using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
+
+ public:
+  using Base::time, Base::time_step;
+
+  /// Throws std::invalid_argument as its base does, and for a wall anywhere but at an edge of the domain.
+  Splines(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+      : Base(scene, settings), walls_(scene.walls, scene.start, grid_, nodes_), transfer_(nodes_) {
+    begin_gradients();
+    list_near();
+  }
+
+  /// One MUSL step, as that of `Composed`. Throws Diverged.
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    const double dt = time_step();
+    push_particles();
+    scatter();  // m_i, (m v)_i, (12), (13)
+    lap(SubStep::scatter);
+    nodes_.find_mass(threads_);
+    transfer_.accelerate(nodes_, walls_, dt * common_acceleration(scene_.body_force), *this, threads_);  // (10) - (14)
+    lap(SubStep::grid);
+    transfer_.gather(nodes_, grid_, threads_, particles_);  // (16), (17)
+    lap(SubStep::gather);
+    walls_.hold(nodes_, time() + dt, nodes_.strained);
+    nodes_.edges.unfold(nodes_.strained);
+    lap(SubStep::grid);
+    DensityInCells<Density>::update(transfer_, nodes_, StepOf<FluidLaw>{grid_, scene_.fluid, dt, threads_}, particles_,
+                                    calm_);  // (18), (19), (32), (33), (15)
+    this->end_step(lap, [&] { list_near(); });
+  }
+
+ private:
+  /// By a force that is not the same everywhere (13).
+  void push_particles() {
+    if constexpr (Local<Force>)
+      particles_.order.for_each([&](int cell, int slot) {
+        const Vec2 x = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
+        transfer_.push(particles_, slot, time_step() * scene_.body_force(x, time()));
+      });
+  }
+  void scatter() {
+    const Vec2 dt_per_cell = time_step() * grid_.cell.cwiseInverse();
+    const auto give = [&](int index, const auto& block, auto& to) __attribute__((flatten)) {
+      transfer_.template give<Local<Force>>(particles_, index, block, grid_, dt_per_cell, to);
+    };
+    give_by_rows<InCells<Transfer>::given>(particles_.order, threads_, nodes_, give);
+  }
+
+  void begin_gradients() {
+    if constexpr (std::same_as<Density, AffineDensity>) {
+      if (scene_.start.at_rest()) return;
+      const auto expansion = [&](const Vec2& x) { return expansion_at(x, scene_.start, scene_.fluid); };
+      particles_.order.for_each([&](int cell, int slot) {
+        const Vec2 x = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
+        particles_.gradient.along_x[slot] = grid_.cell.x() * slope_along(0, x, grid_, expansion);
+        particles_.gradient.along_y[slot] = grid_.cell.y() * slope_along(1, x, grid_, expansion);
+      });
+    }
+  }
+
+  void list_near() {
+    nodes_.list_near(particles_.order);
+    walls_.list_near(nodes_);
+  }
+
+  SplineWalls walls_;
+  InCells<Transfer> transfer_;
+};
+
+/// A simulation of a scene: `mpm::on_splines<mpm::Apic, mpm::AffineDensity>(tank, {.cell = ...})`.
+template <class Transfer, class Density = CarriedDensity, class FluidLaw, class Force>
+auto on_splines(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
+  return Splines<Transfer, Density, FluidLaw, Force>(scene, settings);
+}
+
+}  // namespace touchstone::mpm

@@ -1,0 +1,121 @@
+#include "solvers/mpm/splines/splines.hpp"
+
+#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/shapes/b_spline.hpp"
+#include "solvers/mpm/testing.hpp"
+#include "solvers/testing.hpp"
+#include "solvers/walls/free_slip.hpp"
+#include "solvers/walls/no_slip.hpp"
+
+#include <random>
+
+namespace touchstone::mpm {
+namespace {
+
+/// Numbers that are the same in every run.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296; }
+  int below(int count) { return static_cast<int>(between(0, count)); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+WallVelocity any_wall(Dice& dice) {
+  if (dice.below(2) == 0) return free_slip();
+  return no_slip({dice.between(-0.1, 0.1), 0});
+}
+
+/// Fluid anywhere in one to ten oblong cells along each axis, with empty cells and lonely particles, walls or periodic
+/// boundaries at all edges, moving and compressed unevenly.
+template <class FluidLaw, class Force>
+Scene<FluidLaw, Force> random_scene(unsigned seed, const FluidLaw& fluid, const Force& force) {
+  Dice dice(seed);
+  const Vec2 size(0.1 * (1 + dice.below(10)), 0.09 * (1 + dice.below(10)));
+  const Vec2 stretch(dice.between(-1, 1), dice.between(-1, 1)), filled(dice.between(0.3, 1), dice.between(0.3, 1));
+  Scene<FluidLaw, Force> scene{
+      .domain = {.box = {.high = size}, .periodic_x = dice.below(3) == 0, .periodic_y = dice.below(3) == 0},
+      .fluid = fluid,
+      .filled = {.high = size},
+      .body_force = force};
+  if (!scene.domain.periodic_x) scene.walls = {left_at(0, any_wall(dice)), right_at(size.x(), any_wall(dice))};
+  if (!scene.domain.periodic_y) {
+    scene.walls.push_back(floor_at(0, any_wall(dice)));
+    scene.walls.push_back(ceiling_at(size.y(), any_wall(dice)));
+  }
+  scene.start.velocity = [=](const Vec2& x) -> Vec2 { return 0.2 * Vec2(stretch.x() * x.y(), stretch.y() - x.x()); };
+  scene.start.pressure = [=](const Vec2& x) { return 60 * std::sin(9 * x.x()) + 40 * stretch.x() * x.y(); };
+  scene.start.places = [=](const Vectors& lattice) -> Vectors {
+    Dice anywhere(seed + 1000);
+    Vectors places = lattice;
+    for (Index p = 0; p < places.cols(); ++p) {
+      const bool is_lonely = p % 10 == 0;
+      for (const int axis : {0, 1}) places(axis, p) = anywhere.between(0, is_lonely ? 1 : filled[axis]) * size[axis];
+    }
+    return places;
+  };
+  return scene;
+}
+
+/// Whether a step ends the run.
+template <class Solver>
+bool diverges(Solver& solver) {
+  try {
+    solver.step();
+    return false;
+  } catch (const Diverged&) {
+    return true;
+  }
+}
+
+/// Compares all that particles have over a few steps; returns how many until the run ends.
+template <class Transfer, class Density, class FluidLaw, class Force>
+int compare_steps(const Scene<FluidLaw, Force>& scene) {
+  constexpr int most = 5;
+  const Settings settings{.cell = 0.095, .spacing = 0.045, .time_step = 2e-3};
+  auto plain = composed<BSpline<2>, Transfer, Density>(scene, settings);
+  auto fast = on_splines<Transfer, Density>(scene, settings);
+  const auto expect_same = [](const char* what, const auto& a, const auto& b) {
+    EXPECT_LE((a - b).abs().maxCoeff(), 1e-11 * b.abs().maxCoeff()) << what;
+  };
+  for (int step = 0; step < most; ++step) {
+    const bool ends = diverges(plain);
+    EXPECT_EQ(diverges(fast), ends);
+    if (ends) return step;
+    const Samples a = fast.samples(), b = plain.samples();
+    expect_same("place", a.x.array(), b.x.array());
+    expect_same("velocity", a.v.array(), b.v.array());
+    expect_same("density", a.density, b.density);
+    expect_same("pressure", a.pressure, b.pressure);
+  }
+  return most;
+}
+
+template <class Transfer, class Density, class FluidLaw, class Force>
+void expect_as_composed(const FluidLaw& fluid, const Force& force) {
+  int steps = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    steps += compare_steps<Transfer, Density>(random_scene(seed, fluid, force));
+  }
+  EXPECT_GT(steps, 150);  // of 200
+}
+
+constexpr Tait water{.density = 1000, .bulk_modulus = 2000};
+
+TEST(Splines, DoWithAnyPartsWhatPlainLoopsDo) {
+  const Newtonian thick{water, 2};
+  const ForceField stirred = stirring({0.8, 0.7}, 3);
+  const Uniform gravity{{0.3, -1}};
+  expect_as_composed<Apic, CarriedDensity>(water, NoForce{});
+  expect_as_composed<Apic, AffineDensity>(thick, stirred);
+  expect_as_composed<Xpic<1>, AffineDensity>(thick, NoForce{});
+  expect_as_composed<Xpic<2>, CarriedDensity>(thick, gravity);
+  expect_as_composed<Xpic<5>, CarriedDensity>(water, stirred);
+  expect_as_composed<Xpic<5>, AffineDensity>(water, gravity);
+}
+
+}  // namespace
+}  // namespace touchstone::mpm

@@ -1,0 +1,181 @@
+#pragma once
+/// Quadratic B-splines within the cells of a block, one cell a lane, in powers of the place X, Y from 0 to 1: the
+/// weights of the nodes left of, at and right of a cell are (1 - X)²/2, 1/2 + X - X² and X²/2. A cell is summed over
+/// its particles in powers and meets its nodes once; a field of the nodes is laid out in powers once for all its
+/// particles.
+
+#include "solvers/mpm/centre_nodes.hpp"
+
+namespace touchstone::mpm {
+
+/// By power of X, or of Y.
+using Powers = std::array<Lanes, 3>;
+/// By power of X and of Y.
+using PowersOfBoth = ThreeByThree<Lanes>;
+
+/// Calls f(0), f(1), f(2), unrolled.
+template <class F>
+void for_three(const F& f) {
+  with_indices<3>([&](auto... i) { (f(i), ...); });
+}
+
+/// Of sums over particles of q, q X and q X², what the three nodes get.
+inline Powers at_nodes(const Powers& q) {
+  const Lanes half = 0.5 * q[0];
+  return {half - q[1] + 0.5 * q[2], half + q[1] - q[2], 0.5 * q[2]};
+}
+/// The coefficients of a field that is so at the three nodes.
+inline Powers of_nodes(const Powers& q) {
+  const Lanes half = 0.5 * q[0];
+  return {half + 0.5 * q[1], q[1] - q[0], half - q[1] + 0.5 * q[2]};
+}
+
+/// Has `change` work along Y, then along X.
+template <class Change>
+PowersOfBoth along_both(const PowersOfBoth& q, const Change& change) {
+  PowersOfBoth half, whole;
+  for_three([&](auto m) { half[m] = change(q[m]); });
+  for_three([&](auto b) {
+    const Powers along_x = change(Powers{half[0][b], half[1][b], half[2][b]});
+    for_three([&](auto a) { whole[a][b] = along_x[a]; });
+  });
+  return whole;
+}
+inline PowersOfBoth nodes_of(const PowersOfBoth& sums) {
+  return along_both(sums, [](const Powers& q) { return at_nodes(q); });
+}
+/// A field of the nodes around the cells whose first node is `node`.
+inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node) {
+  PowersOfBoth q;
+  for_three([&](auto a) { for_three([&](auto b) { q[a][b] = load<Lanes>(&field[node + b * nodes.stride + a]); }); });
+  return along_both(q, [](const Powers& line) { return of_nodes(line); });
+}
+
+/// The functions of a place along an axis: 1, X and X², and how X² changes: its slope, or its affine slope, what
+/// particles of the affine method see of it (w_a (x_a - x) summed over the nodes, over the spread of these).
+struct Place {
+  Lanes X, XX;
+
+  explicit Place(const Lanes& at) : X(at), XX(at * at) {}
+  Lanes slope() const { return 2 * X; }
+  Lanes of(const Powers& q) const { return q[0] + X * q[1] + XX * q[2]; }
+};
+
+/// Affine slope of X² and spread sum w_a (x_a - x)² [cells²] along an axis where splines are whole.
+struct WholeSplines {
+  static Lanes affine_slope(const Place& at) { return at.XX * (6 - 4 * at.X); }
+  static Lanes spread(const Place&) { return fill<Lanes>(0.25); }
+};
+/// The same where some are cut off at edges of the domain, as `BSpline` does it: 1 in the lanes of the first cell for
+/// `low` and of the last for `high`, 0 in others.
+struct CutSplines {
+  Lanes low{}, high{};
+
+  Lanes affine_slope(const Place& at) const {
+    const Lanes rest = 1 - at.X;
+    return 2 * at.X * (low + (1 - low) * at.X) * (1 + 2 * rest - high * (rest - at.X)) / (1 + low * rest + high * at.X);
+  }
+  Lanes spread(const Place& at) const {
+    const Lanes rest = 1 - at.X;
+    return 0.25 * (1 - low * rest * rest - high * at.XX);
+  }
+};
+
+/// Calls work(along_x, along_y) with the splines of a block.
+template <class Block, class Work>
+void with_splines(const Grid& grid, const Block& block, const Work& work) {
+  constexpr int width = std::tuple_size_v<decltype(block.count)>;
+  const auto at_edge = [](int begin, int end, int cells, bool periodic) {
+    return !periodic && (begin == 0 || end >= cells);
+  };
+  if (!at_edge(block.column, block.column + width, grid.columns, grid.periodic_x) &&
+      !at_edge(block.row, block.row + 1, grid.rows, grid.periodic_y))
+    return work(WholeSplines{}, WholeSplines{});
+  CutSplines x, y;
+  for (int lane = 0; lane < width; ++lane) {
+    x.low[lane] = !grid.periodic_x && block.column + lane == 0;
+    x.high[lane] = !grid.periodic_x && block.column + lane == grid.columns - 1;
+    y.low[lane] = !grid.periodic_y && block.row == 0;
+    y.high[lane] = !grid.periodic_y && block.row == grid.rows - 1;
+  }
+  work(x, y);
+}
+
+/// A field at a place, and how it changes over a cell along x and along y.
+struct Seen {
+  Lanes value, along_x, along_y;
+};
+/// `bend_x` and `bend_y` are the slopes or affine slopes of X² and Y².
+inline Seen seen(const PowersOfBoth& q, const Place& X, const Place& Y, const Lanes& bend_x, const Lanes& bend_y) {
+  Powers by_y, change;
+  for_three([&](auto m) {
+    by_y[m] = Y.of(q[m]);
+    change[m] = q[m][1] + bend_y * q[m][2];
+  });
+  return {X.of(by_y), by_y[1] + bend_x * by_y[2], X.of(change)};
+}
+inline Lanes value_at(const PowersOfBoth& q, const Place& X, const Place& Y) {
+  return X.of({Y.of(q[0]), Y.of(q[1]), Y.of(q[2])});
+}
+
+/// What a particle gives to sums of powers along an axis besides q, q X and q X².
+struct Turn {
+  Lanes once, bent;  // to X, to X²
+};
+/// Nothing.
+struct NoTurn {};
+inline Turn operator+(const Turn& a, const Turn& b) { return {a.once + b.once, a.bent + b.bent}; }
+inline Turn operator+(const Turn& a, const NoTurn&) { return a; }
+
+/// Of an affine change over a cell: w_a (x_a - x) change.
+template <class Splines>
+Turn affine_turn(const Splines& splines, const Place& at, const Lanes& change) {
+  const Lanes spread = splines.spread(at) * change;
+  return {spread, spread * splines.affine_slope(at)};
+}
+/// Of a flux: it meets the slopes of the weights.
+inline Turn flux_turn(const Place& at, const Lanes& flux) { return {flux, flux * at.slope()}; }
+
+/// Adds what a particle gives, of q alone, of turns alone, or of all at once.
+inline void add(PowersOfBoth& sums, const Place& X, const Place& Y, const Lanes& q) {
+  const Powers by_x{q, q * X.X, q * X.XX};
+  for_three([&](auto m) {
+    sums[m][0] += by_x[m];
+    sums[m][1] += by_x[m] * Y.X;
+    sums[m][2] += by_x[m] * Y.XX;
+  });
+}
+inline void add_along_x(PowersOfBoth& sums, const Turn& x, const Place& Y) {
+  const auto add_row = [&](Powers& row, const Lanes& turn) {
+    row[0] += turn;
+    row[1] += turn * Y.X;
+    row[2] += turn * Y.XX;
+  };
+  add_row(sums[1], x.once);
+  add_row(sums[2], x.bent);
+}
+inline void add_along_y(PowersOfBoth& sums, const Place& X, const Turn& y) {
+  const auto add_row = [&](Powers& row, const Turn& turn) {
+    row[1] += turn.once;
+    row[2] += turn.bent;
+  };
+  add_row(sums[0], y);
+  add_row(sums[1], {X.X * y.once, X.X * y.bent});
+  add_row(sums[2], {X.XX * y.once, X.XX * y.bent});
+}
+inline void add_along_x(PowersOfBoth&, const NoTurn&, const Place&) {}
+inline void add_along_y(PowersOfBoth&, const Place&, const NoTurn&) {}
+inline void add(PowersOfBoth& sums, const Place& X, const Place& Y, const Lanes& q, const Turn& x, const Turn& y) {
+  const Lanes once = q * X.X + x.once, bent = q * X.XX + x.bent;
+  const auto add_row = [&](Powers& row, const Lanes& by_x) {
+    row[0] += by_x;
+    row[1] += by_x * Y.X;
+    row[2] += by_x * Y.XX;
+  };
+  add_row(sums[0], q);
+  add_row(sums[1], once);
+  add_row(sums[2], bent);
+  add_along_y(sums, X, y);
+}
+
+}  // namespace touchstone::mpm
