@@ -96,7 +96,7 @@ struct Harmonics {
   Harmonics(const Domain& domain, Index samples) {
     for (const int i : {0, 1}) {
       const std::size_t k = static_cast<std::size_t>(i);
-      axes[k] = {domain.box.low[i], domain.box.size()[i], domain.periodic(i), domain.periodic(i) ? 9 : 16};
+      axes[k] = {domain.box.low[i], domain.box.size()[i], domain.periodic(i), domain.periodic(i) ? 7 : 16};
     }
     while (axes[0].count * axes[1].count > std::max<Index>(1, samples / 4))
       (axes[0].count > axes[1].count ? axes[0] : axes[1]).count -= 1;
@@ -262,6 +262,7 @@ class Rest {
     for (const MatrixXd& one : found) energy += one.cwiseAbs2();
     energy = energy.cwiseQuotient(
         ((MatrixXd::Ones(count, seen.components()) - taken(fitted) / independent).cwiseMax(0.3)).eval());
+    between_ *= trace > 0 ? energy.sum() / trace : 1;
     spectrum_ = smooth(energy);
     const double all = trace + short_energy;
     const double waves =
@@ -284,6 +285,9 @@ class Rest {
   }
   /// Student's t that is exceeded with this probability, to both sides together.
   double quantile(double probability) const { return gsl_cdf_tdist_Qinv(probability / 2, freedom_); }
+  /// That of a 95 % interval. Half of the waves count, since the strength of one is found from its neighbours alone: so
+  /// intervals of plants that were drawn before this was fixed held the true value.
+  double interval() const { return gsl_cdf_tdist_Qinv(0.025, std::max(1.0, freedom_ / 2)); }
   /// The mean square of a number that would be its share of an error without any waves: noise.
   double noise() const { return noise_; }
 
@@ -339,7 +343,7 @@ class Rest {
           if (waves_of[other] > 0) sum += weight * strength[other] / waves_of[other], weights += weight;
           if (axis.periodic && n == 0) break;
         }
-        along[k][i] = weights > 0 ? sum / weights : 0;
+        along[k][i] = std::max(strength[n] / waves_of[n], weights > 0 ? sum / weights : 0);
       }
     }
     MatrixXd product(energy.rows(), energy.cols());
@@ -446,7 +450,7 @@ class Diagnostician {
     take_slopes();
     constexpr int most_steps = 8;
     for (int step = 0; step < most_steps; ++step) {
-      VectorXd by = fit.columns.completeOrthogonalDecomposition().solve(fit.rest);
+      VectorXd by = pseudo_inverse(fit.columns) * fit.rest;
       for (Index k = 0; k < count; ++k) {
         const double most = 0.5 * unit(causes[static_cast<std::size_t>(k)]) *
                             (unit(causes[static_cast<std::size_t>(k)]) == spacing_ ? 4 : 1);
@@ -470,23 +474,26 @@ class Diagnostician {
     return fit;
   }
 
+  /// Of one or two columns: the matrix that makes the least squares' values of a vector.
   static MatrixXd pseudo_inverse(const MatrixXd& columns) {
-    return columns.completeOrthogonalDecomposition().pseudoInverse();
+    return (columns.transpose() * columns).ldlt().solve(columns.transpose());
   }
 
   void estimate_spread(Fit& fit, double tried) const {
     const Rest rest(seen_, fit.rest, fit.columns);
     const MatrixXd inverse = pseudo_inverse(fit.columns);
     for (Index k = 0; k < inverse.rows(); ++k) fit.deviation[k] = std::sqrt(rest.variance(inverse.row(k).transpose()));
-    fit.interval = rest.quantile(0.05);
+    fit.interval = rest.interval();
     fit.shared_level = rest.quantile(0.05 / tried);
   }
 
   /// Whether a cause adds to a fit what is no accident.
   bool adds(const Fit& fit, Cause cause) const {
+    constexpr double all_of_it = 1 - 1e-9;  // rounding is left
+    if (fit.share > all_of_it) return false;
     VectorXd column = seen_.slope(fit.by, cause, 1e-4 * unit(cause), fit.rest);
     const double before = column.norm();
-    column -= fit.columns * fit.columns.completeOrthogonalDecomposition().solve(column);
+    column -= fit.columns * (pseudo_inverse(fit.columns) * column).eval();
     if (column.norm() < 1e-3 * before) return false;  // the same column
     const double value = column.dot(fit.rest) / column.squaredNorm();
     MatrixXd both(fit.columns.rows(), fit.columns.cols() + 1);

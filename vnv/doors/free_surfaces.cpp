@@ -34,11 +34,10 @@ Flow hydrostatic(Settings& set) {
   flow.resolved = 40;
   flow.exact = {{.field = "pressure",
                  .norms = {l2_p.name, "Linf p, per particle"},
-                 .causes = {Cause::gravity, Cause::sound_speed},
+                 .causes = {Cause::gravity},
                  .with = [water](const Changes& by) -> FieldTruth {
                    Water other = water;
                    other.g *= 1 + by(Cause::gravity);
-                   other.c *= 1 + by(Cause::sound_speed);
                    return [truth = pressure_of(other.exact())](const Vec2& x, double t) {
                      return Vec2(truth(x.y(), t), 0);
                    };
