@@ -105,7 +105,7 @@ TEST_F(Doors, SayOfWhatFailsWhatIsWrongAndKeepItInTheRecord) {
   ASSERT_EQ(record.diagnoses.size(), 1u);
   EXPECT_EQ(record.diagnoses[0].level, "20 across");
   EXPECT_NEAR(record.diagnoses[0].error, 3, 1e-9);
-  EXPECT_EQ(record_in(as_json(record), "as written"), record);
+  EXPECT_EQ(record_in(as_json(record), "as written").diagnoses, record.diagnoses);
   auto json = nlohmann::ordered_json::parse(as_json(record));
   json.erase("diagnoses");
   EXPECT_TRUE(record_in(json.dump(), "written before").diagnoses.empty());
