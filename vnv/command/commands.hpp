@@ -80,7 +80,7 @@ struct JudgeOptions {
   std::vector<std::string> files{}, set{}, fields{}, units{};
   std::string axes{}, only{}, records{}, junit{};
   std::vector<double> origin{};  // m
-  bool inside = false;
+  bool inside = false, diagnose = false, as_json = false;
   double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %
 };
 int judge(const Build& build, const JudgeOptions& options);
@@ -92,6 +92,7 @@ int prepare(const Build& build, const PrepareOptions& options);
 
 struct CollectOptions {
   std::string solver{}, folder{}, suite = "acceptance", records{}, junit{};
+  bool as_json = false;
 };
 int collect(const Build& build, const CollectOptions& options);
 

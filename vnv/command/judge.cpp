@@ -7,6 +7,9 @@
 #include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -38,9 +41,45 @@ void print_values(const Record& record) {
                  order.order, order.half_width, order.levels.size());
 }
 
-/// What was read, measured and claimed; keeps the record where a folder is named.
-int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const std::string& records,
-             const std::string& junit) {
+/// Each cause that was fitted, by itself or with another, with its 95 % interval.
+void print(const Diagnosis& diagnosis) {
+  fmt::print("\n{}, {}, {:.3g} % wrong: {}\n", diagnosis.level, diagnosis.field, diagnosis.error, diagnosis.sentence);
+  for (const Explanation& one : diagnosis.explanations) {
+    std::vector<std::string> causes;
+    for (const FittedCause& c : one.causes)
+      causes.push_back(fmt::format("{} {:.4g} +- {:.2g} {}", c.cause, c.value, c.half_width, c.unit));
+    fmt::print("  {:5.1f} % of the squared error: {}{}\n", 100 * one.share, fmt::join(causes, ", "),
+               one.named ? " *" : "");
+  }
+}
+
+/// What `--json` prints: of the record what a judgement is, with what was read and what was not judged.
+void print_as_json(const doors::Flow& flow, const doors::Judgement& judgement, bool holds) {
+  const auto record = nlohmann::ordered_json::parse(as_json(judgement.record));
+  nlohmann::ordered_json all{{"schema", "touchstone judgement 1"},
+                             {"flow", flow.name},
+                             {"title", flow.title()},
+                             {"holds", holds},
+                             {"files", judgement.files},
+                             {"read as", judgement.words},
+                             {"not judged", judgement.not_judged}};
+  for (const char* part : {"runs", "values", "orders", "verdicts", "diagnoses"}) all[part] = record.at(part);
+  fmt::print("{}\n", all.dump(2));
+}
+
+/// Keeps the record and the verdicts where a folder or a file is named.
+void keep(const Record& record, const std::string& records, const std::string& junit) {
+  if (!records.empty()) write(record, record_file(records, record.case_name + "." + record.method));
+  if (!junit.empty()) files::write_whole(junit, junit_of(record));
+}
+
+bool all_hold(const Record& record) {
+  return !record.verdicts.empty() &&
+         std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.outcome == Outcome::holds; });
+}
+
+/// What was read, measured and claimed, for a person.
+void print_for_people(const doors::Flow& flow, const doors::Judgement& judgement, bool diagnose) {
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.title());
   for (const std::string& line : judgement.files) fmt::print("  {}\n", line);
@@ -49,22 +88,36 @@ int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const s
   fmt::print("\n");
   for (const std::string& line : judgement.not_judged) fmt::print("not judged: {}\n", line);
   for (const Verdict& v : record.verdicts) fmt::print("{}\n", v.sentence);
-  if (!records.empty()) write(record, record_file(records, record.case_name + "." + record.method));
-  if (!junit.empty()) files::write_whole(junit, junit_of(record));
+  if (diagnose)
+    for (const Diagnosis& one : record.diagnoses) print(one);
   const auto held = std::ranges::count(record.verdicts, Outcome::holds, &Verdict::outcome);
   fmt::print("{} of {} claims hold\n", held, record.verdicts.size());
-  return held == std::ssize(record.verdicts) ? all_holds : something_fails;
+}
+
+struct Wanted {
+  std::string records, junit;
+  bool as_json, diagnose = false;
+};
+int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const Wanted& wanted) {
+  const bool holds = all_hold(judgement.record);
+  if (wanted.as_json)
+    print_as_json(flow, judgement, holds);
+  else
+    print_for_people(flow, judgement, wanted.diagnose);
+  keep(judgement.record, wanted.records, wanted.junit);
+  return holds ? all_holds : something_fails;
 }
 
 }  // namespace
 
 int judge(const Build&, const JudgeOptions& options) {
   const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
-  return conclude(flow,
-                  doors::judge_files(flow, {options.files.begin(), options.files.end()}, mapping_of(options),
-                                     where_positive(options.spacing),
-                                     {.name = options.name, .at_most = where_positive(options.at_most)}),
-                  options.records, options.junit);
+  return conclude(
+      flow,
+      doors::judge_files(
+          flow, {options.files.begin(), options.files.end()}, mapping_of(options), where_positive(options.spacing),
+          {.name = options.name, .at_most = where_positive(options.at_most), .diagnose = options.diagnose}),
+      {options.records, options.junit, options.as_json, options.diagnose});
 }
 
 int prepare(const Build&, const PrepareOptions& options) {
@@ -76,8 +129,8 @@ int prepare(const Build&, const PrepareOptions& options) {
 
 int collect(const Build&, const CollectOptions& options) {
   const doors::Solver solver = doors::read_solver(options.solver);
-  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)), options.records,
-                  options.junit);
+  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)),
+                  {options.records, options.junit, options.as_json});
 }
 
 }  // namespace touchstone::vnv::command

@@ -51,12 +51,13 @@ void add_at_once(CLI::App& command, int& at_once) {
       ->capture_default_str();
 }
 
-void add_results(CLI::App& command, std::string& records, std::string& junit) {
+void add_results(CLI::App& command, std::string& records, std::string& junit, bool& as_json) {
   command
       .add_option("--records", records,
                   "folder for the record, JSON with every value and verdict, which vnv report turns into pages")
       ->check(CLI::ExistingDirectory);
   command.add_option("--junit", junit, "file for the verdicts as JUnit XML, for continuous integration");
+  command.add_flag("--json", as_json, "print JSON, for a program");
 }
 
 void declare_list(CLI::App& command, ListOptions& options) {
@@ -166,7 +167,9 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--spacing", options.spacing, "of the particles [m]; default: by their number in the filled area")
       ->check(CLI::PositiveNumber);
   command.add_option("--at-most", options.at_most, "a limit for each norm [%]")->check(CLI::PositiveNumber);
-  add_results(command, options.records, options.junit);
+  command.add_flag("--diagnose", options.diagnose,
+                   "say what may be wrong of what does not fail, too, with all causes that were fitted");
+  add_results(command, options.records, options.junit, options.as_json);
 }
 
 void declare_prepare(CLI::App& command, PrepareOptions& options) {
@@ -179,7 +182,7 @@ void declare_collect(CLI::App& command, CollectOptions& options) {
   command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
   command.add_option("FOLDER", options.folder, "that was prepared")->required()->check(CLI::ExistingDirectory);
   add_suite(command, options.suite);
-  add_results(command, options.records, options.junit);
+  add_results(command, options.records, options.junit, options.as_json);
 }
 
 void declare_order(CLI::App& command, OrderOptions& options) {
@@ -261,7 +264,8 @@ void add_subcommands(Session& session) {
       "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
       "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid pysph_100.npz\n"
-      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz",
+      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz\n"
+      "  vnv judge stokes_second plate.h5 --diagnose",
       judge, declare_judge);
   add(session, "prepare", "Makes a folder for each resolution of a solver, to be run elsewhere.",
       "Each holds scene.json, particles.csv and run.sh; when all have run, vnv collect judges what they wrote.\n"

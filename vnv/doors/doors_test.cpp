@@ -108,6 +108,30 @@ TEST_F(Doors, CallTheNearestSampleAloneByTheTimeThatWasAskedFor) {
   EXPECT_EQ(times, std::set<double>({0.992, 0.996, 1.0}));
 }
 
+TEST_F(Doors, SayOfWhatFailsWhatIsWrongAndKeepItInTheRecord) {
+  const Judged limited{.at_most = 1};
+  Mapping at_end;
+  at_end.time = 1;
+  const Record record = judge_files(flow_named("poiseuille"), {poiseuille(20, 0.03)}, at_end, {}, limited).record;
+  ASSERT_FALSE(record.verdicts.empty());
+  for (const Verdict& v : record.verdicts) {
+    EXPECT_TRUE(says(v.sentence, "FAILS; ") && says(v.sentence, "% too large")) << v.sentence;
+    EXPECT_TRUE(says(v.sentence, "which these data cannot tell apart: ")) << v.sentence;
+  }
+  ASSERT_EQ(record.diagnoses.size(), 1u);
+  EXPECT_EQ(record.diagnoses[0].level, "20 across");
+  EXPECT_NEAR(record.diagnoses[0].error, 3, 1e-9);
+  EXPECT_EQ(record_in(as_json(record), "as written").diagnoses, record.diagnoses);
+  auto json = nlohmann::ordered_json::parse(as_json(record));
+  json.erase("diagnoses");
+  EXPECT_TRUE(record_in(json.dump(), "written before").diagnoses.empty());
+  EXPECT_TRUE(
+      judge_files(flow_named("poiseuille"), {poiseuille(20, 0.003)}, at_end, {}, limited).record.diagnoses.empty());
+  EXPECT_EQ(judge_files(flow_named("poiseuille"), {poiseuille(20, 0.003)}, at_end, {}, {.at_most = 1, .diagnose = true})
+                .record.diagnoses.size(),
+            1u);
+}
+
 TEST_F(Doors, ObserveTheOrderOverThreeResolutions) {
   const Record record =
       judged("poiseuille", {poiseuille(10, 0.04), poiseuille(40, 0.0025), poiseuille(20, 0.01)}).record;

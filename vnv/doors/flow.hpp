@@ -60,6 +60,47 @@ struct Span {
   std::size_t least;   // times
 };
 
+/// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed and amplitude as fractions of the
+/// right one, walls [m] outward, the slip length [m], the time [s] by which it is ahead, a mean in the unit of the
+/// field over that of its norm.
+enum class Cause {
+  viscosity,
+  force,
+  gravity,
+  sound_speed,
+  floor,
+  ceiling,
+  walls,
+  slip,
+  lead,
+  amplitude,
+  mean_x,
+  mean_y
+};
+
+/// By how much each of them is wrong.
+class Changes {
+ public:
+  double operator()(Cause cause) const { return by_[static_cast<std::size_t>(cause)]; }
+  double& operator()(Cause cause) { return by_[static_cast<std::size_t>(cause)]; }
+
+ private:
+  std::array<double, static_cast<std::size_t>(Cause::mean_y) + 1> by_{};
+};
+
+/// The exact field at a place and a time: a velocity [m/s], or a pressure [Pa] and zero.
+using FieldTruth = std::function<Vec2(const Vec2& x, double t)>;
+
+/// A field whose exact solution is known, and what it would be of a flow in which something is wrong.
+struct Exact {
+  std::string field;                               // "velocity", "pressure"
+  std::vector<std::string> norms;                  // names of the quantities that are norms of its error
+  int components = 1;                              // along x; or along x and y
+  bool less_mean = false;                          // only differences matter
+  std::vector<Cause> causes;                       // that `with` knows; lead, amplitude and mean apply to each field
+  std::function<FieldTruth(const Changes&)> with;  // lead, amplitude and mean left aside
+};
+
 /// A measurement and the fields that it reads besides places.
 struct Measured {
   std::vector<std::string> fields;  // "velocity", "pressure"
@@ -73,6 +114,7 @@ struct Flow {
   std::vector<Parameter> parameters{};
   Case judged{};  // title, description, times, claims and figures; no methods
   std::vector<Measured> measured{};
+  std::vector<Exact> exact{};
   double across{};                   // m  the length that a resolution is counted over
   std::vector<Claim> of_resolved{};  // claims of levels with so many particles across
   double resolved = INFINITY;

@@ -32,6 +32,16 @@ Flow hydrostatic(Settings& set) {
   flow.of_resolved = {
       at_most(displacement, 1, theory("water at rest stays at rest; a surface is resolved to half a spacing"))};
   flow.resolved = 40;
+  flow.exact = {{.field = "pressure",
+                 .norms = {l2_p.name, "Linf p, per particle"},
+                 .causes = {Cause::gravity},
+                 .with = [water](const Changes& by) -> FieldTruth {
+                   Water other = water;
+                   other.g *= 1 + by(Cause::gravity);
+                   return [truth = pressure_of(other.exact())](const Vec2& x, double t) {
+                     return Vec2(truth(x.y(), t), 0);
+                   };
+                 }}};
   flow.measured = {{{"pressure"}, norms_of("p, per particle", pressures, pressure_of(water.exact()))},
                    {{"velocity"}, unrest(water.depth), Span{0, settled, 3}, "rest"}};
   return flow;
@@ -87,6 +97,11 @@ Flow elliptic_drop(Settings& set) {
   flow.judged.watch = monitored_axes();
   flow.judged.watch.every /= strain;
   flow.judged.claims = {is_consistent(axes_error)};
+  flow.exact = {{.field = "velocity",
+                 .norms = {l2_velocity.name, linf_velocity.name},
+                 .components = 2,
+                 .causes = {},
+                 .with = [drop](const Changes&) -> FieldTruth { return velocity_of(drop); }}};
   flow.measured = {{{"velocity"}, velocity_errors(velocity_of(drop))},
                    {{"pressure"}, error_of_pressure(drop)},
                    {{}, error_of_axes_in(drop), Span{0, until, 2}, "half-axes"}};

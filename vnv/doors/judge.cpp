@@ -1,6 +1,7 @@
 #include "vnv/doors/judge.hpp"
 
 #include "solvers/lattice.hpp"
+#include "vnv/doors/diagnosis.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
 
@@ -182,6 +183,38 @@ void refuse_to_claim_nothing(Record& record) {
   record.verdicts.push_back(std::move(v));
 }
 
+/// Whether a verdict is of a norm of the field, or of the order of one.
+bool is_of(const Exact& exact, const Verdict& verdict, const std::vector<Claim>& claims) {
+  return has(exact.norms, verdict.quantity) || std::ranges::any_of(claims, [&](const Claim& claim) {
+           return has(exact.norms, claim.quantity.name) && judged_quantity(claim).name == verdict.quantity;
+         });
+}
+
+/// Diagnoses each field and level of which a verdict fails, an order as its finest level, and adds what is found to the
+/// sentences of these verdicts. If asked, all others too.
+void diagnose_failures(const Flow& flow, const std::vector<GivenLevel>& levels, const Method& method,
+                       const std::vector<Claim>& claims, bool diagnose_all, Record& record) {
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const Exact& exact : flow.exact) {
+      const auto has_value = [&](const Value& v) {
+        return v.level == method.levels[k].name && has(exact.norms, v.quantity.name);
+      };
+      if (std::ranges::none_of(record.values, has_value)) continue;
+      std::vector<Verdict*> failing;
+      for (Verdict& v : record.verdicts)
+        if (v.outcome == Outcome::fails && is_of(exact, v, claims) &&
+            (v.level == method.levels[k].name || (v.level.empty() && k + 1 == levels.size())))
+          failing.push_back(&v);
+      if (failing.empty() && !diagnose_all) continue;
+      std::vector<const Samples*> samples;
+      for (const auto& [time, at] : levels[k].at) samples.push_back(&at);
+      Diagnosis found = diagnose(exact, samples, flow.domain, levels[k].spacing);
+      found.level = method.levels[k].name;
+      for (Verdict* v : failing) v->sentence += "; " + found.sentence;
+      record.diagnoses.push_back(std::move(found));
+    }
+}
+
 }  // namespace
 
 void Given::say(const std::string& line) {
@@ -230,6 +263,9 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
                             what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
+  std::vector<Claim> claims = judged.claims;
+  std::ranges::copy(method.claims, std::back_inserter(claims));
+  diagnose_failures(flow, given.levels, method, claims, what.diagnose, judgement.record);
   if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; })) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
     refuse_to_claim_nothing(judgement.record);

@@ -53,6 +53,7 @@ struct Judged {
   Suite suite = Suite::report;
   std::optional<double> at_most{};         // %  of each norm at the finest resolution
   std::optional<double> order_at_least{};  // of each norm of which the flow claims an order
+  bool diagnose = false;                   // what does not fail, too
   const Baselines* baselines = nullptr;
   std::vector<double> times{};  // s  asked for; empty: those of the flow
 };

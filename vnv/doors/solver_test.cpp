@@ -72,6 +72,7 @@ TEST_F(OtherSolvers, AreRunMeasuredAndJudgedAtEachResolution) {
       std::ranges::find_if(record.verdicts, [](const Verdict& v) { return v.quantity.starts_with("order of"); });
   ASSERT_NE(of_order, record.verdicts.end());
   EXPECT_EQ(of_order->outcome, Outcome::fails) << "an error that does not fall is not consistent";
+  EXPECT_NE(of_order->sentence.find("s late"), std::string::npos) << of_order->sentence;
 }
 
 TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {

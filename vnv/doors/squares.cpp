@@ -14,7 +14,13 @@
 namespace touchstone::vnv::doors {
 namespace {
 
-Flow in_square(double side, const Newtonian& fluid, VelocityTruth velocity, PressureTruth pressure) {
+/// The fields where something is wrong.
+using VelocityWith = std::function<VelocityTruth(const Changes&)>;
+using PressureWith = std::function<PressureTruth(const Changes&)>;
+
+Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity_with, PressureTruth pressure,
+               std::vector<Cause> causes) {
+  const VelocityTruth velocity = velocity_with({});
   Flow flow;
   flow.filled = {.high = {side, side}};
   flow.domain = {.box = flow.filled, .periodic_x = true, .periodic_y = true};
@@ -24,7 +30,23 @@ Flow in_square(double side, const Newtonian& fluid, VelocityTruth velocity, Pres
                 .pressure = [pressure](const Vec2& x) { return pressure(x, 0); }};
   flow.judged.claims = {is_consistent(l2_velocity)};
   flow.measured = {{{"velocity"}, velocity_errors(velocity)}};
+  flow.exact = {{.field = "velocity",
+                 .norms = {l2_velocity.name, linf_velocity.name},
+                 .components = 2,
+                 .causes = std::move(causes),
+                 .with = velocity_with}};
   return flow;
+}
+
+void add_pressure(Flow& flow, const PressureWith& with, std::vector<Cause> causes) {
+  flow.measured.push_back({{"pressure"}, pressure_errors(with({}))});
+  flow.exact.push_back({.field = "pressure",
+                        .norms = {l2_pressure.name},
+                        .less_mean = true,
+                        .causes = std::move(causes),
+                        .with = [with](const Changes& by) -> FieldTruth {
+                          return [truth = with(by)](const Vec2& x, double t) { return Vec2(truth(x, t), 0); };
+                        }});
 }
 
 Newtonian fluid_of(double rho, double c, double nu) {
@@ -74,15 +96,20 @@ Flow taylor_green(Settings& set) {
   const double rho = set.positive("rho", vnv::taylor_green::rho, "kg/m³", "density at rest");
   const double Re = set.positive("Re", 100, "-", "Reynolds number U L / nu");
   const double c = set.positive("c", 80, "m/s", "speed of sound at rest");
-  const reference::TaylorGreen exact{.L = L, .U = U, .nu = U * L / Re, .rho = rho};
-  const PressureTruth pressure = [exact](const Vec2& x, double t) { return exact.p(x.x(), x.y(), t); };
-  Flow flow = in_square(
-      L, fluid_of(rho, c, exact.nu),
-      [exact](const Vec2& x, double t) -> Vec2 {
-        return {exact.v_x(x.x(), x.y(), t), exact.v_y(x.x(), x.y(), t)};
-      },
-      pressure);
-  flow.measured.push_back({{"pressure"}, pressure_errors(pressure)});
+  const auto exact = [=](const Changes& by) {
+    return reference::TaylorGreen{.L = L, .U = U, .nu = U * L / Re * (1 + by(Cause::viscosity)), .rho = rho};
+  };
+  const PressureWith pressure = [=](const Changes& by) -> PressureTruth {
+    return [now = exact(by)](const Vec2& x, double t) { return now.p(x.x(), x.y(), t); };
+  };
+  Flow flow = in_square(L, fluid_of(rho, c, exact({}).nu),
+                        [=](const Changes& by) -> VelocityTruth {
+                          return [now = exact(by)](const Vec2& x, double t) -> Vec2 {
+                            return {now.v_x(x.x(), x.y(), t), now.v_y(x.x(), x.y(), t)};
+                          };
+                        },
+                        pressure({}), {Cause::viscosity});
+  add_pressure(flow, pressure, {Cause::viscosity});
   flow.judged.title = "Taylor-Green vortices";
   flow.judged.description =
       "Four vortices in a periodic square decay. The oracle is Taylor's (1923) solution for an incompressible fluid.";
@@ -102,14 +129,18 @@ Flow manufactured(Settings& set) {
   chosen.c = set.positive("c", chosen.c, "m/s", "speed of sound without pressure");
   chosen.Re = set.positive("Re", chosen.Re, "-", "Reynolds number U L / nu");
   const reference::Manufactured exact = chosen.exact();
-  const PressureTruth pressure = vnv::manufactured::pressure_of(exact);
-  Flow flow = in_square(chosen.L, chosen.fluid(), vnv::manufactured::velocity_of(exact), pressure);
+  const PressureWith pressure = [exact](const Changes& by) -> PressureTruth {
+    return [right = vnv::manufactured::pressure_of(exact), stiffer = std::pow(1 + by(Cause::sound_speed), 2)](
+               const Vec2& x, double t) { return stiffer * right(x, t); };
+  };
+  Flow flow = in_square(chosen.L, chosen.fluid(),
+                        [exact](const Changes&) { return vnv::manufactured::velocity_of(exact); }, pressure({}), {});
   flow.drive.formula = formula_of(flow.fluid);
   for (const auto& [x, y, t] : {std::tuple(0.1, 0.3, 0.0), std::tuple(0.75, 0.2, 0.1), std::tuple(0.5, 0.95, 0.2)}) {
     const auto b = exact.force(x * chosen.L, y * chosen.L, t);
     flow.drive.examples.push_back({x * chosen.L, y * chosen.L, t, b[0], b[1]});
   }
-  flow.measured.push_back({{"pressure"}, pressure_errors(pressure)});
+  add_pressure(flow, pressure, {Cause::sound_speed});
   flow.judged.title = "Manufactured solution";
   flow.judged.description =
       "An unsteady compressible flow in a periodic square that was chosen, and the body force that sustains it exactly: every "
@@ -124,13 +155,16 @@ Flow shear_wave(Settings& set) {
   const double rho = set.positive("rho", vnv::shear_wave::rho, "kg/m³", "density at rest");
   const double Re = set.positive("Re", vnv::shear_wave::Re, "-", "Reynolds number U L / nu");
   const double c = set.positive("c", vnv::shear_wave::c, "m/s", "speed of sound at rest");
-  const reference::ShearWave exact{.L = L, .U = U, .nu = U * L / Re};
+  const double nu = U * L / Re;
   Flow flow = in_square(
-      L, fluid_of(rho, c, exact.nu),
-      [exact](const Vec2& x, double t) -> Vec2 {
-        return {exact(x.y(), t), 0};
+      L, fluid_of(rho, c, nu),
+      [=](const Changes& by) -> VelocityTruth {
+        return [now = reference::ShearWave{.L = L, .U = U, .nu = nu * (1 + by(Cause::viscosity))}](const Vec2& x,
+                                                                                                   double t) -> Vec2 {
+          return {now(x.y(), t), 0};
+        };
       },
-      [](const Vec2&, double) { return 0.0; });
+      [](const Vec2&, double) { return 0.0; }, {Cause::viscosity});
   flow.judged.title = "Decaying shear wave";
   flow.judged.description =
       "The velocity along x is a sine of y and decays by viscosity alone: an exact solution of the Navier-Stokes equations.";

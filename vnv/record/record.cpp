@@ -21,6 +21,9 @@ TOUCHSTONE_FIELDS(ObservedOrder, ladder, quantity, time, order, half_width, tren
                   order_to_floor, order_to_floor_half_width, levels, spacings, errors, pairwise)
 TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, unit, kind, better, value, lower, upper,
                   surely_above, half_width, trend, author, outcome, margin, sentence)
+TOUCHSTONE_FIELDS(FittedCause, cause, unit, value, half_width)
+TOUCHSTONE_FIELDS(Explanation, causes, share, named, sentence)
+TOUCHSTONE_FIELDS(Diagnosis, level, field, error, explanations, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
 TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
@@ -31,8 +34,8 @@ TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles,
                   cpu_highest)
 TOUCHSTONE_FIELDS(HistoryFile, level, file)
 TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, another_code, suite,
-                  revision, compiler, flags, machine, finished_at, runs, values, orders, verdicts, figures, curves,
-                  clouds, tables, diagrams, work, histories)
+                  revision, compiler, flags, machine, finished_at, runs, values, orders, verdicts, diagnoses, figures,
+                  curves, clouds, tables, diagrams, work, histories)
 
 namespace {
 
@@ -125,6 +128,7 @@ Record record_from(json::Json json) {
   if (schema == 3) bring_up_from_3(json);
   if (schema < Record{}.schema) bring_up_from_4(json);
   if (!json.contains("another_code")) json["another_code"] = false;  // written before there was any
+  if (!json.contains("diagnoses")) json["diagnoses"] = json::Json::array();
   Record record;
   const json::Reader reader(json);
   describe(reader, record);
@@ -137,6 +141,8 @@ Record record_from(json::Json json) {
 
 std::string_view name_of(Trend trend) { return words(trend).at(static_cast<std::size_t>(trend)); }
 
+std::string as_json(const Record& record) { return json::Writer::json(record).dump(); }
+
 void write(const Record& record, const std::filesystem::path& file) {
   for (const HistoryFile& history : record.histories) {
     if (history.text.empty()) continue;
@@ -145,8 +151,8 @@ void write(const Record& record, const std::filesystem::path& file) {
     std::filesystem::create_directory(place.parent_path(), refused);
     files::write_whole(place, history.text);
   }
-  files::write_whole(file, json::with_clear_errors(file.string(), "cannot be written",
-                                                   [&] { return json::Writer::json(record).dump() + "\n"; }));
+  files::write_whole(
+      file, json::with_clear_errors(file.string(), "cannot be written", [&] { return as_json(record) + "\n"; }));
 }
 
 Record read_record(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 /// Numbers are SI unless a name says otherwise; only a report rescales. Not a number is a value like another: it is
 /// written and read back.
 
+#include "vnv/record/diagnosis.hpp"
 #include "vnv/record/figure.hpp"
 #include "vnv/record/observed_order.hpp"
 #include "vnv/record/run_summary.hpp"
@@ -72,6 +73,7 @@ struct Record {
   std::vector<Value> values;
   std::vector<ObservedOrder> orders;
   std::vector<Verdict> verdicts;
+  std::vector<Diagnosis> diagnoses;  // of another code, whose flow has an exact field
   std::vector<Figure> figures;
   std::vector<Curve> curves;
   std::vector<Cloud> clouds;
@@ -86,6 +88,9 @@ struct Record {
 /// What contradicts a verdict in its own record: its numbers come to another outcome, its level was not run, or what
 /// was measured there is another number. Empty if nothing does.
 std::string contradiction(const Verdict& verdict, const Record& record);
+
+/// The record as JSON.
+std::string as_json(const Record& record);
 
 /// Writes the record whole or not at all, after the histories that it lists.
 /// Throws std::runtime_error naming the file and the cause.

@@ -1,0 +1,42 @@
+#pragma once
+/// What is wrong with a field, as far as its error tells.
+
+#include "vnv/record/quantity.hpp"
+
+#include <string>
+#include <vector>
+
+namespace touchstone::vnv {
+
+/// By how much one thing would be wrong.
+struct FittedCause {
+  std::string cause;                 // "viscosity", "upper wall"
+  std::string unit;                  // "%", "spacings"
+  double value = not_a_number;       // in it
+  double half_width = not_a_number;  // in it; of the 95 % interval
+
+  bool operator==(const FittedCause&) const = default;
+};
+
+/// One cause, or two at once, as an explanation of the error.
+struct Explanation {
+  std::vector<FittedCause> causes{};
+  double share = not_a_number;  // of the squared error that it explains
+  bool named = false;           // by the diagnosis; those that are named together cannot be told apart
+  std::string sentence{};       // "the flow is that of a fluid 5.1 ± 0.2 % too viscous"
+
+  bool operator==(const Explanation&) const = default;
+};
+
+/// Of one field of one run, at all its times.
+struct Diagnosis {
+  std::string level{};
+  std::string field;            // "velocity"
+  double error = not_a_number;  // %  of the exact field: root of the mean square over its times
+  std::vector<Explanation> explanations{};
+  std::string sentence{};  // what is named, or that nothing is
+
+  bool operator==(const Diagnosis&) const = default;
+};
+
+}  // namespace touchstone::vnv
