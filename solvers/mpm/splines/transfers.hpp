@@ -6,6 +6,7 @@
 #include "solvers/mpm/splines/nodes.hpp"
 #include "solvers/mpm/splines/particles.hpp"
 #include "solvers/mpm/splines/within.hpp"
+#include "solvers/stepping/clock.hpp"
 
 namespace touchstone::mpm {
 
