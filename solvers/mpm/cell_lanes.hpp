@@ -123,12 +123,21 @@ Truth<Real> between(double low, const Real& number, double high) {
   return (fill<Real>(low) <= number) & (number <= fill<Real>(high));
 }
 
+/// A bit for each lane, from the first on.
+using LaneBits = unsigned char;
+static_assert(lanes_of<float> <= 8);
+
+/// Those of the lanes that say so.
+template <class Real>
+LaneBits lanes_with(const Truth<Real>& truth) {
+  unsigned bits = 0;
+  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (truth[lane] ? 1u : 0u) << lane;
+  return static_cast<LaneBits>(bits);
+}
 /// True if every lane says so.
 template <class Real>
 bool all(const Truth<Real>& truth) {
-  bool every = true;
-  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) every = every && truth[lane];
-  return every;
+  return lanes_with<Real>(truth) == (1u << lanes_of<NumberIn<Real>>)-1;
 }
 
 }  // namespace touchstone::mpm

@@ -61,15 +61,16 @@ int settle(Particles& particles, int slot, int cell, const Grid& grid, const Flu
   return grid.cell_at(column, row);
 }
 
-/// Carries the particles that left their cell to the one they are in; visits only blocks that are not calm. True if
+/// Carries the particles that left their cell to the one they are in; visits only those that are not calm. True if
 /// a block has come or has been emptied. Throws Diverged as `settle` does.
 template <class Particles, class FluidLaw>
-bool keep_order(Particles& particles, const std::vector<char>& calm, const Grid& grid, const FluidLaw& fluid, long step,
-                double time) {
+bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Grid& grid, const FluidLaw& fluid,
+                long step, double time) {
   auto& order = particles.order;
   for (std::size_t index = 0; index < calm.size(); ++index) {
-    if (calm[index]) continue;
-    for (int lane = 0; lane < order.width; ++lane)
+    if (calm[index] == (1u << order.width) - 1) continue;
+    for (int lane = 0; lane < order.width; ++lane) {
+      if (calm[index] >> lane & 1) continue;
       for (int k = 0; k < order.blocks()[index].count[lane];) {
         const auto& block = order.blocks()[index];
         const int slot = block.slot(lane, k), cell = order.cell(block, lane),
@@ -79,6 +80,7 @@ bool keep_order(Particles& particles, const std::vector<char>& calm, const Grid&
         else
           order.carry(particles, cell, k, to);  // which puts another in its place
       }
+    }
   }
   if (!order.is_stale()) return false;
   order.list_occupied();

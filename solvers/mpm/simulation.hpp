@@ -70,7 +70,7 @@ class SimulationInCells : public Simulation<FluidLaw, Force> {
 
   Particles particles_;
   Nodes nodes_;
-  std::vector<char> calm_;  // of each block, within a step
+  std::vector<LaneBits> calm_;  // of each block, within a step
 };
 
 }  // namespace touchstone::mpm

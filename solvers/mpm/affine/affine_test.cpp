@@ -364,7 +364,7 @@ struct Alone {
   const Tait fluid = scene.fluid;
   AffineParticles<> particles = at_rest<AffineParticles<>>(scene, 0.03, grid);
   AffineNodes nodes{grid, lanes};
-  std::vector<char> calm{};
+  std::vector<LaneBits> calm{};
 
   Alone() { nodes.list_near(particles.order); }
 

@@ -139,11 +139,11 @@ void begin(AffineParticles<Number>& particles, int slot, const Beginning& there,
   keep<Real>(particles, slot, fill<Real>(there.expansion), x, y, cell.cwiseInverse(), dt, fluid, FirstLane{});
 }
 
-/// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
-/// their cells, and of a plausible density; not a number is neither.
+/// Everything that the particles take from the nodes. `calm` tells of each block in which cells all particles are
+/// still there, and of a plausible density; not a number is neither.
 template <class Number, class FluidLaw>
 void gather(const AffineNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
-            AffineParticles<Number>& particles, std::vector<char>& calm) {
+            AffineParticles<Number>& particles, std::vector<LaneBits>& calm) {
   using Real = LanesOf<Number>;
   const auto& blocks = particles.order.blocks();
   calm.resize(blocks.size());

@@ -1,6 +1,6 @@
 #pragma once
 /// The material point method made of parts that are chosen by type: shape, transfer, density. Plain loops over
-/// particles and nodes, a reference for variants; `Mpm` and `Affine` are faster at what they do.
+/// particles and nodes, a reference for variants; `Mpm`, `Affine` and `Splines` are faster at what they do.
 
 #include "solvers/mpm/composed/densities/carried_density.hpp"
 #include "solvers/mpm/composed/plain_transfer.hpp"

@@ -312,24 +312,24 @@ Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors
   return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
 }
 
-/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k; true if every call
-/// yields true for every particle.
+/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k; of which cells every
+/// call yields true for every particle.
 template <class Real, class Block, class Body>
-bool for_all(const Block& block, const Body& body) {
+LaneBits for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
   Truth<Real> each = Real{} == Real{};
   for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
   const Real count = converted<Real>(block.count.data());
   for (int k = block.least(); k < block.most(); ++k)
     each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
-  return all<Real>(each);
+  return lanes_with<Real>(each);
 }
 
-/// Everything that the particles take from the nodes. `calm` tells of each block whether all its particles are still in
-/// their cells, and of a plausible density; not a number is neither.
+/// Everything that the particles take from the nodes. `calm` tells of each block in which cells all particles are
+/// still there, and of a plausible density; not a number is neither.
 template <class FluidLaw, class Number>
 void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
-            Particles<FluidLaw, Number>& particles, std::vector<char>& calm) {
+            Particles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {
   using Real = LanesOf<Number>;
   using Fields = FieldPair<Real>;
   calm.resize(particles.order.blocks().size());
@@ -345,7 +345,7 @@ void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt
         // Each field is laid out where it is needed: all three are more than the registers hold.
         const auto dense =
             strain<Real>(particles, block.first, fields(nodes.velocity), per_cell, dt, fluid, Everywhere{});
-        calm[i] = all<Real>(
+        calm[i] = lanes_with<Real>(
             dense & move<Real>(particles, block.first, fields(nodes.displacement), fields(nodes.change), Everywhere{}));
       } else {
         const Fields v = fields(nodes.velocity), displacement = fields(nodes.displacement),

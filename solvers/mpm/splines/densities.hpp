@@ -57,15 +57,15 @@ Truth<Lanes> settle_in(Particles& particles, int slot, const Place& X, const Pla
          ~write.present;
 }
 
-/// Calls work(block, node) for all blocks, which tells whether all is calm there.
+/// Calls work(block, node) for all blocks, which tells where all is calm.
 template <class Particles, class Work>
-void for_blocks(const Particles& particles, const CentreNodes& nodes, int threads, std::vector<char>& calm,
+void for_blocks(const Particles& particles, const CentreNodes& nodes, int threads, std::vector<LaneBits>& calm,
                 const Work& work) {
   const auto& blocks = particles.order.blocks();
   calm.resize(blocks.size());
   share_out(threads, static_cast<Index>(blocks.size()), [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i)
-      calm[i] = all<Lanes>(work(blocks[i], nodes.stride * blocks[i].row + blocks[i].column));
+      calm[i] = lanes_with<Lanes>(work(blocks[i], nodes.stride * blocks[i].row + blocks[i].column));
   });
 }
 inline const Truth<Lanes> calm_so_far = Lanes{} == Lanes{};
@@ -77,7 +77,7 @@ template <>
 struct DensityInCells<CarriedDensity> {
   template <class Transfer, class Particles, class FluidLaw>
   static void update(const Transfer& transfer, SplineNodes& nodes, const StepOf<FluidLaw>& step, Particles& particles,
-                     std::vector<char>& calm) {
+                     std::vector<LaneBits>& calm) {
     for_blocks(
         particles, nodes, step.threads, calm, [&](const auto& block, int node) __attribute__((flatten)) {
           const StrainWithin velocity(nodes, node);
@@ -98,7 +98,7 @@ template <>
 struct DensityInCells<AffineDensity> {
   template <class Transfer, class Particles, class FluidLaw>
   static void update(const Transfer& transfer, SplineNodes& nodes, const StepOf<FluidLaw>& step, Particles& particles,
-                     std::vector<char>& calm) {
+                     std::vector<LaneBits>& calm) {
     give(transfer, nodes, step, particles);
     nodes.find_mean(0, nodes.expansion, step.threads);
     nodes.edges.unfold(nodes.expansion);

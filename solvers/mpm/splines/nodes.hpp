@@ -27,11 +27,12 @@ class Edges {
     for (Line& line : lines_) {
       line.ghosts.clear();
       line.step = (line.inner - line.at) * (line.axis == 0 ? 1 : nodes.stride);
-      for (int first : nodes.near())
-        for (int node = first; node < first + lanes; ++node) {
-          const int column = node % nodes.stride, row = node / nodes.stride;
-          if ((line.axis == 0 ? column : row) == line.at && column < nodes.columns) line.ghosts.push_back(node);
-        }
+      for (int first : nodes.near()) {
+        const int column = first % nodes.stride, row = first / nodes.stride;
+        for (int lane = 0; lane < lanes; ++lane)
+          if ((line.axis == 0 ? column + lane : row) == line.at && column + lane < nodes.columns)
+            line.ghosts.push_back(first + lane);
+      }
     }
   }
 

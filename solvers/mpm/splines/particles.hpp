@@ -1,9 +1,12 @@
 #pragma once
+#include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
 #include "solvers/mpm/particles.hpp"
 #include "solvers/mpm/stress.hpp"
+
+#include <concepts>
 
 namespace touchstone::mpm {
 

@@ -77,6 +77,7 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
   void list_near() {
     nodes_.list_near(particles_.order);
     walls_.list_near(nodes_);
+    transfer_.make_room(particles_.order.blocks().size());
   }
 
   SplineWalls walls_;

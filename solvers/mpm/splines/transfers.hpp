@@ -6,6 +6,7 @@
 #include "solvers/mpm/splines/nodes.hpp"
 #include "solvers/mpm/splines/particles.hpp"
 #include "solvers/mpm/splines/within.hpp"
+#include "solvers/stepping/clock.hpp"
 
 namespace touchstone::mpm {
 
@@ -78,6 +79,8 @@ class InCells<Apic> {
   static constexpr int given = 3;
 
   InCells(const SplineNodes&) {}
+
+  static void make_room(std::size_t /*blocks*/) {}
 
   /// A change of velocity [m/s] that a force gives a particle before it gives to the nodes.
   template <class Particles>
@@ -157,6 +160,8 @@ class InCells<Xpic<m>> {
 
   InCells(const SplineNodes& nodes) : taken_(nodes.places()) {}
 
+  void make_room(std::size_t blocks) { moments_.resize(blocks); }
+
   template <class Particles>
   static void push(Particles& particles, int slot, const Vec2& dv) {
     particles.x.place[slot] = dv.x();
@@ -166,7 +171,6 @@ class InCells<Xpic<m>> {
   template <bool pushed, class Particles, class Block>
   void give(const Particles& particles, int index, const Block& block, const Grid&, const Vec2& dt_per_cell,
             GivenToCentres<given>& to) {
-    moments_.resize(particles.order.blocks().size());
     moments_[index] = moments_of<5>(particles, block);
     PowersOfBoth mass;
     for_three([&](auto i) { for_three([&](auto k) { mass[i][k] = moments_[index][i][k]; }); });
