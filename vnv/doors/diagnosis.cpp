@@ -373,7 +373,11 @@ struct Fit {
   double interval = 0, level = 0;  // quantiles of Student's t
   bool possible = true;
 
-  bool is_significant() const { return possible && (value.cwiseAbs().array() > level * deviation.array()).all(); }
+  /// Whether each value differs from zero by so many deviations.
+  bool differs_by(double quantile) const {
+    return possible && (value.cwiseAbs().array() > quantile * deviation.array()).all();
+  }
+  bool suffices() const { return share >= sufficient && differs_by(level); }
 };
 
 class Diagnostician {
