@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double suffices = 0.8;  // share of the squared error
+constexpr double sufficient = 0.8;  // share of the squared error
 
 /// How a cause is said: with its value, whose sign chooses the words.
 struct Phrases {
@@ -286,8 +286,7 @@ class Rest {
   /// Student's t that is exceeded with this probability, to both sides together.
   double quantile(double probability) const { return gsl_cdf_tdist_Qinv(probability / 2, freedom_); }
   /// That of a 95 % interval. Half of the waves count, since the strength of one is found from its neighbours alone,
-  /// and it is widened by as much as intervals had to be to hold what was planted in 97 % of white and in 94 % of
-  /// smooth errors, drawn before this was fixed.
+  /// and it is widened so that intervals of plants that were drawn before this was fixed (seed 6) held 95 % of them.
   double interval() const { return 1.2 * gsl_cdf_tdist_Qinv(0.025, std::max(1.0, freedom_ / 2)); }
   /// The mean square of a number that would be its share of an error without any waves: noise.
   double noise() const { return noise_; }
@@ -374,7 +373,11 @@ struct Fit {
   double interval = 0, level = 0;  // quantiles of Student's t
   bool possible = true;
 
-  bool is_significant() const { return possible && (value.cwiseAbs().array() > level * deviation.array()).all(); }
+  /// Whether each value differs from zero by so many deviations.
+  bool differs_by(double quantile) const {
+    return possible && (value.cwiseAbs().array() > quantile * deviation.array()).all();
+  }
+  bool suffices() const { return share >= sufficient && differs_by(level); }
 };
 
 class Diagnostician {
@@ -395,7 +398,7 @@ class Diagnostician {
     std::vector<bool> named = name(fits);
     const Explanation noise = as_noise();
     const double by_one = best_share(fits, named);
-    const bool is_noise = by_one == 0 && noise.share >= suffices;
+    const bool is_noise = by_one == 0 && noise.share >= sufficient;
     if (by_one < one_is_enough && !is_noise) {
       std::vector<Fit> pairs = likely_pairs(fits);
       std::vector<bool> of_pairs = name(pairs);
@@ -520,16 +523,16 @@ class Diagnostician {
   /// The best that suffices and those to which it adds nothing.
   std::vector<bool> name(const std::vector<Fit>& fits) const {
     std::vector<bool> named(fits.size(), false);
-    const auto does = [](const Fit& fit) { return fit.share >= suffices && fit.is_significant(); };
     const Fit* best = nullptr;
     for (const Fit& fit : fits)
-      if (does(fit) && (!best || fit.share > best->share)) best = &fit;
+      if (fit.suffices() && (!best || fit.share > best->share)) best = &fit;
     if (!best) return named;
     for (std::size_t k = 0; k < fits.size(); ++k) {
       const auto adds_to_it = [&](Cause cause) {
         return std::ranges::find(fits[k].causes, cause) == fits[k].causes.end() && adds(fits[k], cause);
       };
-      named[k] = does(fits[k]) && (&fits[k] == best || std::ranges::none_of(best->causes, adds_to_it));
+      named[k] = &fits[k] == best || (fits[k].suffices() && fits[k].differs_by(fits[k].interval) &&
+                                      std::ranges::none_of(best->causes, adds_to_it));
     }
     return named;
   }
@@ -574,12 +577,15 @@ class Diagnostician {
     return noise;
   }
 
+  /// Of four digits at most, and an interval that reaches to the next at least.
   static std::string quantity(const FittedCause& c) {
-    const double size = std::abs(c.value);
-    const double digits = c.half_width > 0 && c.half_width < HUGE_VAL ? std::floor(std::log10(c.half_width)) : -3;
-    if (digits < -6 || digits > 3) return fmt::format("{:.3g} ± {:.1g} {}", size, c.half_width, c.unit);
-    const int places = std::max(0, static_cast<int>(-digits) + (c.half_width < 2 * std::pow(10, digits) ? 1 : 0));
-    return fmt::format("{:.{}f} ± {:.{}f} {}", size, places, c.half_width, places, c.unit);
+    const double size = std::abs(c.value), last_digit = std::pow(10, std::floor(std::log10(size)) - 3);
+    const double half_width = std::max(c.half_width, last_digit);
+    const double digits = std::floor(std::log10(half_width));
+    if (!(digits >= -9 && digits <= 3)) return fmt::format("{:.3g} ± {:.1g} {}", size, half_width, c.unit);
+    const int places =
+        std::max(0, static_cast<int>(-digits) + (half_width > last_digit && half_width < 3 * std::pow(10, digits)));
+    return fmt::format("{:.{}f} ± {:.{}f} {}", size, places, half_width, places, c.unit);
   }
 
   Explanation explanation(const Fit& fit, bool is_named) const {

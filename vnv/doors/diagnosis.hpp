@@ -14,12 +14,11 @@ namespace touchstone::vnv::doors {
 ///
 /// One cause suffices if it explains four fifths of the squared error (what is 3 times as large as the rest of an error
 /// explains 9 tenths) and differs from zero (5 %). With it are named all others that suffice and to which the best adds
-/// nothing significant (1 %): these data cannot tell them apart. Two causes are named where none suffices, or where they
-/// leave a tenth of what one leaves and that is more than 2 %. Intervals are those of least squares under errors that
-/// are correlated in space and time: their spectrum over waves in the box and their correlation between times are those
-/// of what is left (a sandwich estimate of a covariance; P. M. Robinson, Biometrika 85 (1998), 1-29), with Student's t
-/// at the number of waves that hold it.
-/// At most 1500 samples at each of at most 6 times are used.
+/// nothing significant (1 %): these data cannot tell them apart. Two causes are named where none suffices, or where
+/// they leave a tenth of what one leaves and that is more than 2 %. Intervals are those of least squares under errors
+/// that are correlated in space and time: their spectrum over waves in the box and their correlation between times are
+/// those of what is left (a sandwich estimate of a covariance; Newey & West, Econometrica 55 (1987), 703-708), with
+/// Student's t at the number of waves that hold it. At most 1500 samples at each of at most 6 times are used.
 Diagnosis diagnose(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain,
                    double spacing);
 

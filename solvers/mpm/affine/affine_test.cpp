@@ -416,7 +416,7 @@ struct Alone {
 
 TEST(AffineTransfer, HasRowsOfNodesNoLongerThanBlocksOfCellsNeed) {
   const Grid wide(Domain{.box = {.high = {1000, 2}}}, 1);
-  EXPECT_LE((CentreNodes{wide, lanes}.stride), 1000 + 2 * lanes);
+  EXPECT_LE((AffineNodes{wide, lanes}.stride), 1000 + 2 * lanes);
 }
 
 TEST(AffineTransfer, KeepsMassMomentumAndAngularMomentum) {
