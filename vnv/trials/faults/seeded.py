@@ -138,11 +138,23 @@ def changed(fault, root):
     return texts
 
 
+def shared_tests(folder):
+    """Tests that a header has for several programs: {suite: [test]}."""
+    found = {}
+    for header in sorted(folder.rglob("*_tests.hpp")):
+        for suite, test in re.findall(r"^TYPED_TEST_P\((\w+),\s*(\w+)\)", header.read_text(encoding="utf-8"), re.M):
+            found.setdefault(suite, []).append(test)
+    return found
+
+
 def unit_tests(root):
     """The unit tests as ctest names them, but for the types of those that are run for several: {name: its file}."""
     found = {}
     for folder in ("solvers", "reference", "vnv", "reports"):
         for file in sorted((root / folder).rglob("*_test.cpp")):
+            for prefix, suite in re.findall(r"^INSTANTIATE_TYPED_TEST_SUITE_P\((\w+),\s*(\w+)", file.read_text(encoding="utf-8"), re.M):
+                for test in shared_tests(root / folder).get(suite, []):
+                    found[f"unit.{folder}.{prefix}/{suite}<>.{test}"] = file
             tests = re.findall(r"^(TEST|TEST_F|TYPED_TEST)\((\w+),\s*(\w+)\)", file.read_text(encoding="utf-8"), re.M)
             for kind, suite, test in tests:
                 found[f"unit.{folder}.{suite}{'<>' if kind == 'TYPED_TEST' else ''}.{test}"] = file
