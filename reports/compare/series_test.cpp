@@ -46,6 +46,12 @@ TEST(Steps, AreNotMadeOfNoiseThatIsKnown) {
   EXPECT_EQ(steps_of({1, 1.007, 0.997, 1.006, 0.999, 1.015, 0.985}), Nights{});
 }
 
+TEST(Steps, AreMoreThanFourStandardDeviationsOfTheNoiseAway) {
+  // Differences of 0.008 from night to night: a standard deviation of 1.4826 / sqrt(2) 0.008 = 0.0084, about 1.004.
+  EXPECT_EQ(steps_of({1, 1.008, 1, 1.008, 1, 1.008, 1.034}), Nights{});
+  EXPECT_EQ(steps_of({1, 1.008, 1, 1.008, 1, 1.008, 1.044}), Nights{6});
+}
+
 TEST(Steps, AreWhereAValueCeasesToBeANumber) {
   EXPECT_EQ(steps_of({1, vnv::not_a_number, vnv::not_a_number, 1}), (Nights{1, 3}));
   EXPECT_EQ(steps_of({INFINITY, INFINITY, 1}), Nights{2});

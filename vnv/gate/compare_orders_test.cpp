@@ -48,6 +48,8 @@ TEST(CompareOrders, TakesErrorsOfRoundingForNoOrder) {
   was.order = 3.3;
   is.order = 0;
   EXPECT_EQ(compare_orders(was, is, 0).first, Change::same);
+  is.errors = {0.1, 0.1};
+  EXPECT_EQ(compare_orders(was, is, 0).first, Change::worse) << "an error that is none of rounding any more";
 }
 
 TEST(CompareOrders, OfTwoRungsTiltByTheirErrorsOverTheLogarithm) {

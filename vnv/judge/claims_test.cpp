@@ -101,6 +101,7 @@ TEST(OrderClaim, OfConvergenceIsJudgedAboveTheFloor) {
   const Verdict verdict = judge(claim, here, found);
   EXPECT_EQ(verdict.outcome, Outcome::holds);
   EXPECT_EQ(verdict.value, 2);
+  EXPECT_EQ(verdict.half_width, 0.05);
   EXPECT_NE(verdict.sentence.find("above a floor of 0.01, converging"), std::string::npos) << verdict.sentence;
 }
 
