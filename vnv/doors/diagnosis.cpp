@@ -118,14 +118,13 @@ struct Moment {
   MatrixXd waves{};  // orthonormal columns
 };
 
-/// So many numbers below n, spread evenly over them, in the order of the multiples of the golden section.
+/// So many different numbers below n, spread evenly over them in any part of the order: multiples of its golden
+/// section.
 std::vector<Index> spread(Index n, Index most) {
   std::vector<Index> chosen(static_cast<std::size_t>(std::min(n, most)));
-  if (n <= most)
-    std::iota(chosen.begin(), chosen.end(), Index{0});
-  else
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      chosen[k] = static_cast<Index>(std::fmod(static_cast<double>(k) * std::numbers::phi, 1) * static_cast<double>(n));
+  Index step = n <= most ? 1 : std::lround(static_cast<double>(n) / std::numbers::phi);
+  while (n > 0 && std::gcd(step, n) != 1) ++step;
+  for (std::size_t k = 1; k < chosen.size(); ++k) chosen[k] = (chosen[k - 1] + step) % n;
   return chosen;
 }
 
