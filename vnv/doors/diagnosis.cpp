@@ -631,6 +631,10 @@ Diagnosis diagnose(const Exact& exact, const std::vector<const Samples*>& sample
   const Seen seen(exact, samples, domain);
   if (seen.empty())
     return {.field = exact.field, .sentence = fmt::format("the {} is nothing at each of these times", exact.field)};
+  constexpr Index least = 40;  // so that ten waves are found beside what is left
+  if (const Index numbers = seen.error().size(); numbers < least)
+    return {.field = exact.field,
+            .sentence = fmt::format("{} numbers of the {} are too few for a diagnosis", numbers, exact.field)};
   return Diagnostician(exact, seen, spacing).diagnosis();
 }
 

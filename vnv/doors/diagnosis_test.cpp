@@ -421,6 +421,9 @@ TEST(Diagnosis, SaysThatThereIsNoErrorOrNoFlow) {
   std::vector<Samples> samples = samples_of(flow, flow.exact[0], {}, flow.across / 20);
   EXPECT_EQ(diagnose(flow.exact[0], pointers(samples), flow.domain, flow.across / 20).sentence,
             "the velocity has no error to speak of");
+  const std::vector<Samples> few = samples_of(flow, flow.exact[0], {}, flow.across / 4);
+  EXPECT_EQ(diagnose(flow.exact[0], pointers(few), flow.domain, flow.across / 4).sentence,
+            "32 numbers of the velocity are too few for a diagnosis");
   for (Samples& s : samples) s.time = 0;
   EXPECT_EQ(diagnose(flow.exact[0], pointers(samples), flow.domain, flow.across / 20).sentence,
             "the velocity is nothing at each of these times");
