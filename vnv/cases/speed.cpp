@@ -231,14 +231,15 @@ const std::string column_words =
 /// Of four and of sixteen particles per cell; `least` are the speed-ups that they must keep.
 Method race_of_splines(const std::string& name, const std::string& transfer, Run (*run)(const Level&, const Schedule&),
                        double least_of_4, double least_of_16) {
-  return {.name = name,
-          .description = fmt::format(
-              "Material point method on quadratic B-splines, {}, affine densities, in the dam break from 0.1 s on, timed "
-              "against the 88-line algorithm of Hu et al. (2018).",
-              transfer),
-          .run = run,
-          .levels = {timed("A2", dam_cell / 2, dam_cell), timed("A4", dam_cell / 4, dam_cell)},
-          .claims = {at_least(faster, least_of_4, kept).on("A2"), at_least(faster, least_of_16, kept).on("A4")}};
+  return {
+      .name = name,
+      .description = fmt::format(
+          "Material point method on quadratic B-splines, {}, affine densities, in the dam break from 0.1 s on, timed "
+          "against the 88-line algorithm of Hu et al. (2018).",
+          transfer),
+      .run = run,
+      .levels = {timed("A2", dam_cell / 2, dam_cell), timed("A4", dam_cell / 4, dam_cell)},
+      .claims = {at_least(faster, least_of_4, kept).on("A2"), at_least(faster, least_of_16, kept).on("A4")}};
 }
 
 /// One core, each against its plain loop.
