@@ -30,7 +30,7 @@ namespace {
 
 const Author goal = baseline("goal set against the plain loop of vnv/bench");
 const Author set_goal = baseline("goal set");
-const Author kept = baseline("nine tenths of what was measured");
+const Author kept = baseline("nine tenths of the least that was measured on a busy machine");
 
 Level timed(std::string name, double spacing, double cell = not_a_number) {
   return {.name = std::move(name), .spacing = spacing, .cell = cell, .report = 1, .nightly = 1};
@@ -231,14 +231,15 @@ const std::string column_words =
 /// Of four and of sixteen particles per cell; `least` are the speed-ups that they must keep.
 Method race_of_splines(const std::string& name, const std::string& transfer, Run (*run)(const Level&, const Schedule&),
                        double least_of_4, double least_of_16) {
-  return {.name = name,
-          .description = fmt::format(
-              "Material point method on quadratic B-splines, {}, affine densities, in the dam break from 0.1 s on, timed "
-              "against the 88-line algorithm of Hu et al. (2018).",
-              transfer),
-          .run = run,
-          .levels = {timed("A2", dam_cell / 2, dam_cell), timed("A4", dam_cell / 4, dam_cell)},
-          .claims = {at_least(faster, least_of_4, kept).on("A2"), at_least(faster, least_of_16, kept).on("A4")}};
+  return {
+      .name = name,
+      .description = fmt::format(
+          "Material point method on quadratic B-splines, {}, affine densities, in the dam break from 0.1 s on, timed "
+          "against the 88-line algorithm of Hu et al. (2018).",
+          transfer),
+      .run = run,
+      .levels = {timed("A2", dam_cell / 2, dam_cell), timed("A4", dam_cell / 4, dam_cell)},
+      .claims = {at_least(faster, least_of_4, kept).on("A2"), at_least(faster, least_of_16, kept).on("A4")}};
 }
 
 /// One core, each against its plain loop.
@@ -295,8 +296,8 @@ std::vector<Method> on_one_core() {
           .levels = {timed("M4", dam_cell / 4, dam_cell)},
           .claims = {at_least(faster, 2.5, goal)},
       },
-      race_of_splines("mpm_apic_dam_break", "affine velocities (APIC)", race_splines<mpm::Apic>, 1.6, 2.2),
-      race_of_splines("mpm_xpic_dam_break", "velocities by XPIC(5)", race_splines<mpm::Xpic<5>>, 1, 1.5),
+      race_of_splines("mpm_apic_dam_break", "affine velocities (APIC)", race_splines<mpm::Apic>, 1.4, 2.1),
+      race_of_splines("mpm_xpic_dam_break", "velocities by XPIC(5)", race_splines<mpm::Xpic<5>>, 0.75, 1.7),
       {
           .name = "mpm_empty_background",
           .description = "The column of the dam break in tanks 1, 10 and 100 times as large as the paper's.",
