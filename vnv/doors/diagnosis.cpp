@@ -25,7 +25,7 @@ constexpr Phrases phrases_of(Cause cause, bool is_pressure) {
   switch (cause) {
     case Cause::viscosity:
       return {"viscosity", "%", "the flow is that of a fluid {} too viscous",
-              "the flow is that of a fluid {} too little viscous"};
+              "the flow is that of a fluid {} less viscous than it should be"};
     case Cause::force:
       return {"force", "%", "the flow is that of a body force {} too strong",
               "the flow is that of a body force {} too weak"};

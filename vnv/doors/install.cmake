@@ -18,7 +18,7 @@ include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/TouchstoneConfigVersion.cmake COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES vnv/doors/client/TouchstoneConfig.cmake ${PROJECT_BINARY_DIR}/TouchstoneConfigVersion.cmake DESTINATION share/cmake/Touchstone)
 install(DIRECTORY vnv/doors/client vnv/doors/python vnv/doors/examples DESTINATION share/touchstone PATTERN __pycache__ EXCLUDE PATTERN TouchstoneConfig.cmake EXCLUDE)
-install(FILES vnv/doors/IS_MY_SOLVER_RIGHT.md vnv/doors/README.md vnv/doors/LICENSE-MIT LICENSE DESTINATION share/touchstone)
+install(FILES vnv/doors/IS_MY_SOLVER_RIGHT.md vnv/doors/README.md vnv/doors/scene.schema.json vnv/doors/LICENSE-MIT LICENSE DESTINATION share/touchstone)
 
 # build-portable/touchstone_0.1.0_amd64.deb: `cpack --config build-portable/CPackConfig.cmake`, with dpkg-dev and file.
 set(CPACK_GENERATOR DEB)
