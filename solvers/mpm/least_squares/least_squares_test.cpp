@@ -118,6 +118,16 @@ TEST(LeastSquaresMpm, FluidSlidesFreelyAlongASlipperyWall) {
   EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
 }
 
+TEST(LeastSquaresMpm, AShearWaveBetweenSlipperyWallsDecaysAsInEndlessFluid) {
+  const auto wave = [](double y) { return std::cos(2 * std::numbers::pi * y); };
+  const Start start{.velocity = [=](const Vec2& x) -> Vec2 { return {0.1 * wave(x.y()), 0}; }};
+  const Samples s = after<LeastSquaresMethod>(1000, between_plates(free_slip(), free_slip(), start));
+  double left = 0;
+  for (Eigen::Index p = 0; p < s.size(); ++p) left += 20 * s.v(0, p) * wave(s.x(1, p)) / static_cast<double>(s.size());
+  const double exact = std::exp(-oil.kinematic_viscosity() * 4 * std::numbers::pi * std::numbers::pi);
+  EXPECT_NEAR(left, exact, 0.03 * exact);
+}
+
 TEST(LeastSquaresMpm, ALidDrivesTheFluidInAClosedBoxAndNoneLeaves) {
   expect_driven_by_the_lid(after<LeastSquaresMethod>(2000, under_a_lid()));
 }

@@ -193,6 +193,23 @@ TEST(Surroundings, FindALinearRiseOfDensityUpToTheSurface) {
     ASSERT_LT((Vec2(near.seen[i].rho_along_x, near.seen[i].rho_along_y) - slope).norm(), 1e-9 * slope.norm()) << i;
 }
 
+TEST(Surroundings, OfImagesAreThoseOfTheirSources) {
+  Near near = neighbourhood({.domain = {.box = square, .periodic_x = true, .periodic_y = true},
+                             .fluid = water,
+                             .filled = square,
+                             .start = {.places = in_disorder}});
+  see(
+      near, still, [](const Vec2& x) { return 1000 + 0.01 * curved(x); }, even);
+  const Index first = near.images.first(near.all);
+  ASSERT_GT(near.all.images, 0);
+  for (Index k = 0; k < near.all.images; ++k) {
+    const auto &image = near.seen[first + k], &source = near.seen[near.images.source(k)];
+    ASSERT_EQ(image.fullness, source.fullness);
+    ASSERT_EQ(image.rho_along_x, source.rho_along_x);
+    ASSERT_EQ(image.l_xy, source.l_xy);
+  }
+}
+
 TEST(Surroundings, AreFullInsideAndNotAtASurface) {
   const Near near = drop(still, even, even);
   for (Index i = 0; i < near.all.fluid; ++i) {

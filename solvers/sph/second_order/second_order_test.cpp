@@ -45,6 +45,20 @@ TEST(SecondOrderSph, AShearWaveDecaysAsItShouldAlongBothAxes) {
   }
 }
 
+TEST(SecondOrderSph, VorticesDecayAsTheyShould) {
+  constexpr double k = 2 * std::numbers::pi, U = 0.01;  // m/s  so slow that viscosity alone matters
+  const auto vortices = [](const Vec2& x) -> Vec2 {
+    return {std::sin(k * x.x()) * std::cos(k * x.y()), -std::cos(k * x.x()) * std::sin(k * x.y())};
+  };
+  const Start start{.velocity = [=](const Vec2& x) -> Vec2 { return U * vortices(x); }};
+  const Samples s = after<SecondOrderMethod>(500, endless(start));
+  double left = 0;
+  for (Eigen::Index p = 0; p < s.size(); ++p)
+    left += 2 / U * s.v.col(p).dot(vortices(s.x.col(p))) / static_cast<double>(s.size());
+  const double exact = std::exp(-oil.kinematic_viscosity() * 2 * k * k * 0.5);
+  EXPECT_NEAR(left, exact, 0.03 * exact);
+}
+
 TEST(SecondOrderSph, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes) {
   for (const int axis : {0, 1}) {
     const double left = amplitude_of_sound(after<SecondOrderMethod>(1000, endless(sound_wave(axis, 0.01)))) / 0.01;
