@@ -253,7 +253,22 @@ void scale_monitored(Run& run, double factor) {
     for (double& number : row) number *= factor;
 }
 
-constexpr std::array<Field, 5> fields{{
+void tilt_monitored(Run& run, double factor) {
+  const std::vector<double>& time = run.history.time;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    for (double& number : run.history.seen[k]) number *= std::pow(factor, time[k] / time.back());
+}
+
+void stretch_time(Run& run, double factor) {
+  for (double& time : run.history.time) time *= factor;
+}
+
+/// Also what is zero.
+void move_found(Run& run, double factor) {
+  for (Value& value : run.found) value.value = factor * value.value + factor - 1;
+}
+
+constexpr std::array<Field, 8> fields{{
     {"velocity",
      [](Run& run, double factor) {
        for (Samples& s : run.samples) s.v *= factor;
@@ -268,6 +283,9 @@ constexpr std::array<Field, 5> fields{{
      }},
     {"position", scale_position},
     {"monitored", scale_monitored},
+    {"monitored, growing with time,", tilt_monitored},
+    {"time of what was monitored", stretch_time},
+    {"what was found", move_found},
 }};
 
 /// The judged runs; nothing where something cannot be measured of them, such as a particle beyond a wall.

@@ -35,8 +35,9 @@ Mutations mutate_record(const Case& declared, const Method& method, const Record
                         const AcceptedClaims& accepted);
 
 /// Runs a method and scales one field of all particles of a level, before anything is measured: velocity, density,
-/// pressure, the position about the centre, or what was monitored. `beyond` is seen if some field makes the claim fail;
-/// `least` are lines that say which one needs the smallest change. Claims that runs end are left out.
+/// pressure, the position about the centre, what was monitored or its time, or what the run itself found. `beyond` is
+/// seen if some field makes the claim fail; `least` are lines that say which one needs the smallest change. Claims that
+/// runs end are left out.
 Mutations mutate_samples(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
                          const Baselines& baselines, std::vector<std::string>& least);
 
