@@ -5,6 +5,7 @@
 #include "vnv/command/outcome.hpp"
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
 
@@ -133,10 +134,13 @@ std::vector<Job> skip_done(const Build& build, const RunOptions& options, const 
     std::string& hash = hashes[one.of];
     if (hash.empty()) hash = hash_of_inputs(build.program(one.of->name), *one.of);
     const Inputs inputs{hash, options.suite};
-    if (!options.again && is_done(options.records, one.name(), inputs))
-      add(sum, one.name(), outcome_in(read_record(record_file(options.records, one.name()))), true);
-    else
+    if (options.again || !is_done(options.records, one.name(), inputs)) {
       todo.push_back({one, inputs});
+      continue;
+    }
+    const fs::path record = record_file(options.records, one.name());
+    files::remove_what_the_killed_left(record);
+    add(sum, one.name(), outcome_in(read_record(record)), true);
   }
   return todo;
 }

@@ -18,7 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_ended(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
+/// Whether a process has ended but nobody has waited for it yet, so that its number is still taken: proc(5).
+bool is_zombie(pid_t process) {
+  const std::string stat = read_whole(fmt::format("/proc/{}/stat", process));
+  const std::size_t name_ends = stat.rfind(')');
+  return name_ends != std::string::npos && name_ends + 2 < stat.size() && stat[name_ends + 2] == 'Z';
+}
+
+bool has_ended(pid_t process) { return (kill(process, 0) != 0 && errno == ESRCH) || is_zombie(process); }
 
 bool write_all(int file, std::string_view text) {
   while (!text.empty()) {

@@ -1,6 +1,8 @@
 #include "vnv/files/whole_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -59,6 +61,18 @@ TEST_F(AWholeFile, RemovesWhatAKilledWriterLeftButNotWhatAnotherStillWrites) {
   write_whole(file_, "text");
   EXPECT_FALSE(fs::exists(of_none));
   EXPECT_TRUE(fs::exists(of_one_that_runs));
+}
+
+TEST_F(AWholeFile, RemovesWhatAKilledWriterLeftThatNobodyHasWaitedForYet) {
+  const pid_t writer = fork();
+  if (writer == 0) _exit(0);
+  siginfo_t ending;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(writer), &ending, WEXITED | WNOWAIT), 0);
+  const fs::path part = folder_ / (".record.json." + std::to_string(writer) + ".part");
+  std::ofstream(part) << "torn";
+  write_whole(file_, "text");
+  EXPECT_FALSE(fs::exists(part));
+  waitpid(writer, nullptr, 0);
 }
 
 }  // namespace
