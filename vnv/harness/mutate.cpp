@@ -298,14 +298,14 @@ std::optional<Record> assess_if_possible(const std::string& case_name, const Cas
   return std::nullopt;
 }
 
-/// Whether no claim that reads a run of this level, or of any where none is named, has yet to be made to fail.
+bool is_of_ensemble(const Verdict& v) { return v.level.empty() && !v.half_width; }
+
+/// Whether no claim has yet to be made to fail by all levels together, or, where one is named, by this one.
 bool are_settled(const std::vector<std::string>& fails_by, const Record& judged, const std::string& level) {
   for (std::size_t k = 0; k < fails_by.size(); ++k) {
     const Verdict& v = judged.verdicts[k];
-    const bool waits = v.outcome == Outcome::holds && !is_end(v) && fails_by[k].empty();
-    const bool is_of_another =
-        v.level != level && std::ranges::find(judged.runs, v.level, &RunSummary::level) != judged.runs.end();
-    if (waits && (level.empty() || !is_of_another)) return false;
+    const bool reads_it = level.empty() || v.level == level || (v.level.empty() && !is_of_ensemble(v));
+    if (reads_it && v.outcome == Outcome::holds && !is_end(v) && fails_by[k].empty()) return false;
   }
   return true;
 }
@@ -322,26 +322,35 @@ Mutations mutate_samples(const std::string& case_name, const Case& declared, con
   const std::vector<Run> original = results.runs;
   std::vector<std::string> fails_by(judged.verdicts.size());  // the smallest change that does it
   Mutations all;
-  const auto mutate = [&](const Field& field, double factor, const std::string& level) {
+  const auto judge = [&](const std::string& change, const auto& may_fail) {
+    const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
+    for (std::size_t k = 0; mutated && k < fails_by.size(); ++k) {
+      const Verdict& v = judged.verdicts[k];
+      if (!fails_by[k].empty() || !may_fail(v) || !fails_in(*mutated, v)) continue;
+      fails_by[k] = change;
+      if (v.outcome == Outcome::holds) all.failing = mutated;
+    }
+  };
+  const auto scale = [&](const Field& field, double factor, const std::string& level) {
     results.runs = original;
     for (Run& run : results.runs)
       if (level.empty() || run.summary.level == level) field.second(run, factor);
-    const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
-    for (std::size_t k = 0; mutated && k < fails_by.size(); ++k)
-      if (fails_by[k].empty() && fails_in(*mutated, judged.verdicts[k])) {
-        fails_by[k] = fmt::format("{} of {} times {:.7g}", field.first, level.empty() ? "all levels" : level, factor);
-        if (judged.verdicts[k].outcome == Outcome::holds) all.failing = mutated;
-      }
+    judge(fmt::format("{} of {} times {:.7g}", field.first, level.empty() ? "all levels" : level, factor),
+          [](const Verdict& v) { return !is_end(v); });
   };
   std::vector<std::string> levels{""};  // all together first: what a solver gets wrong it gets wrong on each
   for (const Run& run : original) levels.push_back(run.summary.level);
+  const double least_change = std::ranges::any_of(judged.verdicts, is_of_ensemble) ? 0.01 : 1e-6;
   for (const std::string& level : levels)
-    for (double s = 1e-6; s < 1e4 && !are_settled(fails_by, judged, level); s *= 4)
+    for (double s = least_change; s < 1e4 && !are_settled(fails_by, judged, level); s *= 4)
       for (const Field& field : fields)
-        for (const double factor : {1 + s, 1 / (1 + s)}) mutate(field, factor, level);
+        for (const double factor : {1 + s, 1 / (1 + s)}) scale(field, factor, level);
+  results.runs = original;
+  for (Run& run : results.runs) run.summary.finished = false;
+  judge("no level that ends", [](const Verdict& v) { return is_end(v) || is_of_ensemble(v); });
   for (std::size_t k = 0; k < fails_by.size(); ++k) {
     const Verdict& v = judged.verdicts[k];
-    if (v.outcome != Outcome::holds || is_end(v)) continue;
+    if (v.outcome != Outcome::holds) continue;
     ++all.claims;
     ++all.tried[0];
     const bool is_seen = !fails_by[k].empty();
