@@ -269,7 +269,7 @@ std::vector<Dataset> read_hdf5_unguarded(const fs::path& file, std::string_view 
 }
 
 std::vector<Dataset> read_hdf5(const fs::path& file, std::string_view bytes, const Limits& limits) {
-  constexpr std::size_t seconds = 10, bytes_a_second = 1 << 22;  // a tenth of what it reads at the least
+  constexpr std::size_t seconds = 1, bytes_a_second = 1 << 22;  // a tenth of what it reads at the least
   return read_in_a_child(file.string(), static_cast<unsigned>(seconds + bytes.size() / bytes_a_second),
                          [&] { return read_hdf5_unguarded(file, bytes, limits); });
 }
