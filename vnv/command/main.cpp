@@ -238,12 +238,12 @@ void add_subcommands(Session& session) {
       "  vnv accept couette.old --claims build/records/acceptance --reason \"a method less\"",
       accept, declare_accept);
   add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
-      "BEFORE and AFTER are records, folders of records, build folders, files of solvers (.toml), which are run, or git\n"
-      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
-      "95 % confidence interval.\n"
+      "BEFORE and AFTER are records, folders of records, build folders, two versions of a solver (.toml), or git\n"
+      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and\n"
+      "the ratio of their CPU times, or of the resource that both occupy, has a 95 % confidence interval.\n"
       "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
-      "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n"
+      "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n  vnv gate old.toml new.toml\n"
       "  vnv gate nights/monday nights/tuesday --json gate.json",
       run_gate, declare_gate);
   add(session, "explain", "Explains what a case solves, what is claimed on whose word, and where its data come from.",

@@ -117,6 +117,7 @@ TEST_F(Doors, SayOfWhatFailsWhatIsWrongAndKeepItInTheRecord) {
   for (const Verdict& v : record.verdicts) {
     EXPECT_TRUE(says(v.sentence, "FAILS; ") && says(v.sentence, "% too large")) << v.sentence;
     EXPECT_TRUE(says(v.sentence, "which these data cannot tell apart: ")) << v.sentence;
+    EXPECT_EQ(diagnosis_of(v, record), record.diagnoses.data()) << v.quantity;
   }
   ASSERT_EQ(record.diagnoses.size(), 1u);
   EXPECT_EQ(record.diagnoses[0].level, "20 across");

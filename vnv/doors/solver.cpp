@@ -166,6 +166,17 @@ Judgement judged(const Solver& solver, Given given, Suite suite) {
   return judgement;
 }
 
+/// In the resource that the solver says it occupies, else in user time.
+Cost cost_of(const Solver& solver, const programs::Ran& ran) {
+  Cost cost{.cpu = solver.resources > 0 ? not_a_number : ran.cpu,
+            .wall = ran.wall,
+            .peak_memory = ran.peak_memory,
+            .resource = solver.resource};
+  cost.cpu_lowest = cost.cpu_highest = cost.cpu;
+  if (solver.resources > 0) cost.occupied = ran.wall * solver.resources;
+  return cost;
+}
+
 }  // namespace
 
 std::string missing_here(const Solver& solver) {
@@ -212,11 +223,7 @@ Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) 
           {.spacing = spacing,
            .outcome = fmt::format("{}{}{}{}", no_answer, ran.sentence(), said.empty() ? "" : "; it said: ", said)});
     }
-    given.levels.back().cost = {.cpu = ran.cpu,
-                                .cpu_lowest = ran.cpu,
-                                .cpu_highest = ran.cpu,
-                                .wall = ran.wall,
-                                .peak_memory = ran.peak_memory};
+    given.levels.back().cost = cost_of(solver, ran);
   }
   return judged(solver, std::move(given), suite);
 }

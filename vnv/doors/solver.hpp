@@ -20,6 +20,8 @@ struct Solver {
   std::vector<std::string> output{};  // patterns of files, in the folder of a run
   Mapping mapping{};
   programs::Limits limits{};
+  Resource resource = Resource::cpu;  // that a run occupies as long as it takes
+  double resources = 0;               // how many of it
   std::optional<double> at_most{}, order_at_least{};
   std::filesystem::path baselines{};  // folder; empty: none are kept
   double tolerance = 1e-6;            // of a new baseline, relative

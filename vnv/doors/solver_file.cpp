@@ -161,6 +161,20 @@ void read_command(const Keys& keys, Solver& solver) {
   solver.is_for_shell = solver.command.size() == 1;
 }
 
+/// Of which a run occupies so many, of one kind.
+void read_resources(const Keys& keys, Solver& solver) {
+  for (const auto& [key, resource] : {std::pair("gpus", Resource::gpu), std::pair("cores", Resource::core)}) {
+    if (!keys.has(key)) continue;
+    if (solver.resources > 0)
+      throw std::invalid_argument(
+          fmt::format("{}: resources.cores beside resources.gpus, expected one of them: a cost has one unit",
+                      solver.file.string()));
+    solver.resource = resource;
+    solver.resources = keys.positive(key, 0);
+  }
+  keys.require_no_other();
+}
+
 }  // namespace
 
 Solver read_solver(const fs::path& file) {
@@ -189,6 +203,7 @@ Solver read_solver(const fs::path& file) {
   solver.limits.wall = limits.positive("time", solver.limits.wall);
   solver.limits.memory = limits.positive("memory", solver.limits.memory);
   limits.require_no_other();
+  read_resources(keys.table("resources"), solver);
   solver.at_most = claims.number_if_there("at_most");
   solver.order_at_least = claims.number_if_there("order_at_least");
   claims.require_no_other();

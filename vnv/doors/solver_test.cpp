@@ -75,6 +75,25 @@ TEST_F(OtherSolvers, AreRunMeasuredAndJudgedAtEachResolution) {
   EXPECT_NE(of_order->sentence.find("s late"), std::string::npos) << of_order->sentence;
 }
 
+TEST_F(OtherSolvers, CostWallTimesTimesWhatTheySayTheyOccupyAndNoCpuTime) {
+  const Record record = run(solver(std::string(frozen) + "[resources]\ngpus = 2\n"));
+  for (const RunSummary& one : record.runs) {
+    EXPECT_EQ(one.cost.resource, Resource::gpu);
+    EXPECT_GT(one.cost.wall, 0);
+    EXPECT_EQ(one.cost.occupied, 2 * one.cost.wall);
+    for (const double cpu : {one.cost.cpu, one.cost.cpu_lowest, one.cost.cpu_highest}) EXPECT_TRUE(std::isnan(cpu));
+  }
+  EXPECT_EQ(record_in(as_json(record), "as written").runs.front().cost.occupied, record.runs.front().cost.occupied);
+  const auto is_of_gpu = [](const Figure& figure) { return figure.id == "cost_GPU"; };
+  const auto figure = std::ranges::find_if(record.figures, is_of_gpu);
+  ASSERT_NE(figure, record.figures.end());
+  EXPECT_EQ(figure->x.label, "GPU time [s]");
+  EXPECT_TRUE(figure->caption.starts_with("The same against GPU time to ")) << figure->caption;
+  EXPECT_EQ(std::ranges::count(record.curves, "cost", &Curve::figure), 0) << "beside CPU times";
+  EXPECT_EQ(std::ranges::count(record.curves, "cost_GPU", &Curve::figure), 1);
+  EXPECT_EQ(run(solver(std::string(frozen) + "[resources]\ncores = 3\n")).runs.front().cost.resource, Resource::core);
+}
+
 TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
   const auto says = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find("10 across: did not answer: " + part), text.npos) << text;
@@ -157,6 +176,10 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
             "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
+  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 0\n[read]"),
+            "mine.toml:9: resources.gpus = 0, expected a number above 0");
+  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 1\ncores = 4\n[read]"),
+            "mine.toml: resources.cores beside resources.gpus, expected one of them: a cost has one unit");
   EXPECT_EQ(refusal("\"frozen\"", "\"../frozen\""),
             "mine.toml: name = '../frozen', expected one without points, slashes and blanks");
 }

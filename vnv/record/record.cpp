@@ -13,7 +13,7 @@
 namespace touchstone::vnv {
 
 TOUCHSTONE_FIELDS(Cost, particles, boundary_particles, steps, repeats, cpu, cpu_lowest, cpu_highest, wall, stepping,
-                  harness, peak_memory)
+                  harness, peak_memory, resource, occupied)
 TOUCHSTONE_FIELDS(RunSummary, level, spacing, time_step, end_time, finished, outcome, cost)
 TOUCHSTONE_FIELDS(Quantity, name, unit, kind, better)
 TOUCHSTONE_FIELDS(Value, level, spacing, time, quantity, value)
@@ -23,7 +23,7 @@ TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, un
                   surely_above, half_width, trend, author, outcome, margin, sentence)
 TOUCHSTONE_FIELDS(FittedCause, cause, unit, value, half_width)
 TOUCHSTONE_FIELDS(Explanation, causes, share, named, sentence)
-TOUCHSTONE_FIELDS(Diagnosis, level, field, error, explanations, sentence)
+TOUCHSTONE_FIELDS(Diagnosis, level, field, quantities, error, explanations, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
 TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
@@ -86,6 +86,22 @@ void bring_up_from_4(json::Json& json) {
   json["schema"] = Record{}.schema;
 }
 
+/// What was added to this schema since its first record.
+void add_what_is_new(json::Json& json) {
+  const auto add = [](json::Json& object, const char* name, const json::Json& value) {
+    if (object.is_object() && !object.contains(name)) object[name] = value;
+  };
+  add(json, "another_code", false);
+  add(json, "diagnoses", json::Json::array());
+  for (auto& diagnosis : json["diagnoses"]) add(diagnosis, "quantities", json::Json::array());
+  if (!json.contains("runs") || !json["runs"].is_array()) return;  // which is refused later
+  for (auto& run : json["runs"])
+    if (run.is_object() && run.contains("cost")) {
+      add(run["cost"], "resource", json::Writer::json(Resource::cpu));
+      add(run["cost"], "occupied", 0.0);
+    }
+}
+
 std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
 
 }  // namespace
@@ -104,6 +120,13 @@ std::string contradiction(const Verdict& v, const Record& record) {
         measured.value != v.value && !(std::isnan(measured.value) && std::isnan(v.value)))
       return fmt::format("expected {:.6g}, the value that was measured", measured.value);
   return "";
+}
+
+const Diagnosis* diagnosis_of(const Verdict& verdict, const Record& record) {
+  const std::string& level = verdict.level.empty() && !record.runs.empty() ? record.runs.back().level : verdict.level;
+  for (const Diagnosis& one : record.diagnoses)
+    if (one.level == level && std::ranges::find(one.quantities, verdict.quantity) != one.quantities.end()) return &one;
+  return nullptr;
 }
 
 namespace {
@@ -127,8 +150,7 @@ Record record_from(json::Json json) {
     throw json::Misfit{"schema", fmt::format("is {}, expected {}, 4 or 3, those known here", schema, Record{}.schema)};
   if (schema == 3) bring_up_from_3(json);
   if (schema < Record{}.schema) bring_up_from_4(json);
-  if (!json.contains("another_code")) json["another_code"] = false;  // written before there was any
-  if (!json.contains("diagnoses")) json["diagnoses"] = json::Json::array();
+  add_what_is_new(json);
   Record record;
   const json::Reader reader(json);
   describe(reader, record);
