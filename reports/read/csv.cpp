@@ -15,6 +15,11 @@ std::string verdict_line(const vnv::Record&, const vnv::Verdict& v) {
                    with_unit(v.quantity, v.unit), number(v.value), limit(v.lower, v.upper), v.author, word(v.outcome)});
 }
 
+std::string value_line(const vnv::Record& record, const vnv::Value& v) {
+  return csv_line({record.case_name, record.method, v.level, number(v.spacing), number_or_empty(v.time),
+                   v.quantity.heading(), number(v.value)});
+}
+
 std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {
   const bool has_levels = !o.spacings.empty() && !o.errors.empty();
   return csv_line({record.case_name, record.method, o.ladder, o.quantity, number(o.time),
@@ -44,6 +49,10 @@ std::string table(const std::vector<CaseRecords>& cases, auto items, const auto&
 std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
   return table(cases, &vnv::Record::verdicts, verdict_line,
                "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n");
+}
+
+std::string values_csv(const std::vector<CaseRecords>& cases) {
+  return table(cases, &vnv::Record::values, value_line, "case,method,level,spacing [m],time [s],quantity,value\n");
 }
 
 std::string orders_csv(const std::vector<CaseRecords>& cases) {

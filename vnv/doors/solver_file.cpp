@@ -1,6 +1,7 @@
 /// The TOML file of a solver.
 
 #include "vnv/doors/solver.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,6 +109,8 @@ class Keys {
   mutable std::set<std::string> asked_{};
 };
 
+const std::string solver_schema = "touchstone solver 1";
+
 toml::table parsed(const fs::path& file) try {
   return toml::parse_file(file.string());
 } catch (const toml::parse_error& error) {
@@ -148,8 +151,9 @@ std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
 std::vector<double> with_multiples(std::vector<double> times, double step) {
   const double end = times.back();
   for (double k = 0; k * step < end * (1 - 1e-9); ++k) {
-    const auto is_there = [&](double time) { return std::abs(time - k * step) <= 1e-9 * time; };
-    if (std::ranges::none_of(times, is_there)) times.push_back(k * step);
+    const double one = as_meant(k * step);
+    if (std::ranges::none_of(times, [&](double time) { return std::abs(time - one) <= 1e-9 * time; }))
+      times.push_back(one);
   }
   std::ranges::sort(times);
   return times;
@@ -181,6 +185,8 @@ Solver read_solver(const fs::path& file) {
   if (!fs::is_regular_file(file)) throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
   const toml::table table = parsed(file);
   const Keys keys(table, file);
+  if (keys.text("schema", solver_schema) != solver_schema)  // before all that another version may say otherwise
+    keys.refuse(*table.get("schema"), "schema", fmt::format("'{}', the only version known here", solver_schema));
   Solver solver{.file = fs::absolute(file), .name = keys.text("name", file.stem().string())};
   if (solver.name.find_first_of("./ \t\n") != solver.name.npos || solver.name.empty())
     throw std::invalid_argument(

@@ -156,6 +156,8 @@ TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
 TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
   const Solver one = solver(std::string(frozen), "times = [0.1]", "times = [0.1, 0.25]\nevery = 0.1");
   EXPECT_EQ(one.times, std::vector<double>({0, 0.1, 0.2, 0.25}));
+  const Solver longer = solver(std::string(frozen), "times = [0.1]", "times = [0.5]\nevery = 0.1");
+  EXPECT_EQ(fmt::format("{}", longer.times[3]), "0.3") << "not what 3 times 0.1 is in binary";
 }
 
 TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
@@ -176,6 +178,9 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
             "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
+  EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 2\"\nnew_key = 1\nflow ="),
+            "mine.toml:2: schema = 'touchstone solver 2', expected 'touchstone solver 1', the only version known here");
+  EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 1\"\nflow ="), "read without complaint");
   EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 0\n[read]"),
             "mine.toml:9: resources.gpus = 0, expected a number above 0");
   EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 1\ncores = 4\n[read]"),

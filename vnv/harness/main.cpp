@@ -8,6 +8,7 @@
 #include "vnv/harness/mutate.hpp"
 #include "vnv/harness/options.hpp"
 #include "vnv/harness/run_levels.hpp"
+#include "vnv/record/same_time.hpp"
 #include "vnv/run/vtp_series.hpp"
 
 #include <fmt/format.h>
@@ -132,7 +133,7 @@ int explore(const Case& declared) {
     unjudged.plots.clear();
     if (options.every > 0) unjudged.times.clear();
     for (int k = 0; options.every > 0 && options.every * k < level.acceptance * (1 - 1e-9); ++k)
-      unjudged.times.push_back(options.every * k);
+      unjudged.times.push_back(as_meant(options.every * k));
     const Record record = assess(case_name, unjudged, results_of(unjudged, custom, Suite::acceptance), std::nullopt);
     print(record);
     for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);

@@ -99,6 +99,8 @@ def run(*words):
 
 def main(courant):
     scene = json.loads(pathlib.Path("scene.json").read_text(encoding="utf-8"))
+    if scene["schema"] != "touchstone scene 1":
+        sys.exit(f"scene.json: schema {scene['schema']!r}, expected 'touchstone scene 1'")
     with open("particles.csv", newline="", encoding="utf-8") as file:
         start = sorted(csv.DictReader(file), key=lambda row: (float(row["y [m]"]), float(row["x [m]"])))
     rows = len({row["y [m]"] for row in start})

@@ -5,6 +5,7 @@
 #include "vnv/record/json.hpp"
 #include "vnv/record/same_time.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -52,6 +53,27 @@ void check_lengths(const Record& record) {
   for (const auto& t : record.tables)
     for (const auto& row : t.rows)
       require_equal(row.size(), t.columns.size(), fmt::format("a row of table '{}'", t.id));
+}
+
+/// Schema 1 had one run of each, and no diagrams of error against run time.
+void bring_up_from_1(json::Json& json) {
+  for (auto& run : json.at("runs")) {
+    json::Json& cost = run.at("cost");
+    cost["repeats"] = 1;
+    cost["cpu_lowest"] = cost["cpu_highest"] = cost.at("cpu");
+    cost["stepping"] = cost["harness"] = 0;
+  }
+  for (const char* list : {"diagrams", "work"}) json[list] = json::Json::array();
+}
+
+/// Schema 2 had orders without a trend and a floor.
+void bring_up_from_2(json::Json& json) {
+  for (auto& order : json.at("orders")) {
+    order["trend"] = json::Writer::json(Trend::inconclusive);
+    order["asymptotic"] = false;
+    for (const char* number : {"floor", "floor_half_width", "order_to_floor", "order_to_floor_half_width"})
+      order[number] = "nan";
+  }
 }
 
 /// Schema 3 had the headings of quantities only, and values were called errors.
@@ -146,10 +168,12 @@ Record record_from(json::Json json) {
   int schema = 0;
   const json::Reader header(json);
   header("schema", schema);
-  if (schema != Record{}.schema && schema != 3 && schema != 4)
-    throw json::Misfit{"schema", fmt::format("is {}, expected {}, 4 or 3, those known here", schema, Record{}.schema)};
-  if (schema == 3) bring_up_from_3(json);
-  if (schema < Record{}.schema) bring_up_from_4(json);
+  if (schema < 1 || schema > Record{}.schema)
+    throw json::Misfit{"schema", fmt::format("is {}, expected 1 to {}, those known here{}", schema, Record{}.schema,
+                                             schema > 0 ? ": a newer Touchstone wrote it" : "")};
+  constexpr auto bring_up =
+      std::to_array<void (*)(json::Json&)>({bring_up_from_1, bring_up_from_2, bring_up_from_3, bring_up_from_4});
+  for (auto from = static_cast<std::size_t>(schema); from <= bring_up.size(); ++from) bring_up[from - 1](json);
   add_what_is_new(json);
   Record record;
   const json::Reader reader(json);
