@@ -1,5 +1,6 @@
 #include "vnv/doors/read/delimited.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,6 +57,9 @@ TEST(Delimited, IsRefusedInOneLine) {
   EXPECT_NE(refusal("").find("no row of numbers"), std::string::npos);
   EXPECT_NE(refusal(std::string_view("1\0 2\n", 5)).find("not text"), std::string::npos);
   EXPECT_EQ(refusal("x\n1\n\x1b[2J\n"), "run.csv:3: column x: '?[2J', expected a number") << "a terminal obeys it";
+  std::string times = "t\n";
+  for (int k = 0; k <= 100000; ++k) times += fmt::format("{}\n", k);
+  EXPECT_EQ(refusal(times), "run.csv: '100001' times, expected no more than 100000");
   EXPECT_EQ(refusal("1\n2\n3\n", {.most_bytes = 16}), "run.csv:3: more than 16 bytes");
 }
 
