@@ -168,7 +168,8 @@ TEST(Cheapest, LeavesOutRunsThatDidNotFinish) {
 
 TEST(Cheapest, IsNoRunThatOccupiedAnotherResourceThanCpuTime) {
   CaseRecords records = three_methods();
-  for (vnv::Record* record : {&records.records[0], &records.records.emplace_back(records.records[1])}) {
+  records.records.push_back(records.records[1]);
+  for (vnv::Record* record : {&records.records[0], &records.records.back()}) {
     record->method += " on a GPU";
     record->machine = "another";
     record->values = errors_of(sample_order());
