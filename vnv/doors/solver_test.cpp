@@ -126,6 +126,21 @@ TEST_F(OtherSolvers, ArePreparedForOthersToRunAndCollected) {
   EXPECT_EQ(record.runs[2].outcome, "did not answer: wrote no file end.csv");
 }
 
+TEST_F(OtherSolvers, ThatOthersRanCostTheWallTimeOfTheirScriptTimesWhatTheyOccupy) {
+  const Solver one = solver(std::string(frozen) + "[resources]\ngpus = 4\n", R"(["cp", "{particles}", "end.csv"])",
+                            R"("cp {particles} end.csv; sleep 0.05; exit 0")");
+  prepare(one, folder / "runs");
+  for (const char* level : {"10_across", "20_across"})
+    EXPECT_EQ(std::system(fmt::format("sh {}", (folder / "runs" / level / "run.sh").string()).c_str()), 0);
+  std::filesystem::remove(folder / "runs/20_across/.began_and_ended");
+  const Record record = collect(one, folder / "runs", Suite::acceptance).record;
+  EXPECT_GE(record.runs[0].cost.wall, 0.05);
+  EXPECT_LT(record.runs[0].cost.wall, 60);
+  EXPECT_EQ(record.runs[0].cost.occupied, 4 * record.runs[0].cost.wall);
+  EXPECT_TRUE(std::isnan(record.runs[0].cost.cpu));
+  EXPECT_TRUE(std::isnan(record.runs[1].cost.occupied)) << "it was killed, or an older script";
+}
+
 TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
   const Solver one = solver(std::string(frozen));
   Record record = run(one);

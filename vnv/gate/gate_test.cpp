@@ -222,11 +222,17 @@ TEST_F(Gate, RunsInTurnWhatItsCallerKnowsHowToRunAndComparesWhatThatOccupies) {
 
 TEST_F(Gate, ComparesNoTimesOfTwoResources) {
   std::ostringstream output;
+  request_.figure = folder() / "figure.json";
   const Contest contest{"flow", "mpm", false, runs(10, vnv::Resource::cpu, 0.4), runs(1, vnv::Resource::gpu, 0.4)};
   EXPECT_EQ(touchstone::gate::gate(request_, contest, output, progress_), same_or_better);
   EXPECT_NE(output.str().find("unjudged: CPU time [s] before and GPU time [s] after, which are not compared"),
             std::string::npos)
       << output.str();
+  const vnv::Record figure = vnv::read_record(request_.figure);
+  ASSERT_EQ(figure.figures.size(), 2u);
+  EXPECT_EQ(figure.figures[0].x.label, "CPU time [s]");
+  EXPECT_EQ(figure.figures[1].x.label, "GPU time [s]");
+  EXPECT_EQ(figure.curves[1].figure, figure.figures[1].id);
 }
 
 TEST_F(Gate, SkipsProgramsThatAreTheSame) {
