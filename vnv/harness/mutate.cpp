@@ -261,8 +261,27 @@ void tilt_monitored(Run& run, double factor) {
     for (double& number : run.history.seen[k]) number *= std::pow(factor, time[k] / time.back());
 }
 
+/// Each quantity by another amount, also one that is zero or whose scale no claim feels.
+void shift_monitored(Run& run, double factor) {
+  const std::vector<double>& time = run.history.time;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    for (double by = factor - 1; double& number : run.history.seen[k]) number += by * time[k] / time.back(), by *= 2;
+}
+
 void stretch_time(Run& run, double factor) {
   for (double& time : run.history.time) time *= factor;
+}
+
+/// Without the particles near the bottom and the top, as long as half of the height is left.
+void lose_edges(Run& run, double factor) {
+  if (factor > 0.99 || factor < 0.5) return;
+  for (Samples& s : run.samples) {
+    const double low = s.x.row(1).minCoeff(), high = s.x.row(1).maxCoeff();
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index p = 0; p < s.size(); ++p)
+      if (std::abs(s.x(1, p) - (low + high) / 2) <= factor * (high - low) / 2) kept.push_back(p);
+    s = {s.time, s.x(Eigen::all, kept), s.v(Eigen::all, kept), s.mass(kept), s.density(kept), s.pressure(kept)};
+  }
 }
 
 /// Also what is zero.
@@ -270,7 +289,7 @@ void move_found(Run& run, double factor) {
   for (Value& value : run.found) value.value = factor * value.value + factor - 1;
 }
 
-constexpr std::array<Field, 8> fields{{
+constexpr std::array<Field, 11> fields{{
     {"velocity",
      [](Run& run, double factor) {
        for (Samples& s : run.samples) s.v *= factor;
@@ -288,6 +307,12 @@ constexpr std::array<Field, 8> fields{{
     {"monitored, growing with time,", tilt_monitored},
     {"time of what was monitored", stretch_time},
     {"what was found", move_found},
+    {"monitored, shifted with time,", shift_monitored},
+    {"height that particles fill", lose_edges},
+    {"steps",
+     [](Run& run, double factor) {
+       run.summary.cost.steps = std::lround(factor * static_cast<double>(run.summary.cost.steps));
+     }},
 }};
 
 /// The judged runs; nothing where something cannot be measured of them, such as a particle beyond a wall.
@@ -342,9 +367,10 @@ Mutations mutate_samples(const std::string& case_name, const Case& declared, con
   for (const Run& run : original) levels.push_back(run.summary.level);
   const double least_change = std::ranges::any_of(judged.verdicts, is_of_ensemble) ? 0.01 : 1e-6;
   for (const std::string& level : levels)
-    for (double s = least_change; s < 1e4 && !are_settled(fails_by, judged, level); s *= 4)
+    for (double s = least_change; s < 1e4; s *= 4)
       for (const Field& field : fields)
-        for (const double factor : {1 + s, 1 / (1 + s)}) scale(field, factor, level);
+        for (const double factor : {1 + s, 1 / (1 + s)})
+          if (!are_settled(fails_by, judged, level)) scale(field, factor, level);
   results.runs = original;
   for (Run& run : results.runs) run.summary.finished = false;
   judge("no level that ends", [](const Verdict& v) { return is_end(v) || is_of_ensemble(v); });
