@@ -37,8 +37,9 @@ Mutations mutate_record(const Case& declared, const Method& method, const Record
 
 /// Runs a method and scales one field of all particles, of all levels together and, for claims that do not fail so, of
 /// one level, before anything is measured: velocity, density, pressure, the position about the centre, what was
-/// monitored or its time, or what the run itself found. `beyond` is seen if some field makes the claim fail; `least`
-/// are lines that say which one needs the smallest change. Claims that runs end are left out.
+/// monitored or its time, steps, or what the run itself found; or leaves out particles at the bottom and the top. `beyond`
+/// is seen if some field makes the claim fail, or, for a claim on ends, runs that do not end; `least` are lines that say
+/// which one needs the smallest change.
 Mutations mutate_samples(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
                          const Baselines& baselines, std::vector<std::string>& least);
 
