@@ -39,6 +39,7 @@ bool is_calm(const Particles& particles, int slot) {
 /// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
 template <class Particles, class FluidLaw>
 int settle(Particles& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step, double time) {
+  if (is_calm(particles, slot)) return cell;
   const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
   const auto fail = [&](std::string quantity, double value, std::string expected) {
     throw Diverged({.step = step,
@@ -84,13 +85,4 @@ bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const S
   order.list_occupied();
   return true;
 }
-/// The same by `settle`, which may throw.
-template <class Particles, class FluidLaw>
-bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Grid& grid, const FluidLaw& fluid,
-                long step, double time) {
-  return keep_order(particles, calm, [&](int slot, int cell) {
-    return is_calm(particles, slot) ? cell : settle(particles, slot, cell, grid, fluid, step, time);
-  });
-}
-
 }  // namespace touchstone::mpm

@@ -11,14 +11,31 @@ struct Between {
   std::array<Lanes, 3> hat, from;  // of the node before their cell, at it and behind it: weight, and place from there
 };
 
+/// The polynomials of nine nodes, by column and row.
+using Nine = ThreeByThree<RowsOfCells::Fit::Polynomial>;
+
+/// Those of the corners of a particle's cell, joined by linear hats: exact for the second degree.
+inline Lanes joined(const Nine& nodes, const Between& x, const Between& y) {
+  Lanes sum{};
+  for_three([&](auto b) {
+    Lanes along_x{};
+    for_three([&](auto a) {
+      const auto& c = nodes[a][b];
+      along_x += x.hat[a] * (c[0] + x.from[a] * (c[1] + x.from[a] * c[3] + y.from[b] * c[4]) +
+                             y.from[b] * (c[2] + y.from[b] * c[5]));
+    });
+    sum += y.hat[b] * along_x;
+  });
+  return sum;
+}
+
 /// A node in the middle of every cell, and a ring of ghosts that continue fields past the edges.
 class FittedNodes : public CentreNodes {
  public:
   /// Fields that are fitted: velocity [m/s], and density less that at rest [kg/m³].
   enum Fitted { v_x, v_y, excess };
   static constexpr int fields = RowsOfCells::fields;
-  /// The polynomials of nine nodes, by column and row.
-  using Nine = ThreeByThree<RowsOfCells::Fit::Polynomial>;
+  using Around = std::array<Nine, fields>;
 
   /// Throws std::invalid_argument for fewer than three nodes along an axis.
   FittedNodes(const Grid& cells, int threads)
@@ -102,32 +119,17 @@ class FittedNodes : public CentreNodes {
     return {{before, 1 - before - behind, behind}, {X + 1, X, X - 1}};
   }
   /// The polynomials around cells of which `node` is the first of the nine.
-  Nine around(Fitted field, int node) const {
-    Nine all;
-    for_three([&](auto a) {
-      for_three([&](auto b) {
-        for_indices<6>([&](auto k) { all[a][b][k] = load<Lanes>(&fit[field][k][node + b * stride + a]); });
+  Around around(int node) const {
+    Around all;
+    for_indices<fields>([&](auto f) {
+      for_three([&](auto a) {
+        for_three([&](auto b) {
+          for_indices<6>([&](auto k) { all[f][a][b][k] = load<Lanes>(&fit[f][k][node + b * stride + a]); });
+        });
       });
     });
     return all;
   }
-  /// The polynomials of the corners of a particle's cell, joined by linear hats: exact for the second degree.
-  template <class Block>
-  Lanes joined(const Nine& nodes, const Block& block, const Place& X, const Place& Y) const {
-    const Between x = between(0, block.column, X.X), y = between(1, block.row, Y.X);
-    Lanes sum{};
-    for_three([&](auto b) {
-      Lanes along_x{};
-      for_three([&](auto a) {
-        const auto& c = nodes[a][b];
-        along_x += x.hat[a] * (c[0] + x.from[a] * (c[1] + x.from[a] * c[3] + y.from[b] * c[4]) +
-                               y.from[b] * (c[2] + y.from[b] * c[5]));
-      });
-      sum += y.hat[b] * along_x;
-    });
-    return sum;
-  }
-
   /// The parabolas through the nine nodes around cells, for a field of the nodes.
   PowersOfBoth parabolas(const Field<double>& field, int node) const {
     return laid_out(*this, field, node, [](const Powers& q) {

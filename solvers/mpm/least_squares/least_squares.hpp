@@ -34,7 +34,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
         seats_(lattice_.places()),
         cells_(grid_.around_nodes()),
         nodes_(cells_, settings.threads),
-        order_of_seats_(order_of(seats_)),
         pressure_(nodes_.places()),
         divergence_(nodes_.places()),
         acceleration_(nodes_.places()) {
@@ -101,10 +100,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   FluidState& state() { return all_; }
   int threads() const { return threads_; }
 
-  CellOrder<lanes> order_of(const Vectors& places) const {
-    return {cells_.columns, cells_.rows, cells_of(places, cells_)};
-  }
-
   /// Sets the particles going as the scene says; those near a wall that jumps into motion feel the jump.
   void begin() {
     all_.past.assign(Integrator::past_fields, {});
@@ -112,7 +107,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     if (places.cols() != particles())
       throw std::invalid_argument(
           fmt::format("mpm: {} particles to start with, expected the {} of the lattice", places.cols(), particles()));
-    all_.lay_out(places, cells_, order_of(places));
+    all_.lay_out(places, cells_);
     all_.order.for_each([&](int, int slot) {
       const Vec2 x(all_.x[slot], all_.y[slot]), v = scene_.start.velocity_at(x);
       all_.vx[slot] = v.x();
@@ -186,19 +181,15 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   void remesh() {
     keep_order();
     fit_and_hold(this->time());
-    all_.lay_out(seats_, cells_, order_of_seats_);
+    all_.lay_out(seats_, cells_);
     keep_order();
-    const auto read = [&](FittedNodes::Fitted field, double more, Scalars& to) {
-      for_blocks(all_, nodes_, threads_, [&](Index, const auto& block, int node) {
-        const FittedNodes::Nine nine = nodes_.around(field, node);
-        for_particles_of(block, [&](int slot, const auto& write) {
-          write(more + nodes_.joined(nine, block, all_.place(0, slot), all_.place(1, slot)), &to[slot]);
-        });
-      });
-    };
-    read(FittedNodes::v_x, 0, all_.vx);
-    read(FittedNodes::v_y, 0, all_.vy);
-    read(FittedNodes::excess, scene_.fluid.density, all_.rho);
+    for_fitted([&](int) {
+      return [&](int slot, const auto& write, const Place&, const Place&, const auto& fitted) {
+        write(fitted[FittedNodes::v_x], &all_.vx[slot]);
+        write(fitted[FittedNodes::v_y], &all_.vy[slot]);
+        write(scene_.fluid.density + fitted[FittedNodes::excess], &all_.rho[slot]);
+      };
+    });
     strained_ = 0;
     integrator_ = Integrator{};  // past rates were of other places
   }
@@ -290,36 +281,40 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   void read_rates() {
     const double of_rho = damping_of_rho * scene_.fluid.sound_speed() / grid_.cell.minCoeff(),
                  of_v = std::min(damping_of_v * strain_rate_, of_rho), rho0 = scene_.fluid.density;
-    const auto read = [&](FittedNodes::Fitted field, const Field<double>& on_nodes, const Scalars& of, Scalars& to,
-                          const auto& rate) {
-      for_blocks(
-          all_, nodes_, threads_, [&](Index, const auto& block, int node) __attribute__((flatten)) {
-            const PowersOfBoth laid_out = nodes_.parabolas(on_nodes, node);
-            const FittedNodes::Nine nine = nodes_.around(field, node);
-            for_particles_of(block, [&](int slot, const auto& write) {
-              const Place X = all_.place(0, slot), Y = all_.place(1, slot);
-              const Lanes fitted = nodes_.joined(nine, block, X, Y);
-              write(rate(load<Lanes>(&of[slot]), value_at(laid_out, X, Y), fitted), &to[slot]);
-            });
+    for_fitted([&](int node) {
+      return [&, ax = nodes_.parabolas(acceleration_.x, node), ay = nodes_.parabolas(acceleration_.y, node),
+              divergence = nodes_.parabolas(divergence_, node)](int slot, const auto& write, const Place& X,
+                                                                const Place& Y, const auto& fitted) {
+        const Lanes rho = load<Lanes>(&all_.rho[slot]);
+        write(value_at(ax, X, Y) - of_v * (load<Lanes>(&all_.vx[slot]) - fitted[FittedNodes::v_x]), &all_.ax[slot]);
+        write(value_at(ay, X, Y) - of_v * (load<Lanes>(&all_.vy[slot]) - fitted[FittedNodes::v_y]), &all_.ay[slot]);
+        write(-rho * value_at(divergence, X, Y) - of_rho * (rho - rho0 - fitted[FittedNodes::excess]),
+              &all_.drho[slot]);
+      };
+    });
+  }
+
+  /// Calls what of_block(first node) returns, (slot, write, X, Y, fitted), for all particles of a block.
+  template <class OfBlock>
+  void for_fitted(const OfBlock& of_block) const {
+    for_blocks(
+        all_, nodes_, threads_, [&](Index, const auto& block, int node) __attribute__((flatten)) {
+          const FittedNodes::Around fits = nodes_.around(node);
+          const auto work = of_block(node);
+          for_particles_of(block, [&](int slot, const auto& write) {
+            const Place X = all_.place(0, slot), Y = all_.place(1, slot);
+            const Between x = nodes_.between(0, block.column, X.X), y = nodes_.between(1, block.row, Y.X);
+            work(slot, write, X, Y, std::array{joined(fits[0], x, y), joined(fits[1], x, y), joined(fits[2], x, y)});
           });
-    };
-    const auto of_velocity = [=](const Lanes& v, const Lanes& rate, const Lanes& fitted) -> Lanes {
-      return rate - of_v * (v - fitted);
-    };
-    read(FittedNodes::v_x, acceleration_.x, all_.vx, all_.ax, of_velocity);
-    read(FittedNodes::v_y, acceleration_.y, all_.vy, all_.ay, of_velocity);
-    read(FittedNodes::excess, divergence_, all_.rho, all_.drho,
-         [=](const Lanes& rho, const Lanes& rate, const Lanes& fitted) -> Lanes {
-           return -rho * rate - of_rho * (rho - rho0 - fitted);
-         });
+        });
   }
 
   void keep_mean_density() {
     const double gap = mean_density_ - all_.rho.sum() / static_cast<double>(particles());
-    for_blocks(all_, nodes_, threads_, [&](Index, const auto& block, int) {
-      for_particles_of(
-          block, [&](int slot, const auto& write) { write(load<Lanes>(&all_.rho[slot]) + gap, &all_.rho[slot]); });
-    });
+    for (Index slot = 0; slot + lanes <= all_.fluid; slot += lanes) {
+      const Lanes rho = load<Lanes>(&all_.rho[slot]);
+      store(rho > Lanes{} ? rho + gap : rho, &all_.rho[slot]);
+    }
   }
 
   bool is_inside(int slot, int axis) const {
@@ -337,7 +332,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   Vectors seats_;  // m  of the particles on their lattice
   Grid cells_;     // of the particles, a node in the middle of each
   FittedNodes nodes_;
-  CellOrder<lanes> order_of_seats_;
   Field<double> pressure_, divergence_;  // Pa, 1/s
   NodeVectors acceleration_;             // m/s²
   std::vector<AtWall> at_walls_;

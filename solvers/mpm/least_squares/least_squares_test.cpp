@@ -34,7 +34,7 @@ TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndAtParticlesAnywhere) {
   places.row(0).array() += 0.06 * (37 * places.row(1).array()).sin();  // some of them outside
   places.row(1).array() += 0.06 * (53 * places.row(0).array()).cos();
   FittedParticles all;
-  all.lay_out(places, cells, {cells.columns, cells.rows, cells_of(places, cells)});
+  all.lay_out(places, cells);
   all.order.for_each([&](int cell, int slot) {
     all.X[slot] = 10 * all.x[slot] - cell % cells.columns;
     all.Y[slot] = 10 * all.y[slot] - cell / cells.columns;
@@ -57,12 +57,13 @@ TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndAtParticlesAnywhere) {
   for_blocks(all, nodes, 1, [&](Index, const auto& block, int node) {
     for_particles_of(block, [&](int slot, const auto& write) {
       const Place X = all.place(0, slot), Y = all.place(1, slot);
-      const Lanes joined = nodes.joined(nodes.around(FittedNodes::v_x, node), block, X, Y),
-                  read = value_at(nodes.parabolas(values, node), X, Y);
+      const Between x = nodes.between(0, block.column, X.X), y = nodes.between(1, block.row, Y.X);
+      const Lanes by_fits = joined(nodes.around(node)[FittedNodes::v_x], x, y),
+                  by_values = value_at(nodes.parabolas(values, node), X, Y);
       for (int lane = 0; lane < lanes; ++lane)
         if (write.present[lane]) {
-          EXPECT_NEAR(joined[lane], all.vx[slot + lane], 1e-9);
-          EXPECT_NEAR(read[lane], all.vx[slot + lane], 1e-9);
+          EXPECT_NEAR(by_fits[lane], all.vx[slot + lane], 1e-9);
+          EXPECT_NEAR(by_values[lane], all.vx[slot + lane], 1e-9);
         }
     });
   });

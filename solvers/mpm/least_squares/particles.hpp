@@ -26,15 +26,15 @@ struct FittedParticles : FluidState {
     f(X), f(Y), f(number);
   }
 
-  /// Puts particles, all else zero, where they are listed, in cells of which `fresh` is the order.
-  void lay_out(const Vectors& places, const Grid& grid, const CellOrder<lanes>& fresh) {
-    order = fresh;
+  /// Puts particles where they are listed; all else is zero.
+  void lay_out(const Vectors& places, const Grid& grid) {
+    const std::vector<int> cells = cells_of(places, grid);
+    order = {grid.columns, grid.rows, cells};
     fluid = order.slots();
     for_fields([&]<class F>(F& field) {
       field.resize(fluid);
       std::fill_n(&field[0], fluid, 0);
     });
-    const std::vector<int> cells = cells_of(places, grid);
     std::vector<int> taken(grid.cells(), 0);
     for (int p = 0; p < places.cols(); ++p) {
       const int slot = order.slot(cells[p], taken[cells[p]]++);

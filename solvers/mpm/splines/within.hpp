@@ -55,6 +55,26 @@ inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& fiel
   return laid_out(nodes, field, node, [](const Powers& q) { return of_nodes(q); });
 }
 
+/// Sums over the particles of a block of q X^i Y^j, for i from `first` to `end` - 1 and j below powers_of_Y(i), which
+/// does not grow with i; value(slot) is q.
+template <int first, int end, auto powers_of_Y, class Particles, class Block, class Value>
+auto sums_of_powers(const Particles& particles, const Block& block, const Value& value) {
+  std::array<std::array<Lanes, powers_of_Y(first)>, end - first> sums{};
+  for_particles_of(block, [&](int slot, const auto& write) {
+    const Lanes X = load<Lanes>(&particles.X[slot]);
+    std::array<Lanes, powers_of_Y(first)> y{fill<Lanes>(1), load<Lanes>(&particles.Y[slot])};
+    for (int j = 2; j < powers_of_Y(first); ++j) y[j] = y[j / 2] * y[j - j / 2];
+    Lanes x = write.present ? value(slot) : Lanes{};
+    for_indices<end>([&](auto i) {
+      if constexpr (i >= first)
+        for_indices<powers_of_Y(i)>([&](auto j) { sums[i - first][j] += j == 0 ? x : x * y[j]; });
+      x *= X;
+    });
+  });
+  return sums;
+}
+inline Lanes one_each(int /*slot*/) { return fill<Lanes>(1); }
+
 /// The functions of a place along an axis: 1, X and X², and how X² changes: its slope, or its affine slope, what
 /// particles of the affine method see of it (w_a (x_a - x) summed over the nodes, over the spread of these).
 struct Place {
