@@ -115,6 +115,7 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
   };
   return [=, &not_judged](const Level& level, const Run& run) {
     std::vector<Value> all;
+    if (run.samples.empty()) return all;  // it did not answer, as its verdict says
     if (!measured.over) {
       for (const Samples& samples : run.samples)
         add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);

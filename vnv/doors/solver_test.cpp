@@ -106,6 +106,10 @@ TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
   says(no_answer(R"("head -c 100 {particles} > end.csv")"), fmt::format("{}", (folder / "runs").string()));
   const Record late = run(solver(std::string(frozen), "time = 0.1", "time = 0.2"));
   says(late.verdicts.front().sentence, "no output at 0.1 s, expected it within 1 %; output is at 0.2 s");
+  std::string over_time(frozen);
+  over_time.replace(over_time.find("shear_wave"), 10, "hydrostatic");
+  says(run(solver(over_time, R"(["cp", "{particles}", "end.csv"])", R"("true")")).verdicts.front().sentence,
+       "wrote no file end.csv");
 }
 
 TEST_F(OtherSolvers, FillPlaceholdersAlsoForAShellAndFromAPathWithBlanks) {
