@@ -61,11 +61,10 @@ int settle(Particles& particles, int slot, int cell, const Grid& grid, const Flu
   return grid.cell_at(column, row);
 }
 
-/// Carries the particles that left their cell to the one they are in; visits only those that are not calm. True if
-/// a block has come or has been emptied. Throws Diverged as `settle` does.
-template <class Particles, class FluidLaw>
-bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Grid& grid, const FluidLaw& fluid,
-                long step, double time) {
+/// Carries the particles that left their cell to the one they are in, settle(slot, cell); visits only those that are
+/// not calm. True if a block has come or has been emptied.
+template <class Particles, class Settle>
+bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Settle& settle) {
   auto& order = particles.order;
   for (std::size_t index = 0; index < calm.size(); ++index) {
     if (calm[index] == (1u << order.width) - 1) continue;
@@ -73,8 +72,7 @@ bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const G
       if (calm[index] >> lane & 1) continue;
       for (int k = 0; k < order.blocks()[index].count[lane];) {
         const auto& block = order.blocks()[index];
-        const int slot = block.slot(lane, k), cell = order.cell(block, lane),
-                  to = is_calm(particles, slot) ? cell : settle(particles, slot, cell, grid, fluid, step, time);
+        const int slot = block.slot(lane, k), cell = order.cell(block, lane), to = settle(slot, cell);
         if (to == cell)
           ++k;
         else
@@ -85,6 +83,14 @@ bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const G
   if (!order.is_stale()) return false;
   order.list_occupied();
   return true;
+}
+/// The same by `settle`, which may throw.
+template <class Particles, class FluidLaw>
+bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Grid& grid, const FluidLaw& fluid,
+                long step, double time) {
+  return keep_order(particles, calm, [&](int slot, int cell) {
+    return is_calm(particles, slot) ? cell : settle(particles, slot, cell, grid, fluid, step, time);
+  });
 }
 
 }  // namespace touchstone::mpm

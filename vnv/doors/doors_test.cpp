@@ -307,6 +307,33 @@ TEST_F(Doors, CompareADamWithItsExperimentsByEachFront) {
       << "a tall column";
 }
 
+TEST_F(Doors, FailADamThatHardlyRunsAtAnyResolutionAndAnyTime) {
+  const auto lead = [&](const std::map<std::string, double>& set, double stretch, int across,
+                        const std::vector<double>& times) {
+    const Flow flow = flow_named("dam_break", Settings(set));
+    const auto run_out = [&](Samples& s) {  // as a block that keeps its area
+      s.x.row(0) *= stretch;
+      s.x.row(1) /= stretch;
+    };
+    std::vector<std::filesystem::path> all;
+    for (const double time : times) all.push_back(changed(flow, time, run_out, across));
+    const Judgement judgement = judge_files(flow, all, {});
+    return std::pair(outcome_of(judgement, DamFront::least_lead), value_of(judgement, DamFront::least_lead));
+  };
+  const double at_one = 1 / dam_break::front.scaled_time(1), slowest = 1.67 + 0.01 / 0.17 * 0.22;  // at T = 0.98
+  for (const int across : {5, 10, 20, 60}) {
+    const auto [outcome, value] = lead({}, 1, across, {1.28 * at_one});
+    EXPECT_EQ(outcome, Outcome::fails) << across;
+    EXPECT_NEAR(value, 1 - slowest, 1e-3) << across;
+    EXPECT_EQ(lead({}, slowest + 0.02, across, {1.28 * at_one}).first, Outcome::holds) << across;
+    EXPECT_EQ(lead({}, slowest + 0.02, across, {1.28 * at_one, 1.4 * at_one}).first, Outcome::fails) << across;
+    EXPECT_EQ(lead({}, 1, across, {0.9 * at_one}).first, Outcome::inconclusive) << "too early to tell";
+  }
+  EXPECT_EQ(lead({{"h0", 1.2}, {"H", 2}}, 1.05, 10, {1.28 * at_one / std::numbers::sqrt2}).first, Outcome::fails);
+  EXPECT_EQ(lead({{"h0", 0.2}}, 1, 10, {1.28 * at_one * std::numbers::sqrt3}).first, Outcome::inconclusive)
+      << "no experiment";
+}
+
 TEST_F(Doors, RefuseAColumnOfAnotherAspect) {
   const auto unchanged = [](Samples&) {};
   Flow tall = flow_named("dam_break", Settings({{"h0", 1.2}, {"H", 2}}));

@@ -158,6 +158,26 @@ std::vector<Value> DamFront::against_experiments(const Level& level, const Run& 
   return found;
 }
 
+std::vector<Value> DamFront::lead(const Level& level, const Run& run) const {
+  std::vector<FrontHistory> theirs;
+  for (Experiment& experiment : experiments_of(column_height / column_length))
+    if (experiment.is_front) theirs.push_back(std::move(experiment.measured));
+  std::vector<Value> least;
+  for (const Samples& samples : run.samples) {
+    const double T = scaled_time(samples.time), late = T - shifts.high;
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const FrontHistory& front : theirs)
+      if (T >= judged_times.low && late >= front.T.front() && late <= front.T.back())
+        slowest = std::min(slowest, front_at(front, late));
+    const double slab_side = 2 * level.spacing;
+    if (!(slowest * column_length < tank_length - 2 * slab_side)) continue;  // nearer to it the slab is in a splash
+    const double lead = half_full_slab(samples, slab_side) / column_length - slowest;
+    if (least.empty() || !(lead >= least[0].value))  // no front is the worst
+      least = {{level.name, level.spacing, samples.time, least_lead, lead}};
+  }
+  return least;
+}
+
 std::vector<Value> DamFront::kept(const Level& level, const Run& run) const {
   if (!run.summary.finished) return {};
   const double end = run.summary.end_time,

@@ -59,17 +59,10 @@ bool known_over(const FrontHistory& front, const Window& span) {
   return std::all_of(front.L.begin() + first, front.L.begin() + last + 1, [](double L) { return std::isfinite(L); });
 }
 
-double interpolate(const FrontHistory& front, double T) {
-  const auto above = std::ranges::upper_bound(front.T, T) - front.T.begin();
-  const auto k = std::clamp<std::ptrdiff_t>(above, 1, std::ssize(front.T) - 1);
-  const double rise = front.L[k] - front.L[k - 1], run = front.T[k] - front.T[k - 1];
-  return front.L[k - 1] + (T - front.T[k - 1]) / run * rise;  // std::lerp may lose a NaN
-}
-
 double rms(const FrontHistory& ours, const FrontHistory& measured, double shift) {
   double sum = 0;
   for (std::size_t j = 0; j < measured.T.size(); ++j) {
-    const double miss = interpolate(ours, measured.T[j] - shift) - measured.L[j];
+    const double miss = front_at(ours, measured.T[j] - shift) - measured.L[j];
     sum += miss * miss;
   }
   return std::sqrt(sum / static_cast<double>(measured.T.size()));
@@ -110,6 +103,13 @@ double minimum(const Function& function, const Window& range) {
 }
 
 }  // namespace
+
+double front_at(const FrontHistory& front, double T) {
+  const auto above = std::ranges::upper_bound(front.T, T) - front.T.begin();
+  const auto k = std::clamp<std::ptrdiff_t>(above, 1, std::ssize(front.T) - 1);
+  const double rise = front.L[k] - front.L[k - 1], run = front.T[k] - front.T[k - 1];
+  return front.L[k - 1] + (T - front.T[k - 1]) / run * rise;  // std::lerp may lose a NaN
+}
 
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window) {
   const auto points = points_inside(whose, front, window, 2, "slope");

@@ -44,4 +44,7 @@ FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& mea
 /// The slope dL/dT of a least-squares line through a front's points in a window. Throws as `compare_fronts`.
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window);
 
+/// L of a front at T, linear between its points, of which there are at least two, and beyond them as between the last.
+double front_at(const FrontHistory& front, double T);
+
 }  // namespace touchstone::vnv

@@ -199,7 +199,8 @@ int mutate(const Case& declared) {
     if (all.failing && !options.records.empty()) write(*all.failing, options.records / file.filename());
     for (const std::string& line : least) fmt::print("{}\n", line);
     for (const std::string& line : all.survivors) fmt::print("SURVIVED {}\n", line);
-    fmt::print("{}.{}: {}\n", case_name, method->name, all.sentence());
+    fmt::print("{}.{}: {}{}\n", case_name, method->name, all.sentence(),
+               options.mutates_samples ? fmt::format("; mutated for {:.2f} s", all.seconds) : "");
     survivors += std::ssize(all.survivors);
   }
   return survivors == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

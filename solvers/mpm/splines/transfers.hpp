@@ -16,7 +16,7 @@ enum GivenToSplines { mass_given, momentum_given, impulse_given = 3 };
 /// Calls work(axis) for both axes.
 template <class Work>
 void for_axes(const Work& work) {
-  with_indices<2>([&](auto... axis) { (work(axis), ...); });
+  for_indices<2>(work);
 }
 template <int axis, class Particles>
 auto& component(Particles& particles) {

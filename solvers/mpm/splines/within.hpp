@@ -16,7 +16,7 @@ using PowersOfBoth = ThreeByThree<Lanes>;
 /// Calls f(0), f(1), f(2), unrolled.
 template <class F>
 void for_three(const F& f) {
-  with_indices<3>([&](auto... i) { (f(i), ...); });
+  for_indices<3>(f);
 }
 
 /// Of sums over particles of q, q X and q X², what the three nodes get.
@@ -44,11 +44,15 @@ PowersOfBoth along_both(const PowersOfBoth& q, const Change& change) {
 inline PowersOfBoth nodes_of(const PowersOfBoth& sums) {
   return along_both(sums, [](const Powers& q) { return at_nodes(q); });
 }
-/// A field of the nodes around the cells whose first node is `node`.
-inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node) {
+/// A field of the nodes around the cells whose first node is `node`; along each axis by `change`.
+template <class Change>
+PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node, const Change& change) {
   PowersOfBoth q;
   for_three([&](auto a) { for_three([&](auto b) { q[a][b] = load<Lanes>(&field[node + b * nodes.stride + a]); }); });
-  return along_both(q, [](const Powers& line) { return of_nodes(line); });
+  return along_both(q, change);
+}
+inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node) {
+  return laid_out(nodes, field, node, [](const Powers& q) { return of_nodes(q); });
 }
 
 /// The functions of a place along an axis: 1, X and X², and how X² changes: its slope, or its affine slope, what

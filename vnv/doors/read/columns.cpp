@@ -86,18 +86,26 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
     all.push_back(std::move(whole));
     return all;
   }
-  for (const auto& [now, of_it] : rows) {
-    Dataset& one = all.emplace_back(Dataset{
-        .source = whole.source, .format = whole.format, .time = now, .index = whole.index, .rows_are = whole.rows_are});
-    for (const Array& array : whole.arrays) {
-      const auto width = static_cast<std::size_t>(array.components);
-      Array& part = one.arrays.emplace_back(Array{.name = array.name, .components = array.components});
+  if (rows.size() > Limits{}.most_datasets)
+    refuse(whole.source, fmt::format("'{}' times, expected no more than {}", rows.size(), Limits{}.most_datasets));
+  for (const auto& [now, of_it] : rows)
+    all.push_back({.source = whole.source,
+                   .format = whole.format,
+                   .time = now,
+                   .index = whole.index,
+                   .rows_are = whole.rows_are});
+  for (Array& array : whole.arrays) {
+    const auto width = static_cast<std::size_t>(array.components);
+    auto one = all.begin();
+    for (const auto& [now, of_it] : rows) {
+      Array& part = (one++)->arrays.emplace_back(Array{.name = array.name, .components = array.components});
       part.labels = array.labels;
       reserve_more(part.values, of_it.size() * width);
       for (const std::size_t k : of_it)
         part.values.insert(part.values.end(), array.values.begin() + static_cast<std::ptrdiff_t>(k * width),
                            array.values.begin() + static_cast<std::ptrdiff_t>((k + 1) * width));
     }
+    array.values = {};  // so that no more than one stands here twice
   }
   return all;
 }

@@ -17,7 +17,8 @@ void require_equal_rows(const std::vector<Array>& arrays, const std::string& sou
 
 void keep_rows(Array& array, const std::vector<bool>& kept);
 
-/// A dataset of each time, in their order, where a column is the time and the whole has none; else the whole.
+/// A dataset of each time, in their order, where a column is the time and the whole has none; else the whole. Throws
+/// Unreadable where these are more than a series may have.
 std::vector<Dataset> parted_by_time(Dataset whole);
 
 /// Numbers as a file holds them, the last index fastest.

@@ -72,7 +72,9 @@ class Table {
     const bool is_comment = line.starts_with('#') || line.starts_with('%');
     if (trimmed(line).empty() || (is_comment && !columns_.empty())) return;
     if (columns_.empty()) {
-      const std::string_view words = is_comment ? line.substr(line.find_first_not_of("#% \t")) : line;
+      const std::string_view words =
+          is_comment ? line.substr(std::min(line.find_first_not_of("#% \t\r"), line.size())) : line;
+      if (words.empty()) return;
       std::string_view rest = trimmed(words);
       separator_ = separator_of(rest);
       if (is_comment || !number(next_cell(rest, separator_))) {
@@ -86,20 +88,18 @@ class Table {
       const std::string_view cell = next_cell(rest, separator_);
       const std::optional<double> value = number(cell);
       if (!value)
-        throw Unreadable(fmt::format("{}:{}: column {}: '{}', expected a number", file_.string(), at, column.name,
-                                     cell.substr(0, 40)));
+        refuse(at_line(at), fmt::format("column {}: '{}', expected a number", column.name, cell.substr(0, 40)));
       column.values.push_back(*value);
     }
     if (!trimmed(rest).empty())
-      throw Unreadable(fmt::format("{}:{}: more cells than columns, expected {}", file_.string(), at, columns_.size()));
+      refuse(at_line(at), fmt::format("more cells than columns, expected {}", columns_.size()));
     if (columns_.front().values.size() * columns_.size() * sizeof(double) > limits_.most_bytes)
-      throw Unreadable(fmt::format("{}:{}: more than {} bytes", file_.string(), at, limits_.most_bytes));
+      refuse(at_line(at), fmt::format("more than {} bytes", limits_.most_bytes));
   }
 
   std::vector<Dataset> datasets() && {
     if (columns_.empty())
-      throw Unreadable(
-          fmt::format("{}: no row of numbers, expected a table of text, {}", file_.string(), known_formats));
+      refuse(file_.string(), fmt::format("no row of numbers, expected a table of text, {}", known_formats));
     Dataset whole{.source = file_.string(),
                   .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
                   .arrays = std::move(columns_)};
@@ -107,6 +107,8 @@ class Table {
   }
 
  private:
+  std::string at_line(long at) const { return fmt::format("{}:{}", file_.string(), at); }
+
   /// The columns, by the heading or, without one, by the first row.
   void begin(std::string_view first_row) {
     separator_ = separator_of(trimmed(first_row));
@@ -114,8 +116,8 @@ class Table {
     std::vector<std::string> names = names_in(heading_, separator_of(heading_));
     if (names.size() != count && !heading_.empty()) names = names_in(heading_, separator_);
     if (!heading_.empty() && names.size() != count)
-      throw Unreadable(fmt::format("{}: {} names of columns, '{}', expected {} as in the first row", file_.string(),
-                                   names.size(), heading_.substr(0, 80), count));
+      refuse(file_.string(), fmt::format("{} names of columns, '{}', expected {} as in the first row", names.size(),
+                                         heading_.substr(0, 80), count));
     const auto lines = static_cast<std::size_t>(std::count(bytes_.begin(), bytes_.end(), '\n')),
                rows = std::min(lines + 1, bytes_.size() / (2 * count) + 1);
     for (std::size_t k = 0; k < count; ++k)
@@ -135,8 +137,7 @@ class Table {
 }  // namespace
 
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
-  if (bytes.find('\0') != bytes.npos)
-    throw Unreadable(fmt::format("{}: not text, expected text, {}", file.string(), known_formats));
+  if (bytes.find('\0') != bytes.npos) refuse(file.string(), fmt::format("not text, expected text, {}", known_formats));
   Table table(file, bytes, limits);
   for (long at = 1; !bytes.empty(); ++at) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());

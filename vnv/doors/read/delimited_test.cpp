@@ -1,5 +1,6 @@
 #include "vnv/doors/read/delimited.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,7 @@ std::string refusal(std::string_view text, const Limits& limits = {}) {
 TEST(Delimited, IsReadWithAnySeparatorAndHeading) {
   for (const char* text :
        {"x,y [m]\n1,2\n3,4\n", "x;y [m]\r\n1;2\r\n3;4\r\n", "x\ty [m]\n1\t2\n3\t4", "# x y [m]\n1 2\n 3   4 \n",
-        "% made by hand\n\n#x, y [m]\n1, 2\n# between\n3, 4\n", "\"x\",\"y [m]\"\n1,2\n3,4\n"}) {
+        "% made by hand\n\n#x, y [m]\n#\n1, 2\n# between\n3, 4\n", "\"x\",\"y [m]\"\n1,2\n3,4\n"}) {
     const std::vector<Dataset> found = read(text);
     ASSERT_EQ(found.size(), 1u) << text;
     ASSERT_EQ(found[0].arrays.size(), 2u) << text;
@@ -55,6 +56,10 @@ TEST(Delimited, IsRefusedInOneLine) {
   EXPECT_EQ(refusal("x,y,z\n1,2\n"), "run.csv: 3 names of columns, 'x,y,z', expected 2 as in the first row");
   EXPECT_NE(refusal("").find("no row of numbers"), std::string::npos);
   EXPECT_NE(refusal(std::string_view("1\0 2\n", 5)).find("not text"), std::string::npos);
+  EXPECT_EQ(refusal("x\n1\n\x1b[2J\n"), "run.csv:3: column x: '?[2J', expected a number") << "a terminal obeys it";
+  std::string times = "t\n";
+  for (int k = 0; k <= 100000; ++k) times += fmt::format("{}\n", k);
+  EXPECT_EQ(refusal(times), "run.csv: '100001' times, expected no more than 100000");
   EXPECT_EQ(refusal("1\n2\n3\n", {.most_bytes = 16}), "run.csv:3: more than 16 bytes");
 }
 

@@ -269,8 +269,10 @@ std::vector<Dataset> read_hdf5_unguarded(const fs::path& file, std::string_view 
 }
 
 std::vector<Dataset> read_hdf5(const fs::path& file, std::string_view bytes, const Limits& limits) {
-  constexpr std::size_t seconds = 10, bytes_a_second = 1 << 22;  // a tenth of what it reads at the least
+  constexpr std::size_t seconds = 1, bytes_a_second = 1 << 22;  // a tenth of what it reads at the least
+  constexpr std::size_t constant = 1 << 28;                     // libhdf5 allocates what a broken file claims
   return read_in_a_child(file.string(), static_cast<unsigned>(seconds + bytes.size() / bytes_a_second),
+                         constant + 2 * most_that_deflate_saves * bytes.size(),
                          [&] { return read_hdf5_unguarded(file, bytes, limits); });
 }
 

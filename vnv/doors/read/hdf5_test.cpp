@@ -78,7 +78,7 @@ TEST(Hdf5, IsRefusedInOneLineWhatIsNotInTheFileOrNotRead) {
 TEST(AChild, MayCrashOrRunOnWithoutHarm) {
   const auto with = [](const std::function<void()>& harm) {
     return refusal([&] {
-      read_in_a_child("a", 1, [&] {
+      read_in_a_child("a", 1, 1 << 26, [&] {
         harm();
         return std::vector<Dataset>{};
       });
@@ -90,6 +90,7 @@ TEST(AChild, MayCrashOrRunOnWithoutHarm) {
             "a: the library that reads it ended by signal 11, expected a file that it can read");
   EXPECT_EQ(with([] { std::raise(SIGKILL); }),
             "a: the library that reads it ended by signal 9, expected a file that it can read");
+  EXPECT_EQ(with([] { std::vector<char>(1 << 27); }), "a: takes more than 67108864 bytes of memory");
   EXPECT_NE(with([] {
               const volatile bool runs = true;
               while (runs) {

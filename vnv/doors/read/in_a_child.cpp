@@ -11,6 +11,8 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <new>
 
 #include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/numbers.hpp"
@@ -124,14 +126,26 @@ std::vector<Dataset> get(Pipe& pipe) {
   return datasets;
 }
 
-[[noreturn]] void be_the_child(int end, unsigned seconds, const std::function<std::vector<Dataset>()>& read) {
+/// Of this process: what it may write and shares with no other.
+std::size_t bytes_of_data() {
+  constexpr int place = 6;  // of the numbers of pages in this file
+  std::ifstream pages("/proc/self/statm");
+  std::size_t count = 0;
+  for (int k = 0; k < place; ++k) pages >> count;
+  return count * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+[[noreturn]] void be_the_child(int end, const std::string& where, unsigned seconds, std::size_t bytes,
+                               const std::function<std::vector<Dataset>()>& read) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // it ends with its parent
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGABRT}) std::signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  const rlimit no_core{0, 0}, time{seconds, seconds};
+  const std::size_t most_bytes = bytes_of_data() + bytes;
+  const rlimit no_core{0, 0}, time{seconds, seconds}, memory{most_bytes, most_bytes};
   setrlimit(RLIMIT_CORE, &no_core);
+  setrlimit(RLIMIT_DATA, &memory);
   setrlimit(RLIMIT_CPU, &time);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
@@ -141,6 +155,8 @@ std::vector<Dataset> get(Pipe& pipe) {
     const std::vector<Dataset> datasets = read();
     pipe.put("");
     put(pipe, datasets);
+  } catch (const std::bad_alloc&) {
+    pipe.put(fmt::format("{}: takes more than {} bytes of memory", where, bytes));
   } catch (const std::exception& error) {
     pipe.put(error.what());
   }
@@ -149,14 +165,14 @@ std::vector<Dataset> get(Pipe& pipe) {
 
 }  // namespace
 
-std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
+std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds, std::size_t bytes,
                                      const std::function<std::vector<Dataset>()>& read) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(where, fmt::format("no pipe: {}", std::strerror(errno)));
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    be_the_child(ends[1], seconds, read);
+    be_the_child(ends[1], where, seconds, bytes, read);
   }
   close(ends[1]);
   std::string refusal;

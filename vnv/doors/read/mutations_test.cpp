@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "vnv/doors/read/delimited.hpp"
 #include "vnv/doors/read/gzip.hpp"
 #include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
@@ -63,6 +64,9 @@ Reader read_as(const std::string& extension) {
       {".npy", read_npy},
       {".npz", read_npz},
       {".lammpstrj", read_lammps},
+      {".csv", read_delimited},
+      {".tsv", read_delimited},
+      {".txt", read_delimited},
       {".h5", read_hdf5},
       {".hdf5", read_hdf5},
       {".pickle", [](const fs::path& file, std::string_view bytes, const Limits&) {
