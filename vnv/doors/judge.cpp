@@ -148,18 +148,20 @@ Case case_of(const Flow& flow, const Given& given, const std::vector<double>& ti
   return judged;
 }
 
-/// A user's own limits, on the quantities of which the flow claims an order.
+/// A user's own limits, on the norms of which the flow claims anything, and on orders where it claims one.
 std::vector<Claim> own_claims(const Flow& flow, const Judged& what, const std::string& finest) {
   std::vector<Claim> claims;
-  for (const Claim& claim : flow.judged.claims) {
-    if (claim.quantity.kind != Kind::norm) continue;
-    if (what.at_most)
+  const auto limit = [&](const Claim& claim) {
+    if (what.at_most && claim.quantity.kind == Kind::norm)
       claims.push_back(at_most(claim.quantity, *what.at_most, baseline("limit of the user")).on(finest));
-    if (what.order_at_least)
+  };
+  std::ranges::for_each(flow.judged.claims, limit);
+  std::ranges::for_each(flow.of_resolved, limit);
+  for (const Claim& claim : flow.judged.claims)
+    if (what.order_at_least && claim.quantity.kind == Kind::norm)
       claims.push_back(order_at_least(ladder_of_files, claim.quantity, *what.order_at_least, *what.order_at_least - 0.5,
                                       baseline("order that the user expects"))
                            .over(3));
-  }
   return claims;
 }
 

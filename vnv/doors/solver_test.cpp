@@ -172,6 +172,19 @@ TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
   for (const Verdict& v : run(one).verdicts) EXPECT_EQ(v.outcome, Outcome::holds) << v.sentence;
 }
 
+TEST_F(OtherSolvers, MayBeHeldToALimitOfTheirOwnWhereTheFlowHasOneForFineResolutionsOnly) {
+  std::string in_cavity(frozen);
+  in_cavity.replace(in_cavity.find("shear_wave"), 10, "cavity");
+  in_cavity.replace(in_cavity.find("times = [0.1]"), 13, "times = [12]");
+  in_cavity.replace(in_cavity.find("time = 0.1"), 10, "time = 12");
+  const Record record = run(solver(in_cavity + "[claims]\nat_most = 2\n"));
+  ASSERT_EQ(record.verdicts.size(), 5u) << "that three runs end, and two limits at the finest";
+  for (const std::size_t k : {3u, 4u}) {
+    EXPECT_EQ(record.verdicts[k].author, "baseline: limit of the user");
+    EXPECT_EQ(record.verdicts[k].outcome, Outcome::fails) << "water at rest is 100 % off";
+  }
+}
+
 TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
   const Solver one = solver(std::string(frozen), "times = [0.1]", "times = [0.1, 0.25]\nevery = 0.1");
   EXPECT_EQ(one.times, std::vector<double>({0, 0.1, 0.2, 0.25}));
