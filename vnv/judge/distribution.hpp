@@ -15,8 +15,9 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
 
 /// How often two samples of one distribution are at least as unlike, in place or in spread: by the statistic of
 /// Anderson & Darling (Pettitt, Biometrika 63 (1976), 161), the fraction of random ways to deal all values to two
-/// samples of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39). The same for the same
-/// samples. 0 where a sample is empty or holds what is not finite.
+/// samples of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39), of no more ways than
+/// give 2000 as unlike (Besag & Clifford, Biometrika 78 (1991), 301). The same for the same samples. 0 where a sample
+/// is empty or holds what is not finite.
 double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals = 100'000);
 
 }  // namespace touchstone::vnv
