@@ -36,7 +36,7 @@ struct Manufactured {
   /// The force [m/s²] that sustains it: Dv/Dt + grad P / rho - (mu / rho) (laplacian v + grad div v / 3).
   std::array<double, 2> force(double x, double y, double t) const {
     const Place p = at(x, y);
-    const double now = a(t), rate = omega / 2 * std::cos(omega * t), push = 7 * K / rho0 * std::pow(p.R, 5);
+    const double now = a(t), rate = omega / 2 * std::cos(omega * t), push = 7 * K / rho0 * (p.R * p.R) * (p.R * p.R) * p.R;
     const std::array<double, 2> R_along{p.R_x, p.R_y},
         compressed{p.g[0].xx + p.g[1].xy, p.g[0].xy + p.g[1].yy};  // the slopes of div g
     std::array<double, 2> b;
@@ -66,13 +66,14 @@ struct Manufactured {
 
   /// M / R, by (M / R)' = (M' - (M / R) R') / R.
   static Field quotient(const Field& m, const Field& r) {
+    const double per = 1 / r.v;
     Field g{};
-    g.v = m.v / r.v;
-    g.x = (m.x - g.v * r.x) / r.v;
-    g.y = (m.y - g.v * r.y) / r.v;
-    g.xx = (m.xx - 2 * g.x * r.x - g.v * r.xx) / r.v;
-    g.xy = (m.xy - g.x * r.y - g.y * r.x - g.v * r.xy) / r.v;
-    g.yy = (m.yy - 2 * g.y * r.y - g.v * r.yy) / r.v;
+    g.v = m.v * per;
+    g.x = (m.x - g.v * r.x) * per;
+    g.y = (m.y - g.v * r.y) * per;
+    g.xx = (m.xx - 2 * g.x * r.x - g.v * r.xx) * per;
+    g.xy = (m.xy - g.x * r.y - g.y * r.x - g.v * r.xy) * per;
+    g.yy = (m.yy - 2 * g.y * r.y - g.v * r.yy) * per;
     return g;
   }
 

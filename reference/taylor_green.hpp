@@ -25,7 +25,7 @@ struct TaylorGreen {
 
   /// How fast velocities fall [1/s]: as exp(-rate t); energy falls twice as fast.
   double decay_rate() const { return 2 * nu * k() * k(); }
-  /// Kinetic energy per area [J/m²] over the square.
+  /// Mean kinetic energy per volume [J/m³].
   double energy(double t) const {
     const double now = U * decay(0, 0, t);
     return rho * now * now / 4;

@@ -3,6 +3,7 @@
 
 #include "reports/figures/attachments.hpp"
 #include "reports/pages/site.hpp"
+#include "reports/paper/paper.hpp"
 #include "vnv/programs/interruption.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Example: touchstone_report build/records/nightly build/site/nightly --history nights\n"
       "Exit status: 0 all claims hold or are known to fail, 1 something is red or inconclusive, 3 no pages were made.");
-  std::string records, site, history, known_failures, faults, claims, attachments;
+  std::string records, site, history, known_failures, faults, claims, attachments, paper, references;
   bool whole = false;
   app.add_option("RECORDS_DIR", records, "folder with the records, *.json")->required();
   app.add_option("SITE_DIR", site, "folder for the pages; a former site in it is replaced")->required();
@@ -33,8 +34,18 @@ int main(int argc, char** argv) {
       ->envname("TOUCHSTONE_WHOLE_SUITE");
   app.add_option("--attachments", attachments,
                  "folder for the figures as PNG, for a dashboard: drawn and named where ctest runs this for one");
+  CLI::Option* literature = app.add_option("--references", references, "literature, data/references.bib");
+  app.add_option("--paper", paper,
+                 "no pages: what a paper needs of this case, written into SITE_DIR, which is not replaced")
+      ->needs(literature);
   CLI11_PARSE(app, argc, argv);
   try {
+    if (!paper.empty()) {
+      const auto written = touchstone::reports::write_paper(records, paper, references, site);
+      for (const auto& file : written.files) fmt::print("{}\n", file.string());
+      for (const auto& line : written.missing) fmt::print(stderr, "touchstone_report: {}\n", line);
+      return 0;
+    }
     const auto standing = touchstone::reports::make_site(
         records, site,
         {.history = history, .known_failures = known_failures, .faults = faults, .claims = claims, .whole = whole});

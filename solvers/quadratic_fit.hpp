@@ -57,6 +57,7 @@ struct QuadraticFit {
     constexpr std::size_t n = monomials - first;
     std::array<std::array<Real, n>, n> lower;  // below the diagonal; D above it, from the left times from above
     std::array<Real, n> per;
+#pragma GCC unroll 8
     for (std::size_t j = 0; j < n; ++j) {
       for (std::size_t i = j; i < n; ++i) {
         Real a = sums[moment(first + i, first + j)];
@@ -72,6 +73,7 @@ struct QuadraticFit {
     std::array<Polynomial, fields> found{};
     for (std::size_t f = 0; f < fields; ++f) {
       std::array<Real, n> y;
+#pragma GCC unroll 8
       for (std::size_t i = 0; i < n; ++i) {
         y[i] = sums[place_of(f) + first + i];
         for (std::size_t k = 0; k < i; ++k) y[i] -= lower[i][k] * y[k];

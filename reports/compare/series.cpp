@@ -59,6 +59,7 @@ void add_run(Collector& all, const NightRun& run, std::size_t night) {
   if (!run.finished) return;
   for (const auto& [quantity, value] :
        {std::pair{"CPU time [s]", run.cpu}, std::pair{"peak memory [MB]", run.peak_memory / 1e6}}) {
+    if (std::isnan(value)) continue;  // files that were judged, or another resource
     Series& series = all.at(Kind::cost, run.case_name, run.method, run.level, vnv::not_a_number, quantity);
     series.spacing = run.spacing;
     put(series, night, value);

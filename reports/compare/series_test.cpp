@@ -124,6 +124,12 @@ TEST(SeriesOfNights, JoinAValueWithTheClaimsOnIt) {
   EXPECT_EQ(found->steps.size(), 0u);
 }
 
+TEST(SeriesOfNights, HaveNoCpuTimeOfRunsThatOccupiedAnotherResource) {
+  Night night = judged_night(2);
+  for (NightRun& run : night.runs) run.cpu = vnv::not_a_number;
+  EXPECT_TRUE(std::ranges::none_of(series_of({night}), [](const Series& s) { return s.quantity == "CPU time [s]"; }));
+}
+
 TEST(SeriesOfNights, AreDrawnWhereTheoryJudgesThemAndForTheDearestRun) {
   const auto all = series_of({judged_night(2)});
   std::vector<std::string> drawn;

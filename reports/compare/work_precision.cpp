@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -176,6 +177,7 @@ Points points_of(const vnv::Record& record, const Subject& subject) {
   for (const auto& error : record.values) {
     const auto run = std::ranges::find(record.runs, error.level, &vnv::RunSummary::level);
     if (!subject.is(error.quantity.heading(), error.time) || run == record.runs.end() || !run->finished) continue;
+    if (std::isnan(run->cost.cpu)) continue;  // unknown, or of another resource, which is compared with none
     const double fraction = error.time / run->end_time;
     points.push_back({.series = record.method,
                       .run = run->level,

@@ -166,6 +166,25 @@ TEST(Cheapest, LeavesOutRunsThatDidNotFinish) {
   EXPECT_DOUBLE_EQ(found(records)->error, 1.6);
 }
 
+TEST(Cheapest, IsNoRunThatOccupiedAnotherResourceThanCpuTime) {
+  CaseRecords records = three_methods();
+  records.records.push_back(records.records[1]);
+  for (vnv::Record* record : {&records.records[0], &records.records.back()}) {
+    record->method += " on a GPU";
+    record->machine = "another";
+    record->values = errors_of(sample_order());
+    for (auto& run : record->runs) {
+      run.cost.resource = vnv::Resource::gpu;
+      run.cost.occupied = 1e-3;
+      run.cost.cpu = vnv::not_a_number;
+    }
+  }
+  const auto answer = found(records);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->best.method, "mpm");
+  EXPECT_EQ(answer->next.method, "sph");
+}
+
 TEST(Cheapest, IsNotAskedForAcrossMachinesOrOfOneMethod) {
   CaseRecords records = three_methods();
   records.records[2].machine = "another";

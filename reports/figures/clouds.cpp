@@ -131,6 +131,7 @@ std::string script(const Panels& panels, const Layout& layout, const vnv::Figure
 if (!exists("image")) image = '{0}.png'
 set encoding utf8
 set terminal pngcairo size {1},{2} enhanced font 'sans,10' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'
+if (exists("paper")) set terminal pdfcairo size {1}/192.,{2}/192. enhanced font 'sans,10'
 set output image
 set datafile separator comma
 set minussign

@@ -15,12 +15,20 @@ bool has(const CaseRecords& records, const auto& marks, const std::string& figur
   });
 }
 
+Plot plot_of(const vnv::Figure& figure, const CaseRecords& records) {
+  return has(records, &vnv::Record::clouds, figure.id) ? plot_clouds(figure, records) : plot_curves(figure, records);
+}
+
+std::vector<DrawnFigure> draw(const Plots& plots, const std::filesystem::path& folder) {
+  std::vector<DrawnFigure> drawn;
+  for (const auto& [figure, plot] : plots) drawn.push_back(draw(plot, figure, folder));
+  return drawn;
+}
+
 }  // namespace
 
 DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder) {
-  return draw(
-      has(records, &vnv::Record::clouds, figure.id) ? plot_clouds(figure, records) : plot_curves(figure, records),
-      figure, folder);
+  return draw(plot_of(figure, records), figure, folder);
 }
 
 DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder) {
@@ -30,19 +38,27 @@ DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesys
   return {figure, plot.image, plot.width, plot.height, plot.undrawn};
 }
 
-std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder) {
-  std::vector<DrawnFigure> drawn;
+Plots plots_of_all(const CaseRecords& records) {
+  Plots plots;
   for (const auto& figure : each_once(records, &vnv::Record::figures))
     if (has(records, &vnv::Record::curves, figure.id) || has(records, &vnv::Record::clouds, figure.id))
-      drawn.push_back(draw(figure, records, folder));
-  return drawn;
+      plots.emplace_back(figure, plot_of(figure, records));
+  return plots;
+}
+
+Plots plots_of_orders(const CaseRecords& records) {
+  Plots plots;
+  for (const auto& comparison : order_comparisons(records))
+    plots.emplace_back(order_figure(comparison), plot_orders(comparison));
+  return plots;
+}
+
+std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder) {
+  return draw(plots_of_all(records), folder);
 }
 
 std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder) {
-  std::vector<DrawnFigure> drawn;
-  for (const auto& comparison : order_comparisons(records))
-    drawn.push_back(draw(plot_orders(comparison), order_figure(comparison), folder));
-  return drawn;
+  return draw(plots_of_orders(records), folder);
 }
 
 }  // namespace touchstone::reports

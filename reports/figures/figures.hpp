@@ -4,6 +4,7 @@
 #include "reports/figures/plot.hpp"
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 namespace touchstone::reports {
@@ -22,10 +23,16 @@ DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const st
 /// A plot in the frame of a figure.
 DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder);
 
-/// All figures of a case that have curves or clouds.
+/// Figures with what is to be drawn in them: all of a case that have curves or clouds, and errors over spacing of all
+/// its methods, once for each quantity and time that its orders are compared in.
+using Plots = std::vector<std::pair<vnv::Figure, Plot>>;
+Plots plots_of_all(const CaseRecords& records);
+Plots plots_of_orders(const CaseRecords& records);
+
+/// The first.
 std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder);
 
-/// Errors over spacing of all its methods, once for each quantity and time that its orders are compared in.
+/// The second.
 std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder);
 
 }  // namespace touchstone::reports

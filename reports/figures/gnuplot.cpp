@@ -33,13 +33,15 @@ class NoBrokenPipes {
 // Where gnuplot leaves what it has drawn, what it says, and that it came to the end.
 struct Traces {
   fs::path image, log, marker;
-  bool is_raster;
+  const char* variable;  // that tells a script which terminal to take
 
   explicit Traces(const fs::path& final_image)
       : image(beside(final_image, "part")),
         log(beside(final_image, "log")),
         marker(beside(final_image, "end")),
-        is_raster(final_image.extension() == ".png") {}
+        variable(final_image.extension() == ".png"   ? "raster = 1\n"
+                 : final_image.extension() == ".pdf" ? "paper = 1\n"
+                                                     : "") {}
   ~Traces() {
     std::error_code ignored;
     for (const auto& file : {image, log, marker}) fs::remove(file, ignored);
@@ -76,7 +78,8 @@ std::string message_in(const fs::path& log) {
 bool is_whole(const fs::path& image) {
   const std::string text = text_of(image);
   const std::string tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 16));
-  return tail.find("</svg>") != std::string::npos || tail.find("IEND") != std::string::npos;
+  return tail.find("</svg>") != std::string::npos || tail.find("IEND") != std::string::npos ||
+         tail.find("%%EOF") != std::string::npos;
 }
 
 // Read as a file, not as a dialogue: then the first error ends gnuplot, and the marker is never written.
@@ -85,8 +88,7 @@ void send(const fs::path& gnuplot, const fs::path& script, const Traces& traces)
   // `|| :` since gnuplot-iostream complains on standard error of an exit status; the marker tells as much.
   Gnuplot pipe(fmt::format("cd {} && {} -d /dev/stdin > {} 2>&1 || :", quoted(script.parent_path()), quoted(gnuplot),
                            quoted(traces.log)));
-  pipe << fmt::format("{}image = {}\nload {}\nset output\n", traces.is_raster ? "raster = 1\n" : "",
-                      as_text(traces.image), as_text(script));
+  pipe << fmt::format("{}image = {}\nload {}\nset output\n", traces.variable, as_text(traces.image), as_text(script));
   pipe << fmt::format("set print {}\nprint 'end'\n", as_text(traces.marker));
 }
 

@@ -15,7 +15,7 @@ struct GnuplotMissing : std::runtime_error {
 std::filesystem::path find_gnuplot();
 
 /// Runs a script, in its folder, that draws into the file named by its variable `image`; one that draws an SVG draws a
-/// PNG if `raster` is set, as it is for an image of that name.
+/// PNG if `raster` is set and a PDF if `paper` is, as they are for images of these names.
 /// Throws GnuplotMissing, or std::runtime_error with gnuplot's own message.
 void run_gnuplot(const std::filesystem::path& script, const std::filesystem::path& image);
 

@@ -91,7 +91,7 @@ std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>
   const std::string body =
       head(records) + paragraphs(records.records.front().description) +
       section("Figures", figures_html(records, figures)) + section("Tables", tables_html(records)) +
-      section("Claims", verdict_table(verdicts_of(records))) + section("Errors", errors_html(records)) +
+      section("Claims", verdict_table(records) + diagnosis_table(records)) + section("Errors", errors_html(records)) +
       section("Orders", orders_section(records, order_plots)) + section("Cost", cost_html(records)) +
       section("Methods", methods_html(records));
   return html_page(records.title(), "../", "<main>\n" + body + "</main>\n");

@@ -103,8 +103,9 @@ HtmlRow order_row(const vnv::Record& record, const vnv::ObservedOrder& order) {
           words_cell(pairwise(order))};
 }
 
-/// The median, and the lowest and highest where there were several.
-std::string cpu_with_span(const vnv::Cost& c) {
+/// The median, and the lowest and highest where there were several; another resource than CPU time with its name.
+std::string time_with_span(const vnv::Cost& c) {
+  if (c.resource != vnv::Resource::cpu) return fmt::format("{}\u202f{}\u202fs", printed(c.occupied), word(c.resource));
   if (c.repeats == 1) return printed(c.cpu);
   return fmt::format("{} <small>{}–{}</small>", printed(c.cpu), printed(c.cpu_lowest), printed(c.cpu_highest));
 }
@@ -119,13 +120,13 @@ HtmlRow cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
           number_cell(c.particles),
           number_cell(c.boundary_particles),
           number_cell(c.steps),
-          HtmlCell(cpu_with_span(c), "number"),
+          HtmlCell(time_with_span(c), "number"),
           number_cell(c.repeats),
           number_cell(c.wall),
           number_or_blank_cell(100 * c.harness_share()),
           number_cell(c.peak_memory / 1e6),
-          number_cell(c.per_particle_step() * 1e9),
-          number_cell(c.particle_steps_per_second() / 1e6),
+          number_or_blank_cell(c.per_particle_step() * 1e9),
+          number_or_blank_cell(c.particle_steps_per_second() / 1e6),
           HtmlCell(escape(run.outcome), fails_at(record, run.level) && !run.finished ? "words fails" : "words")};
 }
 
@@ -167,7 +168,9 @@ std::string orders_html(const CaseRecords& records) {
 std::string cost_html(const CaseRecords& records) {
   return table_of(
       {"Cost.",
-       "User time of the steps, the median where a run was made several times, with the lowest and highest. "
+       "User time of the steps, the median where a run was made several times, with the lowest and highest. Where a code "
+       "says which resource it occupies, instead wall time times how many of it, with its name: no CPU time, and "
+       "compared with none. "
        "Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
        "fraction of the wall time.",
        {"method", "level", "spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps completed",

@@ -111,20 +111,71 @@ TEST(TableOfCost, HasEachNumberInTheUnitOfItsHeading) {
                                                {"outcome", "finished"}}));
 }
 
+TEST(TableOfCost, NamesTheResourceThatIsNoCpuTime) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    record.runs = {sample_run("M2", vnv::not_a_number)};
+    record.runs[0].cost.resource = vnv::Resource::gpu;
+    record.runs[0].cost.occupied = 12.5;
+  });
+  EXPECT_EQ(last_row(cost_html(records)).at("CPU [s]"), "12.5\u202fGPU\u202fs");
+}
+
 TEST(TableOfClaims, HasValueLimitAndMarginOfEach) {
   vnv::Verdict verdict = sample_verdict(vnv::Outcome::holds, 0.25);
   verdict.spacing = 2.5e-3;
   verdict.time = 0.75;
-  EXPECT_EQ(last_row(verdict_table({verdict})), (Row{{"outcome", "holds"},
-                                                     {"method", "mpm"},
-                                                     {"level", "M2"},
-                                                     {"spacing [mm]", "2.5"},
-                                                     {"quantity", "L2 vx"},
-                                                     {"time [s]", "0.75"},
-                                                     {"value", "1.5\u202f%"},
-                                                     {"limit", "≤ 1.59\u202f%"},
-                                                     {"margin", "25\u202f%"},
-                                                     {"limit set by", "literature: Sun et al., table 3"}}));
+  const CaseRecords records = records_with([&](vnv::Record& record) { record.verdicts = {verdict}; });
+  EXPECT_EQ(last_row(verdict_table(records)), (Row{{"outcome", "holds"},
+                                                   {"method", "mpm"},
+                                                   {"level", "M2"},
+                                                   {"spacing [mm]", "2.5"},
+                                                   {"quantity", "L2 vx"},
+                                                   {"time [s]", "0.75"},
+                                                   {"value", "1.5\u202f%"},
+                                                   {"limit", "≤ 1.59\u202f%"},
+                                                   {"margin", "25\u202f%"},
+                                                   {"limit set by", "literature: Sun et al., table 3"}}));
+}
+
+TEST(TableOfClaims, SaysUnderAComparisonWhatExplainsItsError) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    vnv::Verdict order = record.verdicts.front(), other = order;
+    order.level = "";
+    order.quantity = "order of L2 v_x over files";
+    other.quantity = "Linf v_x";
+    record.verdicts = {order, other};
+    record.runs = {sample_run("M1", 1), sample_run("M2", 1)};
+    record.diagnoses = {{.level = "M2",
+                         .field = "velocity",
+                         .quantities = {"L2 v_x", order.quantity},
+                         .error = 3.25,
+                         .explanations = {{{{"body <force>", "%", 4.9976, 0.02512}}, 0.9931, true, ""},
+                                          {{{"viscosity", "%", -5.125, 0.5}, {"time", "s", 2, 1}}, 0.9, true, ""},
+                                          {{{"noise", "%", 1, 1}}, 0.1, false, ""}},
+                         .sentence = "a <b>force</b> & more"}};
+  });
+  const std::string claims = verdict_table(records), diagnoses = diagnosis_table(records);
+  EXPECT_TRUE(contains(claims, "&lt;b&gt;force&lt;/b&gt; &amp; more</small>")) << claims;
+  EXPECT_EQ(last_row(claims).at("quantity"), "Linf vx") << "of which nothing was asked";
+  EXPECT_TRUE(contains(diagnoses, "body &lt;force&gt; 4.998 ± 0.025\u202f%<")) << diagnoses;
+  EXPECT_EQ(last_row(diagnoses), (Row{{"method", "mpm"},
+                                      {"level", "M2"},
+                                      {"field", "velocity"},
+                                      {"error [%]", "3.25"},
+                                      {"fitted", "viscosity −5.125 ± 0.5\u202f%, time 2 ± 1\u202fs"},
+                                      {"explained [%]", "90"}}));
+}
+
+TEST(TableOfClaims, ShowsTheBestExplanationWhereNoneSuffices) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    record.diagnoses = {
+        {.level = "M2",
+         .field = "pressure",
+         .error = 3,
+         .explanations = {{{{"gravity", "%", 5, 1}}, 0.25, false, ""}, {{{"noise", "%", 1, 1}}, 0.1, false, ""}},
+         .sentence = "none"}};
+  });
+  EXPECT_EQ(last_row(diagnosis_table(records)).at("fitted"), "gravity 5 ± 1\u202f% does not suffice");
 }
 
 TEST(TableOfARecord, HasItsNumbersUnderTheirHeadings) {

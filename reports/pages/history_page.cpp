@@ -192,7 +192,8 @@ HtmlRow night_row(std::size_t number, const Night& night) {
   Tally sum;
   for (const auto& verdict : night.verdicts) sum.add(verdict.outcome);
   double cpu = 0;  // s
-  for (const auto& run : night.runs) cpu += run.cpu;
+  for (const auto& run : night.runs)
+    if (!std::isnan(run.cpu)) cpu += run.cpu;  // else it is unknown or of another resource
   return {number_cell(number + 1),
           escape(night.finished_at),
           revision(night),

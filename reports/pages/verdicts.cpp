@@ -17,13 +17,20 @@ const std::vector<std::string> claim_columns{"outcome",  "method", "level", "spa
 /// May break after an underscore.
 std::string name_html(const std::string& name) { return replaced(escape(name), "_", "_<wbr>"); }
 
-HtmlRow verdict_row(const vnv::Verdict& v) {
+/// What a comparison is of and, where its error was diagnosed, what explains that.
+std::string quantity_html(const vnv::Record& record, const vnv::Verdict& v) {
+  const vnv::Diagnosis* found = vnv::diagnosis_of(v, record);
+  return typeset(v.quantity) +
+         (found ? fmt::format(" <small class=\"diagnosis\">{}</small>", escape(found->sentence)) : "");
+}
+
+HtmlRow verdict_row(const vnv::Record& record, const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
   return {outcome_cell(v.outcome),
           name_html(v.method),
           level_cell(v.level),
           number_or_blank_cell(v.spacing * 1e3),
-          words_cell(typeset(v.quantity)),
+          words_cell(quantity_html(record, v)),
           number_or_blank_cell(v.time),
           HtmlCell(valued(v.value, v.unit), "number"),
           HtmlCell(printed_limit(v.lower, v.upper) + unit, "number limit"),
@@ -61,9 +68,32 @@ std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdi
   return html_list(word(outcome), items);
 }
 
-std::string verdict_table(const std::vector<vnv::Verdict>& verdicts) {
+std::string verdict_table(const CaseRecords& records) {
   HtmlTable table{"Claims.", caption, claim_columns};
-  for (const auto& verdict : verdicts) table.rows.push_back(verdict_row(verdict));
+  for_each(records, &vnv::Record::verdicts,
+           [&](const auto& record, const auto& verdict) { table.rows.push_back(verdict_row(record, verdict)); });
+  return to_html(table);
+}
+
+std::string diagnosis_table(const CaseRecords& records) {
+  HtmlTable table{
+      "What explains the errors.",
+      "What would be wrong, fitted to the difference from the exact field by least squares, with its "
+      "95\u202f% interval, and how much of the squared error that explains. These data cannot tell apart what "
+      "stands here of one field and level.",
+      {"method", "level", "field", "error [%]", "fitted", "explained [%]"}};
+  for_each(records, &vnv::Record::diagnoses, [&](const vnv::Record& record, const vnv::Diagnosis& found) {
+    for (const vnv::Explanation& one : found.explanations) {
+      if (!one.named && &one != &found.explanations.front()) continue;  // the best is shown where none suffices
+      std::string fitted;
+      for (const vnv::FittedCause& c : one.causes)
+        fitted += fmt::format("{}{} {} ± {}\u202f{}", fitted.empty() ? "" : ", ", escape(c.cause), printed(c.value),
+                              printed(c.half_width, 2), escape(c.unit));
+      table.rows.push_back(
+          {name_html(record.method), level_cell(found.level), escape(found.field), number_cell(found.error),
+           words_cell(fitted + (one.named ? "" : " <small>does not suffice</small>")), number_cell(100 * one.share)});
+    }
+  });
   return to_html(table);
 }
 
@@ -71,7 +101,7 @@ std::string verdicts_page(const std::vector<CaseRecords>& cases) {
   HtmlTable table{"Claims of all cases.", caption, claim_columns};
   table.columns.insert(table.columns.begin(), "case");
   for_each(cases, &vnv::Record::verdicts, [&](const vnv::Record& record, const vnv::Verdict& verdict) {
-    HtmlRow row = verdict_row(verdict);
+    HtmlRow row = verdict_row(record, verdict);
     row.emplace(row.begin(),
                 fmt::format("<a href=\"{}/index.html\">{}</a>", record.case_name, name_html(record.case_name)));
     table.rows.push_back(std::move(row));

@@ -21,8 +21,12 @@ std::string margin_bar(double margin);
 /// The sentences of all claims of this outcome; empty without any.
 std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts);
 
-/// Every claim with value, limit, author and margin; empty without claims.
-std::string verdict_table(const std::vector<vnv::Verdict>& verdicts);
+/// Every claim with value, limit, author and margin, and what explains its error where that was asked; empty without
+/// claims.
+std::string verdict_table(const CaseRecords& records);
+
+/// Of each diagnosed error what is named, or else the best, with the fitted values; empty without diagnoses.
+std::string diagnosis_table(const CaseRecords& records);
 
 /// The page of the claims of all cases. Stands beside the index.
 std::string verdicts_page(const std::vector<CaseRecords>& cases);

@@ -15,6 +15,11 @@ std::string verdict_line(const vnv::Record&, const vnv::Verdict& v) {
                    with_unit(v.quantity, v.unit), number(v.value), limit(v.lower, v.upper), v.author, word(v.outcome)});
 }
 
+std::string value_line(const vnv::Record& record, const vnv::Value& v) {
+  return csv_line({record.case_name, record.method, v.level, number(v.spacing), number_or_empty(v.time),
+                   v.quantity.heading(), number(v.value)});
+}
+
 std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {
   const bool has_levels = !o.spacings.empty() && !o.errors.empty();
   return csv_line({record.case_name, record.method, o.ladder, o.quantity, number(o.time),
@@ -30,7 +35,7 @@ std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
   return csv_line({record.case_name, record.method, run.level, std::to_string(c.particles), std::to_string(c.steps),
                    number(c.cpu), number(c.cpu_lowest), number(c.cpu_highest), std::to_string(c.repeats),
                    number(c.wall), number_or_empty(100 * c.harness_share()), number(c.peak_memory / 1e6),
-                   number(c.per_particle_step() * 1e9)});
+                   number(c.per_particle_step() * 1e9), word(c.resource), number(c.spent())});
 }
 
 /// A heading, and a line of each item of all records.
@@ -46,6 +51,10 @@ std::string verdicts_csv(const std::vector<CaseRecords>& cases) {
                "case,method,level,spacing [m],time [s],quantity,value,limit,author,verdict\n");
 }
 
+std::string values_csv(const std::vector<CaseRecords>& cases) {
+  return table(cases, &vnv::Record::values, value_line, "case,method,level,spacing [m],time [s],quantity,value\n");
+}
+
 std::string orders_csv(const std::vector<CaseRecords>& cases) {
   return table(
       cases, &vnv::Record::orders, order_line,
@@ -55,7 +64,7 @@ std::string orders_csv(const std::vector<CaseRecords>& cases) {
 std::string cost_csv(const std::vector<CaseRecords>& cases) {
   return table(
       cases, &vnv::Record::runs, cost_line,
-      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step\n");
+      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step,resource,time of resource [s]\n");
 }
 
 }  // namespace touchstone::reports

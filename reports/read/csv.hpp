@@ -14,6 +14,9 @@ using vnv::csv_field, vnv::csv_line;
 /// One line per claim. Fields that do not apply are empty; a value that is not a number is "nan".
 std::string verdicts_csv(const std::vector<CaseRecords>& cases);
 
+/// One line per value.
+std::string values_csv(const std::vector<CaseRecords>& cases);
+
 /// One line per quantity, time and ladder of a method.
 std::string orders_csv(const std::vector<CaseRecords>& cases);
 

@@ -57,7 +57,7 @@ TEST(Csv, ARunIsOneLineInTheUnitsOfTheHeading) {
   run.cost.peak_memory = 5e6;
   record.runs = {run};
   EXPECT_TRUE(
-      contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,1.9,2.2,3,2.5,1,5,1000\n"));
+      contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,1.9,2.2,3,2.5,1,5,1000,CPU,2\n"));
 }
 
 }  // namespace

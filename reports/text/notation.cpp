@@ -44,10 +44,10 @@ std::string plain(double value, int digits) {
 }
 std::string plain_or_empty(double value, int digits) { return std::isnan(value) ? "" : plain(value, digits); }
 
-std::string printed(double value) {
+std::string printed(double value, int digits) {
   if (!std::isfinite(value)) return fmt::format("<span class=\"nan\">{}</span>", with_minus(plain(value)));
   if (std::abs(value) >= 1e4 && std::abs(value) < 1e7) return grouped(fmt::format("{:.0f}", value));
-  const std::string number = plain(value);
+  const std::string number = plain(value, digits);
   return number.find('e') == std::string::npos ? with_minus(number) : with_power(number);
 }
 
@@ -92,6 +92,7 @@ std::string with_interval(double value, double half_width) {
 }
 
 std::string word(vnv::Outcome outcome) { return std::string(words(outcome)[static_cast<std::size_t>(outcome)]); }
+std::string word(vnv::Resource resource) { return std::string(words(resource)[static_cast<std::size_t>(resource)]); }
 std::string word(vnv::Trend trend) { return std::string(vnv::name_of(trend)); }
 
 std::string sign_and_word(vnv::Trend trend) {

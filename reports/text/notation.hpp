@@ -16,7 +16,7 @@ std::string plain(double value, int digits = 4);
 std::string plain_or_empty(double value, int digits = 4);
 
 /// As in print: "0.0159", "1.2 × 10^−7", "200 000"; what is not finite is marked.
-std::string printed(double value);
+std::string printed(double value, int digits = 4);
 
 /// "1.59 %": as in print, with its unit.
 std::string valued(double value, const std::string& unit);
@@ -49,6 +49,8 @@ std::string with_interval(double value, double half_width);
 /// "holds", "fails" or "inconclusive"; also the class by which the style sheet knows the colour, as of a trend.
 std::string word(vnv::Outcome outcome);
 std::string word(vnv::Trend trend);
+/// "CPU", "GPU" or "core"
+std::string word(vnv::Resource resource);
 
 /// "↘ converging": where the errors go as the spacing decreases.
 std::string sign_and_word(vnv::Trend trend);

@@ -18,10 +18,9 @@ class AdamsBashforth {
     if (dt != last_dt_) known_ = 0;
     last_dt_ = dt;
     if (known_ < 2) {
-      const std::array<Scalars, 3> at_start{all.ax, all.ay, all.drho};
-      starter_.from_rates_at_start(flow, time, dt, lap);
-      all.ax = at_start[0], all.ay = at_start[1], all.drho = at_start[2];
       remember_rates(all);
+      all.ax = all.past[0], all.ay = all.past[1], all.drho = all.past[2];
+      PredictorCorrector::from_rates_at_start(flow, time, dt, lap);
       ++known_;
       return;
     }
@@ -59,7 +58,6 @@ class AdamsBashforth {
     }
   }
 
-  PredictorCorrector starter_;
   int known_ = 0;       // rates of past steps
   double last_dt_ = 0;  // s
 };

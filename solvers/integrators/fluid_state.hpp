@@ -12,6 +12,11 @@ struct FluidState {
   Scalars vx, vy, rho;        // m/s, kg/m³
   Scalars ax, ay, drho;       // m/s², kg/m³ s
   std::vector<Scalars> past;  // fields of the integrator that go with the particles
+
+  struct Motion {
+    Scalars x, y, vx, vy, rho;
+  };
+  Motion start;  // of a step, where an integrator comes back to it
 };
 
 }  // namespace touchstone

@@ -21,7 +21,7 @@ class PredictorCorrector {
   }
   /// The same where the rates at the start are known.
   template <class Flow, class Laps>
-  void from_rates_at_start(Flow& flow, double time, double dt, const Laps& lap) {
+  static void from_rates_at_start(Flow& flow, double time, double dt, const Laps& lap) {
     remember_start(flow);
     advance(flow, dt / 2);  // predict the midpoint
     lap(SubStep::motion);
@@ -31,38 +31,34 @@ class PredictorCorrector {
   }
 
  private:
-  struct Motion {
-    Scalars x, y, vx, vy, rho;
-  };
-
   template <class Flow>
-  void remember_start(Flow& flow) {
-    const FluidState& all = flow.state();
-    for (Scalars* field : {&start_.x, &start_.y, &start_.vx, &start_.vy, &start_.rho}) field->resize(all.fluid);
-    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      start_.x(part) = all.x(part);
-      start_.y(part) = all.y(part);
-      start_.vx(part) = all.vx(part);
-      start_.vy(part) = all.vy(part);
-      start_.rho(part) = all.rho(part);
-    });
-  }
-
-  template <class Flow>
-  void advance(Flow& flow, double dt) const {
+  static void remember_start(Flow& flow) {
     FluidState& all = flow.state();
+    auto& [x, y, vx, vy, rho] = all.start;
+    for (Scalars* field : {&x, &y, &vx, &vy, &rho}) field->resize(all.fluid);
     share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
-      all.x(part) = start_.x(part) + dt * all.vx(part);
-      all.y(part) = start_.y(part) + dt * all.vy(part);
-      all.vx(part) = start_.vx(part) + dt * all.ax(part);
-      all.vy(part) = start_.vy(part) + dt * all.ay(part);
-      all.rho(part) = start_.rho(part) + dt * all.drho(part);
+      x(part) = all.x(part);
+      y(part) = all.y(part);
+      vx(part) = all.vx(part);
+      vy(part) = all.vy(part);
+      rho(part) = all.rho(part);
     });
   }
 
-  Motion start_;
+  template <class Flow>
+  static void advance(Flow& flow, double dt) {
+    FluidState& all = flow.state();
+    const auto& [x, y, vx, vy, rho] = all.start;
+    share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
+      const auto part = Eigen::seqN(begin, end - begin);
+      all.x(part) = x(part) + dt * all.vx(part);
+      all.y(part) = y(part) + dt * all.vy(part);
+      all.vx(part) = vx(part) + dt * all.ax(part);
+      all.vy(part) = vy(part) + dt * all.ay(part);
+      all.rho(part) = rho(part) + dt * all.drho(part);
+    });
+  }
 };
 
 }  // namespace touchstone

@@ -62,6 +62,12 @@ decltype(auto) with_indices(const F& f) {
   (std::make_integer_sequence<int, n>{});
 }
 
+/// Calls f(0) to f(n - 1), unrolled.
+template <int n, class F>
+void for_indices(const F& f) {
+  with_indices<n>([&](auto... i) { (f(i), ...); });
+}
+
 /// The same number in every lane.
 template <class Real>
 Real fill(double number) {

@@ -119,7 +119,7 @@ class CellOrder {
     const int left = source.slot(lane, k), last = source.slot(lane, source.count[lane]);
     copy(particles, left, place);
     if (last != left) copy(particles, last, left);
-    particles.for_fields([=](auto& field) { field[last] = 0; });
+    clear(particles, last);
     block_of(to).add(lane_of(to), 1);
     stale_ = stale_ || source.most() == 0;
   }
@@ -152,10 +152,13 @@ class CellOrder {
 
   template <class Particles>
   void make_room(Particles& particles, Block& block) {
-    const int capacity = 2 * block.capacity + 2;
+    const int capacity = block.capacity + block.capacity / 4 + 2;
     if (used_ + capacity * width > slots_) return lay_out_anew(particles);
     for (int lane = 0; lane < width; ++lane)
-      for (int k = 0; k < block.count[lane]; ++k) copy(particles, block.slot(lane, k), used_ + k * width + lane);
+      for (int k = 0; k < block.count[lane]; ++k) {
+        copy(particles, block.slot(lane, k), used_ + k * width + lane);
+        clear(particles, block.slot(lane, k));
+      }
     block.first = used_;
     block.capacity = capacity;
     used_ += capacity * width;
@@ -165,6 +168,10 @@ class CellOrder {
   static void copy(Particles& particles, int from, int to) {
     particles.for_fields([=](auto& field) { field[to] = field[from]; });
   }
+  template <class Particles>
+  static void clear(Particles& particles, int slot) {
+    particles.for_fields([=](auto& field) { field[slot] = 0; });
+  }
 
   template <class Particles>
   void lay_out_anew(Particles& particles) {
@@ -173,21 +180,22 @@ class CellOrder {
     find_room();
     particles.for_fields([&]<class F>(F& field) {
       F fresh(slots_);
+      std::fill_n(&fresh[0], slots_, 0);
       for (std::size_t i = 0; i < blocks_.size(); ++i)
         std::copy_n(&field[from[i]], blocks_[i].most() * width, &fresh[blocks_[i].first]);
       field.swap(fresh);
     });
   }
 
-  /// Gives every block a place with room for one particle more in each of its cells, and for an eighth more.
+  /// Gives every block a place with room for one particle more in each of its cells, and for a quarter more.
   void find_room() {
     used_ = 0;
     for (Block& block : blocks_) {
       block.first = used_;
-      block.capacity = block.most() + block.most() / 8 + 1;
+      block.capacity = block.most() + block.most() / 4 + 1;
       used_ += block.capacity * width;
     }
-    slots_ = used_ + used_ / 16 + 64 * width;  // the rest is for blocks that come or grow
+    slots_ = used_ + used_ / 8 + 64 * width;  // the rest is for blocks that come or grow
   }
 
   int columns_;

@@ -1,4 +1,5 @@
 #pragma once
+#include "solvers/mpm/cell_lanes.hpp"
 #include "solvers/mpm/cell_order.hpp"
 #include "solvers/threads.hpp"
 
@@ -11,5 +12,43 @@ void share_out_rows(const CellOrder<width>& order, int threads, const Work& work
   const auto row_of = [&](Eigen::Index block) { return std::lower_bound(rows.begin(), rows.end(), block); };
   share_out(threads, rows.back(), [&](Eigen::Index begin, Eigen::Index end) { work(row_of(begin), row_of(end)); });
 }
+
+/// Writes the lanes that hold a particle, and zero to the others.
+struct IfPresent {
+  Truth<Lanes> present;
+
+  Lanes operator()(const Lanes& value, double* to) const {
+    const Lanes kept = present ? value : Lanes{};
+    store(kept, to);
+    return kept;
+  }
+};
+
+/// Calls work(slot, write) for the k-th particles of all cells of a block at once, for every k.
+template <class Block, class Work>
+void for_particles_of(const Block& block, const Work& work) {
+  const Lanes count = converted<Lanes>(block.count.data());
+  Lanes k{};
+  for (int slot = block.first, end = block.slot(0, block.most()); slot < end; slot += lanes, k += 1)
+    work(slot, IfPresent{k < count});
+}
+
+/// Calls work(index, block, node) for all blocks, with the first of the nodes around the cells of each.
+template <class Particles, class Nodes, class Work>
+void for_blocks(const Particles& particles, const Nodes& nodes, int threads, const Work& work) {
+  const auto& blocks = particles.order.blocks();
+  share_out(threads, static_cast<Eigen::Index>(blocks.size()), [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) work(i, blocks[i], nodes.stride * blocks[i].row + blocks[i].column);
+  });
+}
+/// The same of a work(block, node) that tells where all is calm.
+template <class Particles, class Nodes, class Work>
+void for_blocks(const Particles& particles, const Nodes& nodes, int threads, std::vector<LaneBits>& calm,
+                const Work& work) {
+  calm.resize(particles.order.blocks().size());
+  for_blocks(particles, nodes, threads,
+             [&](Eigen::Index i, const auto& block, int node) { calm[i] = lanes_with<Lanes>(work(block, node)); });
+}
+inline const Truth<Lanes> calm_so_far = Lanes{} == Lanes{};
 
 }  // namespace touchstone::mpm

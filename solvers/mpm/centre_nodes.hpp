@@ -117,7 +117,7 @@ class GivenToCentres {
       here = shares[1][row];
       right = shares[2][row];
     };
-    with_indices<3>([&](auto... row) { (give_row(row), ...); });
+    for_indices<3>(give_row);
   }
   /// Gives what waits, where no block follows.
   void finish(int column) {

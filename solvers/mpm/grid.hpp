@@ -20,12 +20,17 @@ class Grid {
   /// on nodes: 1.61 m in cells of 0.02 m becomes 81 or 80 cells of about 0.02 m, whichever way the half is rounded.
   /// Throws std::invalid_argument if the expected cell [m] is not positive or leaves no cell or too many.
   Grid(const Domain& domain, double expected_cell)
-      : box(domain.box),
-        periodic_x(domain.periodic_x),
-        periodic_y(domain.periodic_y),
-        columns(cells_along(box.size().x(), expected_cell)),
-        rows(cells_along(box.size().y(), expected_cell)),
-        cell(box.size().x() / columns, box.size().y() / rows) {}
+      : Grid(domain.box, domain.periodic_x, domain.periodic_y, cells_along(domain.box.size().x(), expected_cell),
+             cells_along(domain.box.size().y(), expected_cell)) {}
+
+  /// Cells of the same size, each around a node of this grid; the outer half of the first and the last along an axis
+  /// that is not periodic lies outside.
+  Grid around_nodes() const {
+    Box around{box.low - cell / 2, box.high - cell / 2};
+    const Vec2 more(!periodic_x, !periodic_y);
+    around.high += more.cwiseProduct(cell);
+    return {around, periodic_x, periodic_y, columns + !periodic_x, rows + !periodic_y};
+  }
 
   const Box box;  // m
   const bool periodic_x, periodic_y;
@@ -70,6 +75,14 @@ class Grid {
   }
 
  private:
+  Grid(const Box& its_box, bool along_x, bool along_y, int its_columns, int its_rows)
+      : box(its_box),
+        periodic_x(along_x),
+        periodic_y(along_y),
+        columns(its_columns),
+        rows(its_rows),
+        cell(box.size().x() / columns, box.size().y() / rows) {}
+
   static int cells_along(double size, double expected) {
     constexpr double most = 20000;  // so that cells and nodes can be counted in an int
     const double n = std::round(size / expected);

@@ -37,6 +37,13 @@ TEST(Grid, FindsTheNodesOfWalls) {
   EXPECT_EQ(grid.nodes_on(right_at(1, free_slip())), (std::vector<int>{4, 9, 14}));
 }
 
+TEST(Grid, HasCellsAroundItsNodes) {
+  const Grid around = Grid({.box = {.high = {0.4, 0.3}}, .periodic_x = true}, 0.1).around_nodes();
+  EXPECT_EQ(around.columns, 4);
+  EXPECT_EQ(around.rows, 4);
+  EXPECT_TRUE(around.place(around.cell_at(1, 3), 0.5, 0.5).isApprox(Vec2(0.1, 0.3)));
+}
+
 TEST(Lattice, FillsItsBoxEvenly) {
   const Box filled{.low = {1, 2}, .high = {1.61, 2.4}};
   const Lattice points = lattice(filled, 0.1);

@@ -39,6 +39,7 @@ bool is_calm(const Particles& particles, int slot) {
 /// Throws Diverged, with the step and time [s] just reached, if it has left the domain or has no plausible density.
 template <class Particles, class FluidLaw>
 int settle(Particles& particles, int slot, int cell, const Grid& grid, const FluidLaw& fluid, long step, double time) {
+  if (is_calm(particles, slot)) return cell;
   const Vec2 place = grid.place(cell, particles.X[slot], particles.Y[slot]);
   const auto fail = [&](std::string quantity, double value, std::string expected) {
     throw Diverged({.step = step,
@@ -61,11 +62,10 @@ int settle(Particles& particles, int slot, int cell, const Grid& grid, const Flu
   return grid.cell_at(column, row);
 }
 
-/// Carries the particles that left their cell to the one they are in; visits only those that are not calm. True if
-/// a block has come or has been emptied. Throws Diverged as `settle` does.
-template <class Particles, class FluidLaw>
-bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Grid& grid, const FluidLaw& fluid,
-                long step, double time) {
+/// Carries the particles that left their cell to the one they are in, settle(slot, cell); visits only those that are
+/// not calm. True if a block has come or has been emptied.
+template <class Particles, class Settle>
+bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const Settle& settle) {
   auto& order = particles.order;
   for (std::size_t index = 0; index < calm.size(); ++index) {
     if (calm[index] == (1u << order.width) - 1) continue;
@@ -73,8 +73,7 @@ bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const G
       if (calm[index] >> lane & 1) continue;
       for (int k = 0; k < order.blocks()[index].count[lane];) {
         const auto& block = order.blocks()[index];
-        const int slot = block.slot(lane, k), cell = order.cell(block, lane),
-                  to = is_calm(particles, slot) ? cell : settle(particles, slot, cell, grid, fluid, step, time);
+        const int slot = block.slot(lane, k), cell = order.cell(block, lane), to = settle(slot, cell);
         if (to == cell)
           ++k;
         else
@@ -86,5 +85,4 @@ bool keep_order(Particles& particles, const std::vector<LaneBits>& calm, const G
   order.list_occupied();
   return true;
 }
-
 }  // namespace touchstone::mpm

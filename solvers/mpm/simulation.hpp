@@ -64,7 +64,10 @@ class SimulationInCells : public Simulation<FluidLaw, Force> {
   void end_step(const Laps& lap, const ListNear& list_near) {
     lap(SubStep::gather);
     this->tick();
-    if (keep_order(particles_, calm_, this->grid_, this->scene_.fluid, this->steps(), this->time())) list_near();
+    const auto settle_here = [&](int slot, int cell) {
+      return settle(particles_, slot, cell, this->grid_, this->scene_.fluid, this->steps(), this->time());
+    };
+    if (keep_order(particles_, calm_, settle_here)) list_near();
     lap(SubStep::sorting);
   }
 

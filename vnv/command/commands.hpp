@@ -39,6 +39,11 @@ struct ReportOptions {
 };
 int report(const Build& build, const ReportOptions& options);
 
+struct ExportOptions {
+  std::string case_name{}, records{}, folder{}, suite = "acceptance";
+};
+int export_case(const Build& build, const ExportOptions& options);
+
 struct AcceptOptions {
   Patterns patterns{};
   std::string reason{}, suite = "acceptance";

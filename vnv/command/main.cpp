@@ -88,6 +88,13 @@ void declare_report(CLI::App& command, ReportOptions& options) {
                      "results of the seeded faults; default: vnv/trials/faults/trials.csv of the sources");
 }
 
+void declare_export(CLI::App& command, ExportOptions& options) {
+  command.add_option("CASE", options.case_name, "a case, or another code's: as its page is called")->required();
+  command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
+  command.add_option("--folder", options.folder, "for the files; default: BUILD/export/CASE");
+  add_suite(command, options.suite);
+}
+
 void declare_accept(CLI::App& command, AcceptOptions& options) {
   add_patterns(command, options.patterns)->required();
   command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
@@ -231,6 +238,11 @@ void add_subcommands(Session& session) {
   add(session, "report", "Turns records into pages and prints the path of the first.",
       "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,
       declare_report);
+  add(session, "export", "Writes what a paper needs of a judged case: figures, tables, data, versions, citations.",
+      "Figures as PDF, with their data and the gnuplot scripts that redraw them; claims and versions as tables for LaTeX\n"
+      "(booktabs); all numbers as CSV; BibTeX of the literature that the case names.\n"
+      "Examples:\n  vnv export poiseuille\n  vnv export poiseuille --records mine --folder paper/poiseuille",
+      export_case, declare_export);
   add(session, "accept",
       "Runs methods and makes their values the baselines, unless a claim of theory or literature fails.",
       "A suite that makes fewer claims than accepted is red: their number is accepted with the values.\n"
@@ -238,12 +250,12 @@ void add_subcommands(Session& session) {
       "  vnv accept couette.old --claims build/records/acceptance --reason \"a method less\"",
       accept, declare_accept);
   add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
-      "BEFORE and AFTER are records, folders of records, build folders, files of solvers (.toml), which are run, or git\n"
-      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and the ratio of their CPU times has a\n"
-      "95 % confidence interval.\n"
+      "BEFORE and AFTER are records, folders of records, build folders, two versions of a solver (.toml), or git\n"
+      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and\n"
+      "the ratio of their CPU times, or of the resource that both occupy, has a 95 % confidence interval.\n"
       "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
-      "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n"
+      "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n  vnv gate old.toml new.toml\n"
       "  vnv gate nights/monday nights/tuesday --json gate.json",
       run_gate, declare_gate);
   add(session, "explain", "Explains what a case solves, what is claimed on whose word, and where its data come from.",

@@ -36,7 +36,8 @@ std::string where(const std::filesystem::path& log) {
 
 MethodOutcome outcome_in(const Record& record) {
   MethodOutcome outcome;
-  for (const RunSummary& run : record.runs) outcome.cpu += run.cost.cpu * static_cast<double>(run.cost.repeats);
+  for (const RunSummary& run : record.runs) outcome.spent += run.cost.spent() * static_cast<double>(run.cost.repeats);
+  if (!record.runs.empty()) outcome.resource = record.runs.front().cost.resource;
   for (const Verdict& verdict : record.verdicts) {
     ++outcome.judged;
     if (verdict.outcome == Outcome::holds)

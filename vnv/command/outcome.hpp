@@ -13,7 +13,8 @@ using programs::Ending;
 
 struct MethodOutcome {
   long held = 0, judged = 0;            // claims
-  double cpu = 0;                       // s  of all its runs
+  double spent = 0;                     // s  of all its runs
+  Resource resource = Resource::cpu;    // of which
   std::vector<std::string> failures{};  // sentences
   bool is_of_method = true;  // not of a crash or of what kept it from being assessed, which may be the machine's
 };

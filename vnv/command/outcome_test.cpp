@@ -81,5 +81,14 @@ TEST_F(AnOutcome, WithoutARecordIsAFailure) {
   EXPECT_FALSE(is_conclusive(outcome, well_));
 }
 
+TEST(CostOfAMethod, IsInTheResourceThatItsRunsOccupied) {
+  Record record;
+  record.runs = {{.level = "M1", .cost = {.repeats = 2, .cpu = 3}}};
+  EXPECT_EQ(outcome_in(record).spent, 6);
+  record.runs[0].cost = {.cpu = not_a_number, .resource = Resource::core, .occupied = 5};
+  EXPECT_EQ(outcome_in(record).spent, 5);
+  EXPECT_EQ(outcome_in(record).resource, Resource::core);
+}
+
 }  // namespace
 }  // namespace touchstone::vnv::command

@@ -1,4 +1,4 @@
-/// vnv report: records to pages.
+/// vnv report and export: records to pages, and to what a paper needs.
 
 #include "vnv/command/commands.hpp"
 #include "vnv/gate/source.hpp"
@@ -24,20 +24,32 @@ std::string named_or(const std::string& named, const fs::path& usual) {
   return !named.empty() ? named : fs::exists(usual) ? usual.string() : "";
 }
 
-}  // namespace
+fs::path data_of(const Build& build) {
+  return build.data.empty() ? fs::path(gate::configured(build.folder, "CMAKE_HOME_DIRECTORY")) / "data" : build.data;
+}
 
-int make_pages(const Build& build, const Words& arguments) {
+fs::path records_of(const Build& build, const std::string& named, const std::string& suite) {
+  return named.empty() ? build.records(suite) : fs::path(named);
+}
+
+/// How touchstone_report ends.
+int ended_with(const Build& build, const Words& arguments, bool refusals_speak_for_themselves) {
   Words call = {(build.folder / "reports" / "touchstone_report").string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
   const programs::Ending ending = programs::run_here(call);
+  if (refusals_speak_for_themselves && ending.signal == 0 && ending.status == bad_input) return bad_input;
   if (ending.signal != 0 || (ending.status != all_holds && ending.status != something_fails))
     throw std::runtime_error(fmt::format("{} {}", fmt::join(call, " "), ending.sentence()));
   return ending.status;
 }
 
+}  // namespace
+
+int make_pages(const Build& build, const Words& arguments) { return ended_with(build, arguments, false); }
+
 /// Without options as the test SUITE.pages does.
 int report(const Build& build, const ReportOptions& options) {
-  const std::string records = options.records.empty() ? build.records(options.suite).string() : options.records;
+  const std::string records = records_of(build, options.records, options.suite);
   const std::string site = options.site.empty() ? (build.results() / "site" / options.suite).string() : options.site;
   Words arguments{records, site};
   const auto pass_on = [&](const std::string& option, const std::string& value) {
@@ -45,13 +57,22 @@ int report(const Build& build, const ReportOptions& options) {
   };
   pass_on("--history", history_of(build, options));
   const fs::path sources = gate::configured(build.folder, "CMAKE_HOME_DIRECTORY");
-  const fs::path data = build.data.empty() ? sources / "data" : build.data;
+  const fs::path data = data_of(build);
   pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
   pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));
   pass_on("--claims", named_or("", data / "claims"));
   const int status = make_pages(build, arguments);
   fmt::print("{}\n", (fs::path(site) / "index.html").string());
   return status;
+}
+
+int export_case(const Build& build, const ExportOptions& options) {
+  const fs::path folder =
+      options.folder.empty() ? build.results() / "export" / options.case_name : fs::path(options.folder);
+  return ended_with(build,
+                    {records_of(build, options.records, options.suite), folder, "--paper", options.case_name,
+                     "--references", data_of(build) / "references.bib"},
+                    true);
 }
 
 }  // namespace touchstone::vnv::command

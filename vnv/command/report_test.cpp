@@ -32,6 +32,9 @@ class AReport : public testing::Test {
   /// What the page maker is asked for.
   std::string asked_by(const ReportOptions& options) {
     report(build_, options);
+    return asked();
+  }
+  std::string asked() const {
     std::ifstream asked(scratch_.path() / "reports/touchstone_report.asked");
     std::string line;
     std::getline(asked, line);
@@ -64,6 +67,16 @@ TEST_F(AReport, LetsOnlyTheNightsOfABuildJoinItsHistory) {
   EXPECT_EQ(asked_by({.records = "my_records", .site = "my_site", .suite = "nightly"}), "my_records my_site");
   EXPECT_EQ(asked_by({.records = "my_records", .site = "my_site", .history = "my_nights"}),
             "my_records my_site --history my_nights");
+}
+
+TEST_F(AReport, ForAPaperIsOfOneCaseWithTheLiteratureOfTheData) {
+  EXPECT_EQ(export_case(build_, {.case_name = "couette"}), all_holds);
+  EXPECT_EQ(asked(), root() + "/records/acceptance " + root() + "/export/couette --paper couette --references " +
+                         root() + "/data/references.bib");
+  export_case(build_, {.case_name = "couette", .records = "mine", .folder = "paper"});
+  EXPECT_EQ(asked().substr(0, 26), "mine paper --paper couette");
+  put("reports/touchstone_report", "#!/bin/sh\nexit 3\n");
+  EXPECT_EQ(export_case(build_, {.case_name = "nonsense"}), bad_input) << "of which the report has said why";
 }
 
 }  // namespace

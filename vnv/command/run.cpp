@@ -33,9 +33,10 @@ struct Sum {
 
 void print_line(const std::string& name, const MethodOutcome& outcome, std::string_view how) {
   const bool holds = outcome.failures.empty();
-  fmt::print("{} {}: {} of {} claims hold, {:.3g} CPU s{}\n",
+  fmt::print("{} {}: {} of {} claims hold, {:.3g} {} s{}\n",
              coloured(holds ? Colour::green : Colour::red, holds ? "holds" : "FAILS"), name, outcome.held,
-             outcome.judged, outcome.cpu, how);
+             outcome.judged, outcome.spent, words(outcome.resource).at(static_cast<std::size_t>(outcome.resource)),
+             how);
   std::fflush(stdout);
 }
 

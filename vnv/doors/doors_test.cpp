@@ -12,6 +12,7 @@
 #include "vnv/flows/patch.hpp"
 #include "vnv/flows/water_at_rest.hpp"
 #include "vnv/programs/scratch_folder.hpp"
+#include "vnv/record/same_time.hpp"
 #include "vnv/run/vtp_series.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,7 @@ TEST_F(Doors, SayOfWhatFailsWhatIsWrongAndKeepItInTheRecord) {
   for (const Verdict& v : record.verdicts) {
     EXPECT_TRUE(says(v.sentence, "FAILS; ") && says(v.sentence, "% too large")) << v.sentence;
     EXPECT_TRUE(says(v.sentence, "which these data cannot tell apart: ")) << v.sentence;
+    EXPECT_EQ(diagnosis_of(v, record), record.diagnoses.data()) << v.quantity;
   }
   ASSERT_EQ(record.diagnoses.size(), 1u);
   EXPECT_EQ(record.diagnoses[0].level, "20 across");
@@ -417,6 +419,13 @@ TEST(Scenes, SayInJsonWhatASolverNeeds) {
   EXPECT_EQ(json["walls"][1]["condition"], "free slip");
   EXPECT_EQ(json["domain"]["periodic"], nlohmann::json({true, false}));
   EXPECT_EQ(json["fields"], nlohmann::json({"position", "velocity"}));
+}
+
+TEST(Scenes, GiveTimesAsTheyWereMeant) {
+  EXPECT_EQ(0.05 * 1e-3 * 1e-3 / 1e-6, 0.05000000000000001) << "as a product comes out";
+  EXPECT_EQ(nlohmann::json::parse(scene_as_json(flow_named("poiseuille"), 2.5e-5)).at("times [s]"),
+            nlohmann::json({0.05, 0.1, 0.2, 1}));
+  EXPECT_EQ(as_meant(1.0 / 3), 1.0 / 3);
 }
 
 TEST(Scenes, GiveOfAFreeSurfaceWhatIsFilledAndHowOftenToWrite) {

@@ -7,16 +7,19 @@ namespace fields_test {
 
 const Domain domain{.box = {.high = {1, 1}}};
 
-/// Two particles of a fluid and one of a wall below it, as PySPH writes them.
+/// Two particles of a fluid and, between their rows, one of a wall below it, as PySPH writes them.
 Dataset fluid_and_wall() {
   return {.source = "a.npz",
           .time = 1,
           .arrays = {{.name = "V", .values = {9, 9, 9}},
-                     {.name = "u", .values = {1, 2, 3}},
-                     {.name = "v", .values = {4, 5, 6}},
-                     {.name = "x", .values = {0.1, 0.2, 0.3}},
-                     {.name = "y", .values = {0.1, 0.2, -0.3}},
-                     {.name = "array", .values = {0, 0, 1}, .labels = {"fluid", "wall"}}}};
+                     {.name = "u", .values = {1, 3, 2}},
+                     {.name = "v", .values = {4, 6, 5}},
+                     {.name = "x", .values = {0.1, 0.3, 0.2}},
+                     {.name = "y", .values = {0.1, -0.3, 0.2}},
+                     {.name = "p", .values = {7, 9, 8}},
+                     {.name = "rho", .values = {1001, 1003, 1002}},
+                     {.name = "m", .values = {10, 30, 20}},
+                     {.name = "array", .values = {0, 1, 0}, .labels = {"fluid", "wall"}}}};
 }
 
 std::string refusal(const Dataset& data, const Mapping& mapping) {
@@ -32,6 +35,10 @@ TEST(Fields, AreOfTheRowsThatAWordNames) {
   const Samples samples = reading_of(fluid_and_wall(), {.only = "array=fluid"}, domain, 1000).samples;
   ASSERT_EQ(samples.size(), 2);
   EXPECT_EQ(samples.v, (Vectors(2, 2) << 1, 2, 4, 5).finished()) << "v is that of small letters";
+  EXPECT_EQ(samples.x, (Vectors(2, 2) << 0.1, 0.2, 0.1, 0.2).finished());
+  EXPECT_EQ(samples.pressure.matrix(), Vec2(7, 8));
+  EXPECT_EQ(samples.density.matrix(), Vec2(1001, 1002));
+  EXPECT_EQ(samples.mass.matrix(), Vec2(10, 20));
   EXPECT_EQ(refusal(fluid_and_wall(), {.only = "array=solid"}),
             "a.npz: no rows with array 'solid', expected one of: fluid, wall");
   EXPECT_EQ(reading_of(fluid_and_wall(), {}, domain, 1000).samples.size(), 2) << "fluid is chosen by its name";

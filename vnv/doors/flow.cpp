@@ -1,6 +1,7 @@
 #include "vnv/doors/flow.hpp"
 
 #include "vnv/doors/flows.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -103,6 +104,8 @@ Flow flow_named(const std::string& name, Settings settings) {
   Flow flow = found->at(settings);
   flow.name = name;
   flow.parameters = settings.all_of(name);
+  std::ranges::transform(flow.judged.times, flow.judged.times.begin(), as_meant);
+  flow.judged.watch.every = as_meant(flow.judged.watch.every);
   return flow;
 }
 

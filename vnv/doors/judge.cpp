@@ -115,6 +115,7 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
   };
   return [=, &not_judged](const Level& level, const Run& run) {
     std::vector<Value> all;
+    if (run.samples.empty()) return all;  // it did not answer, as its verdict says
     if (!measured.over) {
       for (const Samples& samples : run.samples)
         add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);
@@ -200,17 +201,21 @@ void diagnose_failures(const Flow& flow, const std::vector<GivenLevel>& levels, 
         return v.level == method.levels[k].name && has(exact.norms, v.quantity.name);
       };
       if (std::ranges::none_of(record.values, has_value)) continue;
-      std::vector<Verdict*> failing;
+      std::vector<Verdict*> of_it;
       for (Verdict& v : record.verdicts)
-        if (v.outcome == Outcome::fails && is_of(exact, v, claims) &&
+        if (is_of(exact, v, claims) &&
             (v.level == method.levels[k].name || (v.level.empty() && k + 1 == levels.size())))
-          failing.push_back(&v);
-      if (failing.empty() && !diagnose_all) continue;
+          of_it.push_back(&v);
+      const auto fails = [](const Verdict* v) { return v->outcome == Outcome::fails; };
+      if (std::ranges::none_of(of_it, fails) && !diagnose_all) continue;
       std::vector<const Samples*> samples;
       for (const auto& [time, at] : levels[k].at) samples.push_back(&at);
       Diagnosis found = diagnose(exact, samples, flow.domain, levels[k].spacing);
       found.level = method.levels[k].name;
-      for (Verdict* v : failing) v->sentence += "; " + found.sentence;
+      for (Verdict* v : of_it) {
+        if (!has(found.quantities, v->quantity)) found.quantities.push_back(v->quantity);
+        if (fails(v)) v->sentence += "; " + found.sentence;
+      }
       record.diagnoses.push_back(std::move(found));
     }
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -166,6 +167,29 @@ Judgement judged(const Solver& solver, Given given, Suite suite) {
   return judgement;
 }
 
+/// When run.sh began and ended [s since 1970]; empty while it runs and where it was killed. No pattern of output fits
+/// it.
+constexpr std::string_view began_and_ended = ".began_and_ended";
+
+/// Of a run that somebody else made: its wall time, by run.sh.
+programs::Ran ran_elsewhere(const fs::path& folder) {
+  std::ifstream file(folder / began_and_ended);
+  double began = 0, ended = 0;
+  const bool is_known = file >> began >> ended && ended >= began;
+  return {.cpu = not_a_number, .wall = is_known ? ended - began : not_a_number, .peak_memory = not_a_number};
+}
+
+/// In the resource that the solver says it occupies, else in user time.
+Cost cost_of(const Solver& solver, const programs::Ran& ran) {
+  Cost cost{.cpu = solver.resources > 0 ? not_a_number : ran.cpu,
+            .wall = ran.wall,
+            .peak_memory = ran.peak_memory,
+            .resource = solver.resource};
+  cost.cpu_lowest = cost.cpu_highest = cost.cpu;
+  if (solver.resources > 0) cost.occupied = ran.wall * solver.resources;
+  return cost;
+}
+
 }  // namespace
 
 std::string missing_here(const Solver& solver) {
@@ -191,7 +215,9 @@ void prepare(const Solver& solver, const fs::path& folder) {
     fs::create_directories(own);
     files::write_whole(own / "scene.json", scene_as_json(solver.flow, spacing));
     files::write_whole(own / "particles.csv", particles_as_csv(solver.flow, spacing));
-    files::write_whole(own / "run.sh", fmt::format("#!/bin/sh\ncd {}\n{}\n", quoted(own.string()), line));
+    files::write_whole(own / "run.sh", fmt::format("#!/bin/sh\ncd {0}\n: > {1}\nbegan=$(date +%s.%N)\n"
+                                                   "trap 'echo \"$began $(date +%s.%N)\" > {1}' EXIT\n{2}\n",
+                                                   quoted(own.string()), began_and_ended, line));
     fs::permissions(own / "run.sh", fs::perms::owner_exec, fs::perm_options::add);
   }
 }
@@ -212,18 +238,18 @@ Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) 
           {.spacing = spacing,
            .outcome = fmt::format("{}{}{}{}", no_answer, ran.sentence(), said.empty() ? "" : "; it said: ", said)});
     }
-    given.levels.back().cost = {.cpu = ran.cpu,
-                                .cpu_lowest = ran.cpu,
-                                .cpu_highest = ran.cpu,
-                                .wall = ran.wall,
-                                .peak_memory = ran.peak_memory};
+    given.levels.back().cost = cost_of(solver, ran);
   }
   return judged(solver, std::move(given), suite);
 }
 
 Judgement collect(const Solver& solver, const fs::path& folder, Suite suite) {
   Given given;
-  for (const double spacing : solver.spacings) read_level(solver, spacing, folder / name_of(solver, spacing), given);
+  for (const double spacing : solver.spacings) {
+    const fs::path own = folder / name_of(solver, spacing);
+    read_level(solver, spacing, own, given);
+    given.levels.back().cost = cost_of(solver, ran_elsewhere(own));
+  }
   return judged(solver, std::move(given), suite);
 }
 

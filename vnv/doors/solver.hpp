@@ -20,6 +20,8 @@ struct Solver {
   std::vector<std::string> output{};  // patterns of files, in the folder of a run
   Mapping mapping{};
   programs::Limits limits{};
+  Resource resource = Resource::cpu;  // that a run occupies as long as it takes
+  double resources = 0;               // how many of it
   std::optional<double> at_most{}, order_at_least{};
   std::filesystem::path baselines{};  // folder; empty: none are kept
   double tolerance = 1e-6;            // of a new baseline, relative
@@ -42,7 +44,8 @@ void prepare(const Solver& solver, const std::filesystem::path& folder);
 /// limit or without all it was asked for has no answer: its record says why, with the last lines that it said.
 Judgement run_solver(const Solver& solver, const std::filesystem::path& folder, Suite suite);
 
-/// Judges what was written in prepared folders by runs that somebody else made; they cost nothing that is known.
+/// Judges what was written in prepared folders by runs that somebody else made. Of their cost only the wall time is
+/// known, with that what they occupied, where run.sh ran them to its end.
 Judgement collect(const Solver& solver, const std::filesystem::path& folder, Suite suite);
 
 /// Writes the values of a record, which was judged without baselines, as those of this solver. Throws

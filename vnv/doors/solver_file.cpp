@@ -1,6 +1,7 @@
 /// The TOML file of a solver.
 
 #include "vnv/doors/solver.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,6 +109,8 @@ class Keys {
   mutable std::set<std::string> asked_{};
 };
 
+const std::string solver_schema = "touchstone solver 1";
+
 toml::table parsed(const fs::path& file) try {
   return toml::parse_file(file.string());
 } catch (const toml::parse_error& error) {
@@ -148,8 +151,9 @@ std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
 std::vector<double> with_multiples(std::vector<double> times, double step) {
   const double end = times.back();
   for (double k = 0; k * step < end * (1 - 1e-9); ++k) {
-    const auto is_there = [&](double time) { return std::abs(time - k * step) <= 1e-9 * time; };
-    if (std::ranges::none_of(times, is_there)) times.push_back(k * step);
+    const double one = as_meant(k * step);
+    if (std::ranges::none_of(times, [&](double time) { return std::abs(time - one) <= 1e-9 * time; }))
+      times.push_back(one);
   }
   std::ranges::sort(times);
   return times;
@@ -161,12 +165,28 @@ void read_command(const Keys& keys, Solver& solver) {
   solver.is_for_shell = solver.command.size() == 1;
 }
 
+/// Of which a run occupies so many, of one kind.
+void read_resources(const Keys& keys, Solver& solver) {
+  for (const auto& [key, resource] : {std::pair("gpus", Resource::gpu), std::pair("cores", Resource::core)}) {
+    if (!keys.has(key)) continue;
+    if (solver.resources > 0)
+      throw std::invalid_argument(
+          fmt::format("{}: resources.cores beside resources.gpus, expected one of them: a cost has one unit",
+                      solver.file.string()));
+    solver.resource = resource;
+    solver.resources = keys.positive(key, 0);
+  }
+  keys.require_no_other();
+}
+
 }  // namespace
 
 Solver read_solver(const fs::path& file) {
   if (!fs::is_regular_file(file)) throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
   const toml::table table = parsed(file);
   const Keys keys(table, file);
+  if (keys.text("schema", solver_schema) != solver_schema)  // before all that another version may say otherwise
+    keys.refuse(*table.get("schema"), "schema", fmt::format("'{}', the only version known here", solver_schema));
   Solver solver{.file = fs::absolute(file), .name = keys.text("name", file.stem().string())};
   if (solver.name.find_first_of("./ \t\n") != solver.name.npos || solver.name.empty())
     throw std::invalid_argument(
@@ -189,6 +209,7 @@ Solver read_solver(const fs::path& file) {
   solver.limits.wall = limits.positive("time", solver.limits.wall);
   solver.limits.memory = limits.positive("memory", solver.limits.memory);
   limits.require_no_other();
+  read_resources(keys.table("resources"), solver);
   solver.at_most = claims.number_if_there("at_most");
   solver.order_at_least = claims.number_if_there("order_at_least");
   claims.require_no_other();

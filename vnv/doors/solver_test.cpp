@@ -75,6 +75,25 @@ TEST_F(OtherSolvers, AreRunMeasuredAndJudgedAtEachResolution) {
   EXPECT_NE(of_order->sentence.find("s late"), std::string::npos) << of_order->sentence;
 }
 
+TEST_F(OtherSolvers, CostWallTimesTimesWhatTheySayTheyOccupyAndNoCpuTime) {
+  const Record record = run(solver(std::string(frozen) + "[resources]\ngpus = 2\n"));
+  for (const RunSummary& one : record.runs) {
+    EXPECT_EQ(one.cost.resource, Resource::gpu);
+    EXPECT_GT(one.cost.wall, 0);
+    EXPECT_EQ(one.cost.occupied, 2 * one.cost.wall);
+    for (const double cpu : {one.cost.cpu, one.cost.cpu_lowest, one.cost.cpu_highest}) EXPECT_TRUE(std::isnan(cpu));
+  }
+  EXPECT_EQ(record_in(as_json(record), "as written").runs.front().cost.occupied, record.runs.front().cost.occupied);
+  const auto is_of_gpu = [](const Figure& figure) { return figure.id == "cost_GPU"; };
+  const auto figure = std::ranges::find_if(record.figures, is_of_gpu);
+  ASSERT_NE(figure, record.figures.end());
+  EXPECT_EQ(figure->x.label, "GPU time [s]");
+  EXPECT_TRUE(figure->caption.starts_with("The same against GPU time to ")) << figure->caption;
+  EXPECT_EQ(std::ranges::count(record.curves, "cost", &Curve::figure), 0) << "beside CPU times";
+  EXPECT_EQ(std::ranges::count(record.curves, "cost_GPU", &Curve::figure), 1);
+  EXPECT_EQ(run(solver(std::string(frozen) + "[resources]\ncores = 3\n")).runs.front().cost.resource, Resource::core);
+}
+
 TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
   const auto says = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find("10 across: did not answer: " + part), text.npos) << text;
@@ -87,6 +106,10 @@ TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
   says(no_answer(R"("head -c 100 {particles} > end.csv")"), fmt::format("{}", (folder / "runs").string()));
   const Record late = run(solver(std::string(frozen), "time = 0.1", "time = 0.2"));
   says(late.verdicts.front().sentence, "no output at 0.1 s, expected it within 1 %; output is at 0.2 s");
+  std::string over_time(frozen);
+  over_time.replace(over_time.find("shear_wave"), 10, "hydrostatic");
+  says(run(solver(over_time, R"(["cp", "{particles}", "end.csv"])", R"("true")")).verdicts.front().sentence,
+       "wrote no file end.csv");
 }
 
 TEST_F(OtherSolvers, FillPlaceholdersAlsoForAShellAndFromAPathWithBlanks) {
@@ -105,6 +128,21 @@ TEST_F(OtherSolvers, ArePreparedForOthersToRunAndCollected) {
   const Record record = collect(one, folder / "runs", Suite::acceptance).record;
   EXPECT_TRUE(record.runs[0].finished && record.runs[1].finished);
   EXPECT_EQ(record.runs[2].outcome, "did not answer: wrote no file end.csv");
+}
+
+TEST_F(OtherSolvers, ThatOthersRanCostTheWallTimeOfTheirScriptTimesWhatTheyOccupy) {
+  const Solver one = solver(std::string(frozen) + "[resources]\ngpus = 4\n", R"(["cp", "{particles}", "end.csv"])",
+                            R"("cp {particles} end.csv; sleep 0.05; exit 0")");
+  prepare(one, folder / "runs");
+  for (const char* level : {"10_across", "20_across"})
+    EXPECT_EQ(std::system(fmt::format("sh {}", (folder / "runs" / level / "run.sh").string()).c_str()), 0);
+  std::filesystem::remove(folder / "runs/20_across/.began_and_ended");
+  const Record record = collect(one, folder / "runs", Suite::acceptance).record;
+  EXPECT_GE(record.runs[0].cost.wall, 0.05);
+  EXPECT_LT(record.runs[0].cost.wall, 60);
+  EXPECT_EQ(record.runs[0].cost.occupied, 4 * record.runs[0].cost.wall);
+  EXPECT_TRUE(std::isnan(record.runs[0].cost.cpu));
+  EXPECT_TRUE(std::isnan(record.runs[1].cost.occupied)) << "it was killed, or an older script";
 }
 
 TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
@@ -137,6 +175,8 @@ TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
 TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
   const Solver one = solver(std::string(frozen), "times = [0.1]", "times = [0.1, 0.25]\nevery = 0.1");
   EXPECT_EQ(one.times, std::vector<double>({0, 0.1, 0.2, 0.25}));
+  const Solver longer = solver(std::string(frozen), "times = [0.1]", "times = [0.5]\nevery = 0.1");
+  EXPECT_EQ(fmt::format("{}", longer.times[3]), "0.3") << "not what 3 times 0.1 is in binary";
 }
 
 TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
@@ -157,6 +197,13 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
             "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
+  EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 2\"\nnew_key = 1\nflow ="),
+            "mine.toml:2: schema = 'touchstone solver 2', expected 'touchstone solver 1', the only version known here");
+  EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 1\"\nflow ="), "read without complaint");
+  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 0\n[read]"),
+            "mine.toml:9: resources.gpus = 0, expected a number above 0");
+  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 1\ncores = 4\n[read]"),
+            "mine.toml: resources.cores beside resources.gpus, expected one of them: a cost has one unit");
   EXPECT_EQ(refusal("\"frozen\"", "\"../frozen\""),
             "mine.toml: name = '../frozen', expected one without points, slashes and blanks");
 }

@@ -13,8 +13,14 @@ namespace {
 
 using vnv::median;
 
-bool is_too_short(const Timing& timing) {
-  return median(timing.before) < shortest_timed && median(timing.after) < shortest_timed;
+/// Why its times are not compared; empty if they are.
+std::string why_not(const Timing& timing) {
+  if (timing.resource_before != timing.resource_after)
+    return fmt::format("{} before and {} after, which are not compared", vnv::heading_of(timing.resource_before),
+                       vnv::heading_of(timing.resource_after));
+  if (median(timing.before) < shortest_timed && median(timing.after) < shortest_timed)
+    return fmt::format("runs take less than {} s, too short to time", shortest_timed);
+  return "";
 }
 
 /// Which of the p-values rule chance out when all are tested: the smallest has to be below the fraction that is
@@ -59,20 +65,21 @@ std::vector<double> negated(std::vector<double> values) {
 }
 
 Difference difference_of(const CostChange& cost, const Timing& timing) {
-  return {.case_name = cost.case_name,
-          .method = cost.method,
-          .quantity = "user CPU time [s]",
-          .kind = Kind::cost,
-          .before = median(timing.before),
-          .after = median(timing.after),
-          .change = cost.change,
-          .why = cost.why};
+  return {
+      .case_name = cost.case_name,
+      .method = cost.method,
+      .quantity = (timing.resource_after == vnv::Resource::cpu ? "user " : "") + vnv::heading_of(timing.resource_after),
+      .kind = Kind::cost,
+      .before = median(timing.before),
+      .after = median(timing.after),
+      .change = cost.change,
+      .why = cost.why};
 }
 
 }  // namespace
 
 bool is_settled(const Timing& timing) {
-  if (is_too_short(timing)) return true;
+  if (!why_not(timing).empty()) return true;
   const Ratio ratio = ratio_of(log_ratios(timing.before, timing.after));
   return is_harmless(ratio) && ratio.estimate > 1 / (1 + smallest_slowdown);
 }
@@ -83,15 +90,13 @@ std::vector<CostChange> judge_costs(const std::vector<Timing>& timings) {
   for (const Timing& timing : timings) {
     const std::vector<double> logarithms = log_ratios(timing.before, timing.after);
     costs.push_back({timing.case_name, timing.method, ratio_of(logarithms)});
-    slower.push_back(is_too_short(timing) ? 1 : p_value(logarithms));
-    faster.push_back(is_too_short(timing) ? 1 : p_value(negated(logarithms)));
+    slower.push_back(why_not(timing).empty() ? p_value(logarithms) : 1);
+    faster.push_back(why_not(timing).empty() ? p_value(negated(logarithms)) : 1);
   }
   const std::vector<bool> is_slower = ruled_out_by_holm(slower), is_faster = ruled_out_by_holm(faster);
   for (std::size_t k = 0; k < costs.size(); ++k) {
-    if (is_too_short(timings[k]))
-      costs[k].why = fmt::format("runs take less than {} s, too short to time", shortest_timed);
-    else
-      conclude(costs[k], is_slower[k], is_faster[k]);
+    costs[k].why = why_not(timings[k]);
+    if (costs[k].why.empty()) conclude(costs[k], is_slower[k], is_faster[k]);
   }
   return costs;
 }

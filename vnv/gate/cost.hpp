@@ -10,10 +10,11 @@
 
 namespace touchstone::gate {
 
-/// The user CPU times of one method in runs in turn.
+/// What one method took in runs in turn: user CPU time, or that of another resource which it says it occupies.
 struct Timing {
   std::string case_name, method;
-  std::vector<double> before, after;  // s  pair by pair
+  std::vector<double> before, after;                                                        // s  pair by pair
+  vnv::Resource resource_before = vnv::Resource::cpu, resource_after = vnv::Resource::cpu;  // unequal: not compared
 };
 
 /// What its times say of a method.
@@ -43,7 +44,8 @@ bool is_settled(const Timing& timing);
 
 /// Judges all rows timed together, by Holm's rule (Holm, Scand. J. Statist. 6 (1979), 65-70): worse or better
 /// where chance is ruled out and the estimate is off by `smallest_slowdown` or more. Else the same if the estimate is
-/// less off and the interval ends below `noticed_slowdown`, and inconclusive if not. Too short runs are unjudged.
+/// less off and the interval ends below `noticed_slowdown`, and inconclusive if not. Too short runs and times of two
+/// resources are unjudged.
 std::vector<CostChange> judge_costs(const std::vector<Timing>& timings);
 
 /// Times some methods anew, with more pairs.

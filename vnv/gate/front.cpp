@@ -31,14 +31,25 @@ double last_value(const Record& record, const std::string& level, const std::str
   return value;
 }
 
+vnv::Resource resource_of(const Record& record) {
+  return record.runs.empty() ? vnv::Resource::cpu : record.runs.front().cost.resource;
+}
+
+/// Each resource has a figure of its own.
+std::string figure_of(const Record& record) {
+  const vnv::Resource of = resource_of(record);
+  const std::string heading = vnv::heading_of(of);  // "GPU time [s]"
+  return record.case_name + (of == vnv::Resource::cpu ? "" : "_" + heading.substr(0, heading.find(' ')));
+}
+
 /// Over all runs of the program [s].
-double median_cpu(const std::vector<Records>& runs, const Record& method, const std::string& level) {
+double median_time(const std::vector<Records>& runs, const Record& method, const std::string& level) {
   std::vector<double> times;
   for (const Records& records : runs)
     for (const Record& record : records)
       for (const RunSummary& run : record.runs)
         if (record.case_name == method.case_name && record.method == method.method && run.level == level)
-          times.push_back(run.cost.cpu);
+          times.push_back(run.cost.spent());
   return vnv::median(times);
 }
 
@@ -49,8 +60,8 @@ vnv::Curve curve_of(const Record& record, const std::vector<Records>& runs, cons
     if (run.finished)
       points.push_back({.run = run.level,
                         .error = last_value(record, run.level, quantity),
-                        .cpu = median_cpu(runs, record, run.level)});
-  vnv::Curve curve{record.case_name, fmt::format("{}, {}", record.method, side), vnv::Role::ours, {}, {}};
+                        .cpu = median_time(runs, record, run.level)});
+  vnv::Curve curve{figure_of(record), fmt::format("{}, {}", record.method, side), vnv::Role::ours, {}, {}};
   for (const WorkPoint& point : vnv::pareto_front(points)) {
     curve.x.push_back(point.cpu);
     curve.y.push_back(point.error);
@@ -58,11 +69,11 @@ vnv::Curve curve_of(const Record& record, const std::vector<Records>& runs, cons
   return curve;
 }
 
-vnv::Figure figure_of(const std::string& case_name, const std::string& quantity) {
-  return {.id = case_name,
-          .title = case_name,
-          .caption = "The runs that no other beats in both error and CPU time; lower left is better.",
-          .x = {.label = "CPU time [s]", .logarithmic = true},
+vnv::Figure frame_of(const Record& record, const std::string& quantity) {
+  return {.id = figure_of(record),
+          .title = record.case_name,
+          .caption = "The runs that no other beats in both error and time; lower left is better.",
+          .x = {.label = vnv::heading_of(resource_of(record)), .logarithmic = true},
           .y = {.label = quantity, .logarithmic = true}};
 }
 
@@ -79,8 +90,8 @@ vnv::Record front_of(const std::vector<Records>& before, const std::vector<Recor
       const std::string quantity = error_drawn(runs.front(), record.case_name);
       vnv::Curve curve = curve_of(record, runs, quantity, side);
       if (curve.x.empty()) continue;
-      if (std::ranges::find(front.figures, record.case_name, &vnv::Figure::id) == front.figures.end())
-        front.figures.push_back(figure_of(record.case_name, quantity));
+      if (std::ranges::find(front.figures, curve.figure, &vnv::Figure::id) == front.figures.end())
+        front.figures.push_back(frame_of(record, quantity));
       front.curves.push_back(std::move(curve));
     }
   };

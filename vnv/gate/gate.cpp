@@ -23,16 +23,17 @@ Difference of_whole_method(const std::string& case_name, const std::string& meth
 }
 
 /// What both builds can run, and in `found` what is only in one of them or need not be run.
-std::vector<Contest> contests_of(const Build& before, const Build& after, bool all, Findings& found) {
+std::vector<Contest> contests_of(const Build& before, const Build& after, const GateRequest& request, Findings& found) {
   std::vector<Contest> contests;
   const auto add = [&](const Program& program, const Program* other) {
-    if (other && !all && are_same_programs(before, after, program, *other)) {
+    if (other && !request.all && are_same_programs(before, after, program, *other)) {
       found.skipped.push_back(program.case_name);
       return;
     }
     for (const std::string& method : program.methods) {
       if (other && std::ranges::count(other->methods, method) > 0)
-        contests.push_back({method, program, *other});
+        contests.push_back({program.case_name, method, program.is_timed, run_of(program, method, request.suite),
+                            run_of(*other, method, request.suite)});
       else
         found.differences.push_back(of_whole_method(program.case_name, method, Change::worse, "no longer there"));
     }
@@ -54,8 +55,8 @@ std::vector<Contest> contests_of(const Build& before, const Build& after, bool a
 /// What a program finds that judges time is its machine's, unless it is the same.
 void set_aside_times(const std::vector<Contest>& contests, std::vector<Difference>& differences) {
   for (Difference& d : differences) {
-    const bool is_timed = std::ranges::any_of(
-        contests, [&](const Contest& c) { return c.before.case_name == d.case_name && c.before.is_timed; });
+    const bool is_timed =
+        std::ranges::any_of(contests, [&](const Contest& c) { return c.case_name == d.case_name && c.is_timed; });
     if (!is_timed || d.kind == Kind::run || d.change == Change::same) continue;
     d.change = Change::unjudged;
     d.why = "judges the time of its machine";
@@ -66,16 +67,16 @@ std::vector<Difference> compare_costs(const std::vector<Contest>& contests, cons
                                       const GateRequest& request, std::ostream& progress) {
   std::vector<Timing> first;
   for (const Contest& contest : contests)
-    if (!contest.before.is_timed) first.push_back(timing_of(contest, turns));
+    if (!contest.is_timed) first.push_back(timing_of(contest, turns));
   return compare_costs(first, [&](const std::vector<Timing>& doubtful) {
     progress << fmt::format("gate: {} methods whose cost is in doubt are run again\n", doubtful.size());
     std::vector<Contest> again;
     for (const Contest& contest : contests)
       if (std::ranges::any_of(doubtful, [&](const Timing& timing) {
-            return timing.case_name == contest.before.case_name && timing.method == contest.method;
+            return timing.case_name == contest.case_name && timing.method == contest.method;
           }))
         again.push_back(contest);
-    const Turns longer = take_turns(again, request.repeats * times_the_pairs, request.suite, progress);
+    const Turns longer = take_turns(again, request.repeats * times_the_pairs, progress);
     std::vector<Timing> second;
     for (const Contest& contest : again) second.push_back(timing_of(contest, longer));
     return second;
@@ -86,12 +87,11 @@ void append(std::vector<Difference> more, Findings& found) {
   std::ranges::move(more, std::back_inserter(found.differences));
 }
 
-Turns compare_builds(const Build& before, const Build& after, const GateRequest& request, std::ostream& progress,
-                     Findings& found) {
+Turns compare_in_turn(const std::vector<Contest>& contests, const GateRequest& request, std::ostream& progress,
+                      Findings& found) {
   found.suite = request.suite;
-  const std::vector<Contest> contests = contests_of(before, after, request.all, found);
   if (contests.empty()) return {};
-  Turns turns = take_turns(contests, std::max(1L, request.repeats), request.suite, progress);
+  Turns turns = take_turns(contests, std::max(1L, request.repeats), progress);
   std::vector<Difference> differences = compare_repeated(turns.before, turns.after);
   set_aside_times(contests, differences);
   append(std::move(differences), found);
@@ -110,16 +110,8 @@ Turns compare_records(Source& before, Source& after, Findings& found) try {
   throw BadInput(error.what());
 }
 
-}  // namespace
-
-Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
-  Source before = open_source(request.before, request, progress), after = open_source(request.after, request, progress);
-  if (before.build.has_value() != after.build.has_value())
-    throw BadInput(fmt::format("{} is a build and {} is none, expected two of a kind",
-                               before.build ? before.name : after.name, before.build ? after.name : before.name));
-  Findings found{request.before, request.after, {}, {}, {}};
-  const Turns turns = before.build ? compare_builds(*before.build, *after.build, request, progress, found)
-                                   : compare_records(before, after, found);
+/// Writes what was found wherever it is wanted, and concludes.
+Status conclude(const GateRequest& request, const Findings& found, const Turns& turns, std::ostream& output) {
   output << text_of(found) << std::flush;
   if (!request.markdown.empty()) files::write_whole(request.markdown, markdown_of(found));
   if (!request.json.empty()) files::write_whole(request.json, json_of(found));
@@ -131,6 +123,26 @@ Status gate(const GateRequest& request, std::ostream& output, std::ostream& prog
   }
   const Change conclusion = conclusion_of(found);
   return conclusion == Change::worse ? worse : conclusion == Change::inconclusive ? inconclusive : same_or_better;
+}
+
+}  // namespace
+
+Status gate(const GateRequest& request, const Contest& contest, std::ostream& output, std::ostream& progress) {
+  Findings found{request.before, request.after, {}, {}, {}};
+  const Turns turns = compare_in_turn({contest}, request, progress, found);
+  return conclude(request, found, turns, output);
+}
+
+Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
+  Source before = open_source(request.before, request, progress), after = open_source(request.after, request, progress);
+  if (before.build.has_value() != after.build.has_value())
+    throw BadInput(fmt::format("{} is a build and {} is none, expected two of a kind",
+                               before.build ? before.name : after.name, before.build ? after.name : before.name));
+  Findings found{request.before, request.after, {}, {}, {}};
+  const Turns turns =
+      before.build ? compare_in_turn(contests_of(*before.build, *after.build, request, found), request, progress, found)
+                   : compare_records(before, after, found);
+  return conclude(request, found, turns, output);
 }
 
 }  // namespace touchstone::gate

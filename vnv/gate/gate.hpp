@@ -41,4 +41,8 @@ enum Status { same_or_better = 0, worse = 1, inconclusive = 2, bad_input = 3 };
 /// cannot be compared: the status `bad_input`.
 Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress);
 
+/// The same of one method that the caller knows how to run.
+struct Contest;
+Status gate(const GateRequest& request, const Contest& contest, std::ostream& output, std::ostream& progress);
+
 }  // namespace touchstone::gate

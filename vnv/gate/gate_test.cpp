@@ -1,6 +1,6 @@
 #include "vnv/gate/gate.hpp"
 
-#include "vnv/gate/source.hpp"
+#include "vnv/gate/turns.hpp"
 #include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
@@ -188,6 +188,51 @@ TEST_F(Gate, RefusesTwoRecordsOfOneMethodInAFolder) {
   record_file("twice/a.json", plain());
   record_file("twice/b.json", plain());
   EXPECT_NE(refusal(folder() / "twice", folder() / "twice").find("flow.mpm: two records"), std::string::npos);
+}
+
+/// A method that takes so long, of a resource, and has so large an error.
+RunOnce runs(double seconds, vnv::Resource resource, double error) {
+  return [=, random = std::mt19937(7)](std::ostream&) mutable {
+    vnv::Record record = plain();
+    vnv::Cost& cost = record.runs[0].cost;
+    cost.resource = resource;
+    (resource == vnv::Resource::cpu ? cost.cpu : cost.occupied) =
+        seconds * std::exp(std::normal_distribution(0., 0.003)(random));
+    if (resource != vnv::Resource::cpu) cost.cpu = vnv::not_a_number;
+    record.values[0].value = error;
+    return std::optional(record);
+  };
+}
+
+TEST_F(Gate, RunsInTurnWhatItsCallerKnowsHowToRunAndComparesWhatThatOccupies) {
+  const auto gpu = vnv::Resource::gpu;
+  const auto gated = [&](RunOnce before, RunOnce after) {
+    std::ostringstream output;
+    const Status status = touchstone::gate::gate(request_, {"flow", "mpm", false, std::move(before), std::move(after)},
+                                                 output, progress_);
+    return std::pair(status, output.str());
+  };
+  const auto [slower, said] = gated(runs(10, gpu, 0.4), runs(12, gpu, 0.4));
+  EXPECT_EQ(slower, worse);
+  EXPECT_NE(said.find("flow.mpm: GPU time [s]: "), said.npos) << said;
+  EXPECT_NE(said.find("1.2"), said.npos) << said;
+  EXPECT_EQ(gated(runs(10, gpu, 0.4), runs(10, gpu, 0.4)).first, same_or_better);
+  EXPECT_EQ(gated(runs(10, gpu, 0.4), runs(10, gpu, 0.6)).first, worse) << "a larger error at the same cost";
+}
+
+TEST_F(Gate, ComparesNoTimesOfTwoResources) {
+  std::ostringstream output;
+  request_.figure = folder() / "figure.json";
+  const Contest contest{"flow", "mpm", false, runs(10, vnv::Resource::cpu, 0.4), runs(1, vnv::Resource::gpu, 0.4)};
+  EXPECT_EQ(touchstone::gate::gate(request_, contest, output, progress_), same_or_better);
+  EXPECT_NE(output.str().find("unjudged: CPU time [s] before and GPU time [s] after, which are not compared"),
+            std::string::npos)
+      << output.str();
+  const vnv::Record figure = vnv::read_record(request_.figure);
+  ASSERT_EQ(figure.figures.size(), 2u);
+  EXPECT_EQ(figure.figures[0].x.label, "CPU time [s]");
+  EXPECT_EQ(figure.figures[1].x.label, "GPU time [s]");
+  EXPECT_EQ(figure.curves[1].figure, figure.figures[1].id);
 }
 
 TEST_F(Gate, SkipsProgramsThatAreTheSame) {

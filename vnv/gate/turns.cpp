@@ -9,26 +9,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Adds the record that a program writes of a method; nothing if it writes none. That claims fail is no matter here.
-void run_once(const Program& program, const std::string& method, const std::string& suite, Records& records,
-              std::ostream& log) {
-  const programs::ScratchFolder scratch;
-  const fs::path output = scratch.path() / "output";
-  const programs::Ending ending =
-      programs::run_into(output, {program.file, "--suite", suite, "--method", method, "--records", scratch.path()});
-  const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
-  if (fs::exists(file)) {
-    records.push_back(vnv::read_record(file));
-    return;
-  }
-  log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
-                     programs::last_lines(output, 3))
-      << std::flush;
-}
-
 const vnv::Record* record_in(const Records& records, const Contest& contest) {
   const auto found = std::ranges::find_if(records, [&](const vnv::Record& record) {
-    return record.case_name == contest.before.case_name && record.method == contest.method;
+    return record.case_name == contest.case_name && record.method == contest.method;
   });
   return found == records.end() ? nullptr : &*found;
 }
@@ -40,24 +23,42 @@ const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string
 
 }  // namespace
 
-Turns take_turns(const std::vector<Contest>& contests, long pairs, const std::string& suite, std::ostream& log) {
+RunOnce run_of(const Program& program, const std::string& method, const std::string& suite) {
+  return [=](std::ostream& log) -> std::optional<vnv::Record> {  // that claims fail is no matter here
+    const programs::ScratchFolder scratch;
+    const fs::path output = scratch.path() / "output";
+    const programs::Ending ending =
+        programs::run_into(output, {program.file, "--suite", suite, "--method", method, "--records", scratch.path()});
+    const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
+    if (fs::exists(file)) return vnv::read_record(file);
+    log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
+                       programs::last_lines(output, 3))
+        << std::flush;
+    return std::nullopt;
+  };
+}
+
+Turns take_turns(const std::vector<Contest>& contests, long pairs, std::ostream& log) {
   log << fmt::format("gate: runs {} methods by both programs, {} times in turn\n", contests.size(), pairs)
       << std::flush;
   Turns turns;
+  const auto run = [&](const RunOnce& once, Records& records) {
+    if (std::optional<vnv::Record> record = once(log)) records.push_back(std::move(*record));
+  };
   for (long pair = 0; pair < pairs; ++pair) {
     Records &before = turns.before.emplace_back(), &after = turns.after.emplace_back();
     for (const Contest& contest : contests) {
-      if (pair > 0 && contest.before.is_timed) continue;
-      if (pair % 2 == 0) run_once(contest.before, contest.method, suite, before, log);
-      run_once(contest.after, contest.method, suite, after, log);
-      if (pair % 2 == 1) run_once(contest.before, contest.method, suite, before, log);
+      if (pair > 0 && contest.is_timed) continue;
+      if (pair % 2 == 0) run(contest.before, before);
+      run(contest.after, after);
+      if (pair % 2 == 1) run(contest.before, before);
     }
   }
   return turns;
 }
 
 Timing timing_of(const Contest& contest, const Turns& turns) {
-  Timing timing{contest.before.case_name, contest.method, {}, {}};
+  Timing timing{contest.case_name, contest.method, {}, {}};
   for (std::size_t pair = 0; pair < turns.before.size(); ++pair) {
     const vnv::Record *before = record_in(turns.before[pair], contest), *after = record_in(turns.after[pair], contest);
     if (!before || !after) continue;
@@ -65,8 +66,10 @@ Timing timing_of(const Contest& contest, const Turns& turns) {
     for (const vnv::RunSummary& run : before->runs) {
       const vnv::RunSummary* other = finished_run(*after, run.level);
       if (!run.finished || !other) continue;
-      was += run.cost.cpu;
-      is += other->cost.cpu;
+      was += run.cost.spent();
+      is += other->cost.spent();
+      timing.resource_before = run.cost.resource;
+      timing.resource_after = other->cost.resource;
     }
     timing.before.push_back(was);
     timing.after.push_back(is);

@@ -8,6 +8,7 @@
 #include "vnv/harness/mutate.hpp"
 #include "vnv/harness/options.hpp"
 #include "vnv/harness/run_levels.hpp"
+#include "vnv/record/same_time.hpp"
 #include "vnv/run/vtp_series.hpp"
 
 #include <fmt/format.h>
@@ -132,7 +133,7 @@ int explore(const Case& declared) {
     unjudged.plots.clear();
     if (options.every > 0) unjudged.times.clear();
     for (int k = 0; options.every > 0 && options.every * k < level.acceptance * (1 - 1e-9); ++k)
-      unjudged.times.push_back(options.every * k);
+      unjudged.times.push_back(as_meant(options.every * k));
     const Record record = assess(case_name, unjudged, results_of(unjudged, custom, Suite::acceptance), std::nullopt);
     print(record);
     for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);
@@ -198,7 +199,8 @@ int mutate(const Case& declared) {
     if (all.failing && !options.records.empty()) write(*all.failing, options.records / file.filename());
     for (const std::string& line : least) fmt::print("{}\n", line);
     for (const std::string& line : all.survivors) fmt::print("SURVIVED {}\n", line);
-    fmt::print("{}.{}: {}\n", case_name, method->name, all.sentence());
+    fmt::print("{}.{}: {}{}\n", case_name, method->name, all.sentence(),
+               options.mutates_samples ? fmt::format("; mutated for {:.2f} s", all.seconds) : "");
     survivors += std::ssize(all.survivors);
   }
   return survivors == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace touchstone::vnv {
 namespace {
@@ -259,8 +261,27 @@ void tilt_monitored(Run& run, double factor) {
     for (double& number : run.history.seen[k]) number *= std::pow(factor, time[k] / time.back());
 }
 
+/// Each quantity by another amount, also one that is zero or whose scale no claim feels.
+void shift_monitored(Run& run, double factor) {
+  const std::vector<double>& time = run.history.time;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    for (double by = factor - 1; double& number : run.history.seen[k]) number += by * time[k] / time.back(), by *= 2;
+}
+
 void stretch_time(Run& run, double factor) {
   for (double& time : run.history.time) time *= factor;
+}
+
+/// Without the particles near the bottom and the top, as long as half of the height is left.
+void lose_edges(Run& run, double factor) {
+  if (factor > 0.99 || factor < 0.5) return;
+  for (Samples& s : run.samples) {
+    const double low = s.x.row(1).minCoeff(), high = s.x.row(1).maxCoeff();
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index p = 0; p < s.size(); ++p)
+      if (std::abs(s.x(1, p) - (low + high) / 2) <= factor * (high - low) / 2) kept.push_back(p);
+    s = {s.time, s.x(Eigen::all, kept), s.v(Eigen::all, kept), s.mass(kept), s.density(kept), s.pressure(kept)};
+  }
 }
 
 /// Also what is zero.
@@ -268,7 +289,7 @@ void move_found(Run& run, double factor) {
   for (Value& value : run.found) value.value = factor * value.value + factor - 1;
 }
 
-constexpr std::array<Field, 8> fields{{
+constexpr std::array<Field, 11> fields{{
     {"velocity",
      [](Run& run, double factor) {
        for (Samples& s : run.samples) s.v *= factor;
@@ -286,6 +307,12 @@ constexpr std::array<Field, 8> fields{{
     {"monitored, growing with time,", tilt_monitored},
     {"time of what was monitored", stretch_time},
     {"what was found", move_found},
+    {"monitored, shifted with time,", shift_monitored},
+    {"height that particles fill", lose_edges},
+    {"steps",
+     [](Run& run, double factor) {
+       run.summary.cost.steps = std::lround(factor * static_cast<double>(run.summary.cost.steps));
+     }},
 }};
 
 /// The judged runs; nothing where something cannot be measured of them, such as a particle beyond a wall.
@@ -296,20 +323,14 @@ std::optional<Record> assess_if_possible(const std::string& case_name, const Cas
   return std::nullopt;
 }
 
-/// The smallest change that made a claim fail, in words.
-struct Least {
-  double change = infinity;
-  std::string words{};
-};
+bool is_of_ensemble(const Verdict& v) { return v.level.empty() && !v.half_width; }
 
-/// Whether no claim that reads a run of this level waits for a change larger than this.
-bool are_settled(const std::vector<Least>& least, const Record& judged, const std::string& level, double change) {
-  for (std::size_t k = 0; k < least.size(); ++k) {
+/// Whether no claim has yet to be made to fail by all levels together, or, where one is named, by this one.
+bool are_settled(const std::vector<std::string>& fails_by, const Record& judged, const std::string& level) {
+  for (std::size_t k = 0; k < fails_by.size(); ++k) {
     const Verdict& v = judged.verdicts[k];
-    const bool waits = v.outcome == Outcome::holds && !is_end(v) && least[k].change > change;
-    const bool is_of_another =
-        v.level != level && std::ranges::find(judged.runs, v.level, &RunSummary::level) != judged.runs.end();
-    if (waits && !is_of_another) return false;
+    const bool reads_it = level.empty() || v.level == level || (v.level.empty() && !is_of_ensemble(v));
+    if (reads_it && v.outcome == Outcome::holds && !is_end(v) && fails_by[k].empty()) return false;
   }
   return true;
 }
@@ -321,34 +342,48 @@ Mutations mutate_samples(const std::string& case_name, const Case& declared, con
   Case unplotted = declared;
   unplotted.plots.clear();
   Results results{method, suite, run_levels(case_name, declared, method, suite)};
+  const auto began = std::chrono::steady_clock::now();
   const Record judged = assess(case_name, unplotted, results, baselines);
-  std::vector<Least> of_each(judged.verdicts.size());
+  const std::vector<Run> original = results.runs;
+  std::vector<std::string> fails_by(judged.verdicts.size());  // the smallest change that does it
   Mutations all;
-  for (Run& run : results.runs) {
-    const Run original = run;
-    for (double s = 1e-6; s < 1e4 && !are_settled(of_each, judged, original.summary.level, s); s *= 4)
-      for (const auto& [field, scale] : fields)
-        for (const double factor : {1 + s, 1 / (1 + s)}) {
-          run = original;
-          scale(run, factor);
-          const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
-          for (std::size_t k = 0; mutated && k < of_each.size(); ++k)
-            if (s < of_each[k].change && fails_in(*mutated, judged.verdicts[k])) {
-              of_each[k] = {s, fmt::format("{} of {} times {:.7g}", field, run.summary.level, factor)};
-              if (judged.verdicts[k].outcome == Outcome::holds) all.failing = mutated;
-            }
-        }
-    run = original;
-  }
-  for (std::size_t k = 0; k < of_each.size(); ++k) {
+  const auto judge = [&](const std::string& change, const auto& may_fail) {
+    const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
+    for (std::size_t k = 0; mutated && k < fails_by.size(); ++k) {
+      const Verdict& v = judged.verdicts[k];
+      if (!fails_by[k].empty() || !may_fail(v) || !fails_in(*mutated, v)) continue;
+      fails_by[k] = change;
+      if (v.outcome == Outcome::holds) all.failing = mutated;
+    }
+  };
+  const auto scale = [&](const Field& field, double factor, const std::string& level) {
+    results.runs = original;
+    for (Run& run : results.runs)
+      if (level.empty() || run.summary.level == level) field.second(run, factor);
+    judge(fmt::format("{} of {} times {:.7g}", field.first, level.empty() ? "all levels" : level, factor),
+          [](const Verdict& v) { return !is_end(v); });
+  };
+  std::vector<std::string> levels{""};  // all together first: what a solver gets wrong it gets wrong on each
+  for (const Run& run : original) levels.push_back(run.summary.level);
+  const double least_change = std::ranges::any_of(judged.verdicts, is_of_ensemble) ? 0.01 : 1e-6;
+  for (const std::string& level : levels)
+    for (double s = least_change; s < 1e4; s *= 4)
+      for (const Field& field : fields)
+        for (const double factor : {1 + s, 1 / (1 + s)})
+          if (!are_settled(fails_by, judged, level)) scale(field, factor, level);
+  results.runs = original;
+  for (Run& run : results.runs) run.summary.finished = false;
+  judge("no level that ends", [](const Verdict& v) { return is_end(v) || is_of_ensemble(v); });
+  for (std::size_t k = 0; k < fails_by.size(); ++k) {
     const Verdict& v = judged.verdicts[k];
-    if (v.outcome != Outcome::holds || is_end(v)) continue;
+    if (v.outcome != Outcome::holds) continue;
     ++all.claims;
     ++all.tried[0];
-    const bool is_seen = of_each[k].change < infinity;
+    const bool is_seen = !fails_by[k].empty();
     all.seen[0] += is_seen;
-    (is_seen ? least : all.survivors).push_back(is_seen ? of_each[k].words + " fails: " + v.sentence : v.sentence);
+    (is_seen ? least : all.survivors).push_back(is_seen ? fails_by[k] + " fails: " + v.sentence : v.sentence);
   }
+  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return all;
 }
 

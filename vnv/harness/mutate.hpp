@@ -21,6 +21,7 @@ struct Mutations {
   std::array<long, words(Mutation{}).size()> tried{}, seen{};
   std::vector<std::string> survivors{};
   std::optional<Record> failing{};  // of samples: as judged where the last of its claims failed
+  double seconds = 0;               // of samples: spent on this after the runs
 
   /// "34 claims hold: beyond 34/34, nan 30/30, ..."
   std::string sentence() const;
@@ -34,10 +35,11 @@ struct Mutations {
 Mutations mutate_record(const Case& declared, const Method& method, const Record& record, const Baselines& baselines,
                         const AcceptedClaims& accepted);
 
-/// Runs a method and scales one field of all particles of a level, before anything is measured: velocity, density,
-/// pressure, the position about the centre, what was monitored or its time, or what the run itself found. `beyond` is
-/// seen if some field makes the claim fail; `least` are lines that say which one needs the smallest change. Claims that
-/// runs end are left out.
+/// Runs a method and scales one field of all particles, of all levels together and, for claims that do not fail so, of
+/// one level, before anything is measured: velocity, density, pressure, the position about the centre, what was
+/// monitored or its time, steps, or what the run itself found; or leaves out particles at the bottom and the top. `beyond`
+/// is seen if some field makes the claim fail, or, for a claim on ends, runs that do not end; `least` are lines that say
+/// which one needs the smallest change.
 Mutations mutate_samples(const std::string& case_name, const Case& declared, const Method& method, Suite suite,
                          const Baselines& baselines, std::vector<std::string>& least);
 

@@ -92,6 +92,8 @@ def walls_of(scene):
 
 def main(courant):
     scene = json.loads(pathlib.Path("scene.json").read_text(encoding="utf-8"))
+    if scene["schema"] != "touchstone scene 1":
+        sys.exit(f"scene.json: schema {scene['schema']!r}, expected 'touchstone scene 1'")
     with open("particles.csv", newline="", encoding="utf-8") as file:
         start = sorted(csv.DictReader(file), key=lambda row: (float(row["y [m]"]), float(row["x [m]"])))
     h, nu = scene["spacing [m]"], scene["fluid"]["viscosity [Pa s]"] / scene["fluid"]["density [kg/m³]"]

@@ -68,6 +68,11 @@ internalField uniform 0;
 boundaryField {{ {sides} frontAndBack {{ type empty; }} }}""")
 
 
+def every(scene):
+    """How often histories are judged [s]; 0 where none are."""
+    return scene.get("times from 0 on, every [s]", 0)
+
+
 def settings(scene, step, nu):
     write("constant/transportProperties", "dictionary", f"transportModel Newtonian; nu {nu!r};")
     write("constant/turbulenceProperties", "dictionary", "simulationType laminar;")
@@ -84,7 +89,7 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }"""
 PIMPLE { nOuterCorrectors 1; nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }""")
     # Steps end on the times that are written only if these are multiples of one interval.
     times = scene["times [s]"]
-    interval = math.gcd(*(round(time * 1e9) for time in times)) * 1e-9
+    interval = math.gcd(*(round(time * 1e9) for time in (*times, every(scene)))) * 1e-9
     write("system/controlDict", "dictionary", f"""application pimpleFoam; startFrom startTime; startTime 0; stopAt endTime;
 endTime {times[-1]!r}; deltaT {interval / math.ceil(interval / step)!r}; writeControl adjustableRunTime; writeInterval {interval!r};
 writeFormat binary; writePrecision 12; timePrecision 10; runTimeModifiable no;""")
@@ -99,6 +104,8 @@ def run(*words):
 
 def main(courant):
     scene = json.loads(pathlib.Path("scene.json").read_text(encoding="utf-8"))
+    if scene["schema"] != "touchstone scene 1":
+        sys.exit(f"scene.json: schema {scene['schema']!r}, expected 'touchstone scene 1'")
     with open("particles.csv", newline="", encoding="utf-8") as file:
         start = sorted(csv.DictReader(file), key=lambda row: (float(row["y [m]"]), float(row["x [m]"])))
     rows = len({row["y [m]"] for row in start})
@@ -112,7 +119,8 @@ def main(courant):
     settings(scene, step, nu)
     run("blockMesh")
     run("pimpleFoam")
-    run("foamToVTK", "-no-boundary", "-fields", "(U p)", "-time", ",".join(f"{time:.10g}" for time in scene["times [s]"]))
+    chosen = [] if every(scene) else ["-time", ",".join(f"{time:.10g}" for time in scene["times [s]"])]
+    run("foamToVTK", "-no-boundary", "-fields", "(U p)", *chosen)
 
 
 if __name__ == "__main__":

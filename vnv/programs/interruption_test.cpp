@@ -28,6 +28,7 @@ class Starter {
     std::fflush(nullptr);  // else what waits to be printed is printed twice
     id_ = fork();
     if (id_ == 0) {
+      for (const int one : {SIGTERM, SIGINT, SIGHUP}) signal(one, SIG_DFL);  // who runs the tests may ignore them: nohup
       close(ends[0]);
       _exit(done(work, {.output = ends[1], .errors = ends[1]}));
     }

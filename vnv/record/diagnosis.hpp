@@ -31,8 +31,9 @@ struct Explanation {
 /// Of one field of one run, at all its times.
 struct Diagnosis {
   std::string level{};
-  std::string field;            // "velocity"
-  double error = not_a_number;  // %  of the exact field: root of the mean square over its times
+  std::string field;                      // "velocity"
+  std::vector<std::string> quantities{};  // those of its verdicts: "L2 v_x, per particle" and the order of it
+  double error = not_a_number;            // %  of the exact field: root of the mean square over its times
   std::vector<Explanation> explanations{};
   std::string sentence{};  // what is named, or that nothing is
 

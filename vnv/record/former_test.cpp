@@ -52,5 +52,33 @@ TEST(FormerRecords, AreReadAsThoseOfToday) {
   EXPECT_EQ(record.diagrams[0].quantity.unit, "%");
 }
 
+/// Each as the last version that wrote this schema wrote a record in which every field is another than its default.
+TEST(FormerRecords, OfEachSchemaAreReadWithAllThatTheyHad) {
+  const std::filesystem::path folder = std::filesystem::path(TOUCHSTONE_DATA_DIR) / "../vnv/record/former_records";
+  for (int schema = 1; schema < Record{}.schema; ++schema) {
+    const Record record = read_record(folder / ("of_schema_" + std::to_string(schema) + ".json"));
+    SCOPED_TRACE(schema);
+    EXPECT_EQ(record.schema, Record{}.schema);
+    EXPECT_EQ(record.case_name + "." + record.method, "poiseuille.mpm");
+    ASSERT_EQ(record.runs.size(), 1u);
+    EXPECT_EQ(record.runs[0].level, "M1");
+    EXPECT_EQ(record.runs[0].cost.cpu, 92.5);
+    EXPECT_EQ(record.runs[0].cost.repeats, schema == 1 ? 1 : 5);
+    EXPECT_EQ(record.runs[0].cost.cpu_highest, schema == 1 ? 92.5 : 94.2);
+    EXPECT_EQ(record.runs[0].cost.resource, Resource::cpu);
+    ASSERT_EQ(record.values.size(), 1u);
+    EXPECT_EQ(record.values[0].quantity.name, "L2 v_x");
+    EXPECT_EQ(record.values[0].value, 0.0334);
+    ASSERT_EQ(record.orders.size(), 1u);
+    EXPECT_EQ(record.orders[0].order, 0.98);
+    EXPECT_EQ(record.orders[0].levels, (std::vector<std::string>{"M1", "M2"}));
+    EXPECT_EQ(record.orders[0].trend, schema < 3 ? Trend::inconclusive : Trend::stalled);
+    ASSERT_EQ(record.verdicts.size(), 1u);
+    EXPECT_EQ(record.verdicts[0].upper, 4);
+    EXPECT_EQ(record.figures.size() + record.curves.size() + record.clouds.size() + record.tables.size(), 4u);
+    EXPECT_EQ(record.diagrams.size() + record.work.size(), schema == 1 ? 0u : 2u);
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

@@ -5,6 +5,7 @@
 #include "vnv/record/json.hpp"
 #include "vnv/record/same_time.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -13,7 +14,7 @@
 namespace touchstone::vnv {
 
 TOUCHSTONE_FIELDS(Cost, particles, boundary_particles, steps, repeats, cpu, cpu_lowest, cpu_highest, wall, stepping,
-                  harness, peak_memory)
+                  harness, peak_memory, resource, occupied)
 TOUCHSTONE_FIELDS(RunSummary, level, spacing, time_step, end_time, finished, outcome, cost)
 TOUCHSTONE_FIELDS(Quantity, name, unit, kind, better)
 TOUCHSTONE_FIELDS(Value, level, spacing, time, quantity, value)
@@ -23,7 +24,7 @@ TOUCHSTONE_FIELDS(Verdict, case_name, method, level, spacing, time, quantity, un
                   surely_above, half_width, trend, author, outcome, margin, sentence)
 TOUCHSTONE_FIELDS(FittedCause, cause, unit, value, half_width)
 TOUCHSTONE_FIELDS(Explanation, causes, share, named, sentence)
-TOUCHSTONE_FIELDS(Diagnosis, level, field, error, explanations, sentence)
+TOUCHSTONE_FIELDS(Diagnosis, level, field, quantities, error, explanations, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
 TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
@@ -52,6 +53,27 @@ void check_lengths(const Record& record) {
   for (const auto& t : record.tables)
     for (const auto& row : t.rows)
       require_equal(row.size(), t.columns.size(), fmt::format("a row of table '{}'", t.id));
+}
+
+/// Schema 1 had one run of each, and no diagrams of error against run time.
+void bring_up_from_1(json::Json& json) {
+  for (auto& run : json.at("runs")) {
+    json::Json& cost = run.at("cost");
+    cost["repeats"] = 1;
+    cost["cpu_lowest"] = cost["cpu_highest"] = cost.at("cpu");
+    cost["stepping"] = cost["harness"] = 0;
+  }
+  for (const char* list : {"diagrams", "work"}) json[list] = json::Json::array();
+}
+
+/// Schema 2 had orders without a trend and a floor.
+void bring_up_from_2(json::Json& json) {
+  for (auto& order : json.at("orders")) {
+    order["trend"] = json::Writer::json(Trend::inconclusive);
+    order["asymptotic"] = false;
+    for (const char* number : {"floor", "floor_half_width", "order_to_floor", "order_to_floor_half_width"})
+      order[number] = "nan";
+  }
 }
 
 /// Schema 3 had the headings of quantities only, and values were called errors.
@@ -86,6 +108,22 @@ void bring_up_from_4(json::Json& json) {
   json["schema"] = Record{}.schema;
 }
 
+/// What was added to this schema since its first record.
+void add_what_is_new(json::Json& json) {
+  const auto add = [](json::Json& object, const char* name, const json::Json& value) {
+    if (object.is_object() && !object.contains(name)) object[name] = value;
+  };
+  add(json, "another_code", false);
+  add(json, "diagnoses", json::Json::array());
+  for (auto& diagnosis : json["diagnoses"]) add(diagnosis, "quantities", json::Json::array());
+  if (!json.contains("runs") || !json["runs"].is_array()) return;  // which is refused later
+  for (auto& run : json["runs"])
+    if (run.is_object() && run.contains("cost")) {
+      add(run["cost"], "resource", json::Writer::json(Resource::cpu));
+      add(run["cost"], "occupied", 0.0);
+    }
+}
+
 std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
 
 }  // namespace
@@ -106,6 +144,13 @@ std::string contradiction(const Verdict& v, const Record& record) {
   return "";
 }
 
+const Diagnosis* diagnosis_of(const Verdict& verdict, const Record& record) {
+  const std::string& level = verdict.level.empty() && !record.runs.empty() ? record.runs.back().level : verdict.level;
+  for (const Diagnosis& one : record.diagnoses)
+    if (one.level == level && std::ranges::find(one.quantities, verdict.quantity) != one.quantities.end()) return &one;
+  return nullptr;
+}
+
 namespace {
 
 /// A record is not believed: each verdict is judged again by its numbers, and one that the record contradicts fails.
@@ -123,12 +168,13 @@ Record record_from(json::Json json) {
   int schema = 0;
   const json::Reader header(json);
   header("schema", schema);
-  if (schema != Record{}.schema && schema != 3 && schema != 4)
-    throw json::Misfit{"schema", fmt::format("is {}, expected {}, 4 or 3, those known here", schema, Record{}.schema)};
-  if (schema == 3) bring_up_from_3(json);
-  if (schema < Record{}.schema) bring_up_from_4(json);
-  if (!json.contains("another_code")) json["another_code"] = false;  // written before there was any
-  if (!json.contains("diagnoses")) json["diagnoses"] = json::Json::array();
+  if (schema < 1 || schema > Record{}.schema)
+    throw json::Misfit{"schema", fmt::format("is {}, expected 1 to {}, those known here{}", schema, Record{}.schema,
+                                             schema > 0 ? ": a newer Touchstone wrote it" : "")};
+  constexpr auto bring_up =
+      std::to_array<void (*)(json::Json&)>({bring_up_from_1, bring_up_from_2, bring_up_from_3, bring_up_from_4});
+  for (auto from = static_cast<std::size_t>(schema); from <= bring_up.size(); ++from) bring_up[from - 1](json);
+  add_what_is_new(json);
   Record record;
   const json::Reader reader(json);
   describe(reader, record);

@@ -89,6 +89,9 @@ struct Record {
 /// was measured there is another number. Empty if nothing does.
 std::string contradiction(const Verdict& verdict, const Record& record);
 
+/// What explains the error that a verdict is of, at its level, of an order at the finest; null where nobody asked.
+const Diagnosis* diagnosis_of(const Verdict& verdict, const Record& record);
+
 /// The record as JSON.
 std::string as_json(const Record& record);
 

@@ -3,9 +3,19 @@
 
 #include "vnv/record/quantity.hpp"
 
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace touchstone::vnv {
+
+/// What a run costs. Costs of different resources are never compared.
+enum class Resource { cpu, gpu, core };
+constexpr auto words(Resource) { return std::to_array<std::string_view>({"CPU", "GPU", "core"}); }
+/// "GPU time [s]"
+inline std::string heading_of(Resource resource) {
+  return std::string(words(resource).at(static_cast<std::size_t>(resource))) + " time [s]";
+}
 
 /// What one run cost. Times are medians over the repeats.
 struct Cost {
@@ -20,7 +30,11 @@ struct Cost {
   double stepping = 0;     // s  the part of `wall` that was spent in the solver's steps
   double harness = 0;      // s  wall time of all else: checks, sampling, measuring, a process of its own
   double peak_memory = 0;  // bytes  largest resident set of the run's process
+  /// Another resource than CPU time, where a run says that it occupied one: then `cpu` is not a number.
+  Resource resource = Resource::cpu;
+  double occupied = 0;  // s  wall time times how many of the resource
 
+  double spent() const { return resource == Resource::cpu ? cpu : occupied; }               // s  of the resource
   double per_step() const { return cpu / static_cast<double>(steps); }                      // s
   double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
   double particle_steps_per_second() const { return 1 / per_particle_step(); }              // 1/s

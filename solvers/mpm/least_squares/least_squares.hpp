@@ -32,18 +32,21 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
       : Base(scene, settings),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         seats_(lattice_.places()),
-        nodes_(grid_),
-        rates_(nodes_.count()),
-        divergence_(nodes_.count()) {
+        cells_(grid_.around_nodes()),
+        nodes_(cells_, settings.threads),
+        pressure_(nodes_.places()),
+        divergence_(nodes_.places()),
+        acceleration_(nodes_.places()) {
     require_filled("mpm", scene.filled, scene.domain.box);
     if ((2 * lattice_.step.array() > grid_.cell.array() * (1 + 1e-9)).any())
       throw std::invalid_argument(fmt::format("mpm: spacing = {:g} m in cells of {:g} m, expected at most half a cell",
                                               lattice_.step.maxCoeff(), grid_.cell.minCoeff()));
     for (const Wall& wall : scene.walls) {
       const int line = grid_.line_of(wall);
-      for (int k = 0; k < (wall.axis == 0 ? nodes_.rows : nodes_.columns); ++k)
+      for (int k = 0; k < (wall.axis == 0 ? cells_.rows : cells_.columns); ++k)
         at_walls_.push_back(
-            {wall.axis == 0 ? nodes_.node_at(line, k) : nodes_.node_at(k, line), &wall - &scene.walls[0]});
+            {wall.axis == 0 ? nodes_.node_at(line % cells_.columns, k) : nodes_.node_at(k, line % cells_.rows),
+             &wall - &scene.walls[0]});
     }
     begin();
   }
@@ -51,31 +54,31 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   /// One step of the integrator, from particles that stand evenly enough. Throws Diverged.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
-    refuse_strays();
     if (strained_ > most_strain) remesh();
     lap(SubStep::sorting);
     integrator_.step(*this, this->time(), time_step(), lap);
     strained_ += time_step() * strain_rate_;
-    all_.rho += mean_density_ - all_.rho.mean();
+    keep_mean_density();
     lap(SubStep::motion);
     this->tick();
   }
 
-  Index particles() const { return all_.fluid; }
+  Index particles() const { return seats_.cols(); }
   /// The particles in the order in which they were seeded. Throws Diverged.
   Samples samples() const {
-    refuse_strays();
-    Samples s{this->time(),
-              Vectors(2, all_.fluid),
-              Vectors(2, all_.fluid),
-              Scalars::Constant(all_.fluid, scene_.fluid.density * lattice_.volume()),
-              all_.rho,
-              Scalars(all_.fluid)};
-    for (Index i = 0; i < all_.fluid; ++i) {
-      s.x.col(i) = Vec2(scene_.domain.wrapped(0, all_.x[i]), scene_.domain.wrapped(1, all_.y[i]));
-      s.v.col(i) = Vec2(all_.vx[i], all_.vy[i]);
-      s.pressure[i] = scene_.fluid.pressure(all_.rho[i]);
-    }
+    const Index n = particles();
+    Samples s{this->time(),  Vectors(2, n),
+              Vectors(2, n), Scalars::Constant(n, scene_.fluid.density * lattice_.volume()),
+              Scalars(n),    Scalars(n)};
+    all_.order.for_each([&](int, int slot) {
+      for (const int axis : {0, 1})
+        if (!is_inside(slot, axis)) refuse(slot, axis);
+      const int p = all_.number[slot];
+      s.x.col(p) = Vec2(scene_.domain.wrapped(0, all_.x[slot]), scene_.domain.wrapped(1, all_.y[slot]));
+      s.v.col(p) = Vec2(all_.vx[slot], all_.vy[slot]);
+      s.density[p] = all_.rho[slot];
+      s.pressure[p] = scene_.fluid.pressure(s.density[p]);
+    });
     return s;
   }
   Extremes extremes() const { return touchstone::extremes_of(all_); }
@@ -99,66 +102,102 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
 
   /// Sets the particles going as the scene says; those near a wall that jumps into motion feel the jump.
   void begin() {
-    all_.fluid = seats_.cols();
-    for (Scalars* field : {&all_.x, &all_.y, &all_.vx, &all_.vy, &all_.rho, &all_.ax, &all_.ay, &all_.drho})
-      field->setZero(all_.fluid);
-    all_.past.assign(Integrator::past_fields, Scalars::Zero(all_.fluid));
+    all_.past.assign(Integrator::past_fields, {});
     const Vectors places = places_in(scene_.domain.box, scene_.start, lattice_);
-    if (places.cols() != all_.fluid)
+    if (places.cols() != particles())
       throw std::invalid_argument(
-          fmt::format("mpm: {} particles to start with, expected the {} of the lattice", places.cols(), all_.fluid));
-    for (Index i = 0; i < all_.fluid; ++i) {
-      const Vec2 x = places.col(i), v = scene_.start.velocity_at(x);
-      all_.x[i] = x.x();
-      all_.y[i] = x.y();
-      all_.vx[i] = v.x();
-      all_.vy[i] = v.y();
-      all_.rho[i] = scene_.fluid.density_at(scene_.start.pressure_at(x));
-    }
-    mean_density_ = all_.rho.mean();
-    nodes_.fit(all_, scene_.fluid.density, threads_);
-    std::vector<std::array<double, 2>> jump(nodes_.count());
+          fmt::format("mpm: {} particles to start with, expected the {} of the lattice", places.cols(), particles()));
+    all_.lay_out(places, cells_);
+    all_.order.for_each([&](int, int slot) {
+      const Vec2 x(all_.x[slot], all_.y[slot]), v = scene_.start.velocity_at(x);
+      all_.vx[slot] = v.x();
+      all_.vy[slot] = v.y();
+      all_.rho[slot] = scene_.fluid.density_at(scene_.start.pressure_at(x));
+    });
+    mean_density_ = all_.rho.sum() / static_cast<double>(particles());
+    keep_order();
+    nodes_.fit_to(all_, scene_.fluid.density);
+    NodeVectors& jump = acceleration_;
     for (const auto& [node, wall] : at_walls_) {
       const Vec2 v = nodes_.velocity(node), held = scene_.walls[wall].at_wall(v, 0);
-      jump[node][0] += held.x() - v.x();
-      jump[node][1] += held.y() - v.y();
+      jump.set(node, jump[node] + held - v);
       nodes_.set_velocity(node, held);
     }
-    for (Index i = 0; i < all_.fluid; ++i) {
-      const auto felt = nodes_.through_nodes(nodes_.near(all_.x[i], all_.y[i]), [&](int node) { return jump[node]; });
-      all_.vx[i] += felt[0];
-      all_.vy[i] += felt[1];
+    for (auto [field, change] : {std::pair(&all_.vx, &jump.x), std::pair(&all_.vy, &jump.y)}) {
+      nodes_.extend(*change, parabola);
+      for_blocks(all_, nodes_, threads_, [&, v = field, of_nodes = change](Index, const auto& block, int node) {
+        const PowersOfBoth felt = nodes_.parabolas(*of_nodes, node);
+        for_particles_of(block, [&](int slot, const auto& write) {
+          write(load<Lanes>(&(*v)[slot]) + value_at(felt, all_.place(0, slot), all_.place(1, slot)), &(*v)[slot]);
+        });
+      });
     }
   }
 
-  void take_seats() {
-    all_.x = seats_.row(0);
-    all_.y = seats_.row(1);
-    strained_ = 0;
+  /// Finds the places within cells, and carries the particles that have left theirs. Throws Diverged.
+  void keep_order() {
+    const Vec2 per_cell = grid_.cell.cwiseInverse(), low = grid_.box.low;
+    for_blocks(all_, nodes_, threads_, calm_, [&](const auto& block, int) {
+      Lanes column;
+      for (int lane = 0; lane < lanes; ++lane) column[lane] = block.column + lane;
+      auto is_calm = calm_so_far;
+      for_particles_of(block, [&](int slot, const auto& write) {
+        const Lanes X = write((load<Lanes>(&all_.x[slot]) - low.x()) * per_cell.x() - column, &all_.X[slot]),
+                    Y = write((load<Lanes>(&all_.y[slot]) - low.y()) * per_cell.y() - block.row, &all_.Y[slot]);
+        is_calm &= between(-0.5, X, 0.5) & between(-0.5, Y, 0.5);
+      });
+      return is_calm;
+    });
+    mpm::keep_order(all_, calm_, [&](int slot, int cell) { return settle(slot, cell); });
+    all_.fluid = all_.order.slots();
+  }
+
+  /// The cell that a particle is in now. Throws Diverged.
+  int settle(int slot, int cell) {
+    const auto along = [&](int axis, int at, int cells, bool periodic, Scalars& x, Scalars& start, double& X) {
+      double within = X + 0.5;
+      const int to = cell_along(within, at, cells, periodic);
+      if (to < 0) refuse(slot, axis);
+      const double across = std::round(within - 0.5 - X + (to - at)) * grid_.cell[axis];  // a periodic boundary
+      x[slot] += across;
+      start[slot] += across;
+      X = within - 0.5;
+      return to;
+    };
+    const int column = along(0, cell % cells_.columns, cells_.columns, cells_.periodic_x, all_.x, all_.start.x,
+                             all_.X[slot]),
+              row = along(1, cell / cells_.columns, cells_.rows, cells_.periodic_y, all_.y, all_.start.y, all_.Y[slot]);
+    return cells_.cell_at(column, row);
   }
 
   void fit_and_hold(double time) {
-    nodes_.fit(all_, scene_.fluid.density, threads_);
+    nodes_.fit_to(all_, scene_.fluid.density);
     for (const auto& [node, wall] : at_walls_)
       nodes_.set_velocity(node, scene_.walls[wall].at_wall(nodes_.velocity(node), time));
+    for (auto& polynomial : nodes_.fit)
+      for (auto& factor : polynomial) nodes_.extend(factor, mirrored);
   }
 
   void remesh() {
+    keep_order();
     fit_and_hold(this->time());
-    take_seats();
-    share_out_fields(threads_, all_.fluid, [&](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i) {
-        const auto fitted = nodes_.joined(nodes_.near(all_.x[i], all_.y[i]));
-        all_.vx[i] = fitted[FittedNodes::v_x];
-        all_.vy[i] = fitted[FittedNodes::v_y];
-        all_.rho[i] = scene_.fluid.density + fitted[FittedNodes::excess];
-      }
+    all_.lay_out(seats_, cells_);
+    keep_order();
+    for_fitted([&](int) {
+      return [&](int slot, const auto& write, const Place&, const Place&, const auto& fitted) {
+        write(fitted[FittedNodes::v_x], &all_.vx[slot]);
+        write(fitted[FittedNodes::v_y], &all_.vy[slot]);
+        write(scene_.fluid.density + fitted[FittedNodes::excess], &all_.rho[slot]);
+      };
     });
+    strained_ = 0;
     integrator_ = Integrator{};  // past rates were of other places
   }
 
   template <class Laps>
   void find_rates(double time, const Laps& lap) {
+    keep_order();
+    lap(SubStep::sorting);
     fit_and_hold(time);
     lap(SubStep::scatter);
     find_rates_of_nodes(time);
@@ -167,134 +206,137 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     lap(SubStep::gather);
   }
 
-  /// A field of the nodes along an axis from one of them, and on which sides of it there are nodes.
-  template <class Value>
-  struct Along {
-    const FittedNodes& nodes;
-    const Value& value;
-    int column, row, axis;
-    bool before = axis == 0 ? nodes.has_column(column - 1) : nodes.has_row(row - 1),
-         beyond = axis == 0 ? nodes.has_column(column + 1) : nodes.has_row(row + 1);
+  // Ghosts past an edge that is not periodic.
+  static double parabola(double first, double second, double third) { return 3 * (first - second) + third; }
+  static double mirrored(double, double second, double) { return second; }
 
-    double operator()(int step) const {
-      return value(axis == 0 ? nodes.node_at(column + step, row) : nodes.node_at(column, row + step));
-    }
-  };
-  /// Differences along an axis [per cell], central inside, to one side at a wall.
-  template <class Value>
-  double slope(const Value& value, int column, int row, int axis) const {
-    const Along<Value> at{nodes_, value, column, row, axis};
-    if (at.before && at.beyond) return (at(1) - at(-1)) / 2;
-    const int in = at.before ? -1 : 1;
-    return in * (4 * at(in) - at(2 * in) - 3 * at(0)) / 2;
+  /// Differences along an axis [per cell], central; to one side at a wall, by the parabola's ghosts.
+  Lanes slope(const Field<double>& field, int node, int axis) const {
+    const int next = axis == 0 ? 1 : nodes_.stride;
+    return (load<Lanes>(&field[node + next]) - load<Lanes>(&field[node - next])) / 2.0;
   }
   /// Second differences along an axis [per cell²]; a field is mirrored at a wall: nothing drags along it.
-  template <class Value>
-  double curvature(const Value& value, int column, int row, int axis) const {
-    const Along<Value> at{nodes_, value, column, row, axis};
-    return at(at.beyond ? 1 : -1) + at(at.before ? -1 : 1) - 2 * at(0);
-  }
-
-  template <class Work>
-  void for_nodes(const Work& work) const {
-    share_out(threads_, nodes_.rows, [&](Index begin, Index end) {
-      for (int row = static_cast<int>(begin); row < end; ++row)
-        for (int column = 0; column < nodes_.columns; ++column) work(column, row);
-    });
+  Lanes curvature(const Field<double>& field, int node, int axis) const {
+    const int next = axis == 0 ? 1 : nodes_.stride;
+    return load<Lanes>(&field[node + next]) + load<Lanes>(&field[node - next]) - 2.0 * load<Lanes>(&field[node]);
   }
 
   /// Acceleration and divergence of the velocity on the nodes.
   void find_rates_of_nodes(double time) {
     const Vec2 per_cell = grid_.cell.cwiseInverse();
-    const auto value = [&](FittedNodes::Field field) {
-      return [this, field](int node) { return nodes_.fit(node)[field][0]; };
+    Field<double>&vx = nodes_.fit[FittedNodes::v_x][0], &vy = nodes_.fit[FittedNodes::v_y][0];
+    const auto rho_at = [&](int node) -> Lanes {
+      return scene_.fluid.density + load<Lanes>(&nodes_.fit[FittedNodes::excess][0][node]);
     };
-    const auto pressure = [&](int node) {
-      return scene_.fluid.pressure(scene_.fluid.density + nodes_.fit(node)[FittedNodes::excess][0]);
-    };
-    for_nodes([&](int column, int row) {
-      divergence_[nodes_.node_at(column, row)] = per_cell.x() * slope(value(FittedNodes::v_x), column, row, 0) +
-                                                 per_cell.y() * slope(value(FittedNodes::v_y), column, row, 1);
+    for (Field<double>* v : {&vx, &vy}) nodes_.extend(*v, parabola);
+    nodes_.for_nodes([&](int node, int, int) {
+      store(scene_.fluid.pressure(rho_at(node)), &pressure_[node]);
+      store(per_cell.x() * slope(vx, node, 0) + per_cell.y() * slope(vy, node, 1), &divergence_[node]);
     });
-    for_nodes([&](int column, int row) {
-      const int node = nodes_.node_at(column, row);
-      const double rho = scene_.fluid.density + nodes_.fit(node)[FittedNodes::excess][0];
-      std::array<double, 3> rate{0, 0, divergence_[node]};
+    for (Field<double>* field : {&pressure_, &divergence_}) nodes_.extend(*field, parabola);
+    for (Field<double>* v : {&vx, &vy}) nodes_.extend(*v, mirrored);
+    nodes_.for_nodes([&](int node, int column, int row) {
+      const Lanes per_rho = 1 / rho_at(node);
       for (const int axis : {0, 1}) {
-        rate[axis] = -per_cell[axis] * slope(pressure, column, row, axis) / rho;
+        Lanes rate = -per_cell[axis] * slope(pressure_, node, axis) * per_rho;
         if constexpr (Viscous<FluidLaw>) {
-          const auto v = value(axis == 0 ? FittedNodes::v_x : FittedNodes::v_y);
-          rate[axis] += scene_.fluid.viscosity / rho *
-                        (per_cell.x() * per_cell.x() * curvature(v, column, row, 0) +
-                         per_cell.y() * per_cell.y() * curvature(v, column, row, 1) +
-                         per_cell[axis] / 3 * slope([&](int at) { return divergence_[at]; }, column, row, axis));
+          const Field<double>& v = axis == 0 ? vx : vy;
+          rate += scene_.fluid.viscosity * per_rho *
+                  (per_cell.x() * per_cell.x() * curvature(v, node, 0) +
+                   per_cell.y() * per_cell.y() * curvature(v, node, 1) +
+                   per_cell[axis] / 3 * slope(divergence_, node, axis));
         }
+        store(rate, &(axis == 0 ? acceleration_.x : acceleration_.y)[node]);
       }
-      if constexpr (is_present<Force>) {
-        const Vec2 force = scene_.body_force(grid_.box.low + grid_.cell.cwiseProduct(Vec2(column, row)), time);
-        rate[0] += force.x();
-        rate[1] += force.y();
-      }
-      rates_[node] = rate;
+      if constexpr (is_present<Force>)
+        for (int lane = 0; lane < lanes && column + lane < cells_.columns; ++lane) {
+          const Vec2 x = grid_.box.low + grid_.cell.cwiseProduct(Vec2(column + lane, row));
+          acceleration_.set(node + lane, acceleration_[node + lane] + scene_.body_force(x, time));
+        }
     });
     const double dt = time_step();
     for (const auto& [node, wall] : at_walls_) {  // moves as the wall lets it
-      const Vec2 v = nodes_.velocity(node), a(rates_[node][0], rates_[node][1]);
-      const Vec2 held = (scene_.walls[wall].at_wall(v + dt * a, time + dt) - scene_.walls[wall].at_wall(v, time)) / dt;
-      rates_[node][0] = held.x();
-      rates_[node][1] = held.y();
+      const Vec2 v = nodes_.velocity(node), a = acceleration_[node];
+      acceleration_.set(node,
+                        (scene_.walls[wall].at_wall(v + dt * a, time + dt) - scene_.walls[wall].at_wall(v, time)) / dt);
     }
+    for (Field<double>* field : {&acceleration_.x, &acceleration_.y}) nodes_.extend(*field, parabola);
     note_strain();
   }
 
   /// The fastest strain of any node.
   void note_strain() {
     double fastest = 0;
-    for (int node = 0; node < nodes_.count(); ++node)
-      for (const FittedNodes::Field field : {FittedNodes::v_x, FittedNodes::v_y})
-        for (const int axis : {0, 1})
-          fastest = std::max(fastest, std::abs(nodes_.fit(node)[field][1 + axis]) / grid_.cell[axis]);
+    for (const FittedNodes::Fitted field : {FittedNodes::v_x, FittedNodes::v_y})
+      for (const int axis : {0, 1})
+        for (int row = 0; row < cells_.rows; ++row)
+          fastest = std::max(
+              fastest, Eigen::Map<const Scalars>(&nodes_.fit[field][1 + axis][nodes_.node_at(0, row)], cells_.columns)
+                               .abs()
+                               .maxCoeff() /
+                           grid_.cell[axis]);
     strain_rate_ = fastest;
   }
 
   void read_rates() {
     const double of_rho = damping_of_rho * scene_.fluid.sound_speed() / grid_.cell.minCoeff(),
-                 of_v = std::min(damping_of_v * strain_rate_, of_rho);
-    share_out_fields(threads_, all_.fluid, [&](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i) {
-        const NearNode at = nodes_.near(all_.x[i], all_.y[i]);
-        const auto rates = nodes_.through_nodes(at, [&](int node) { return rates_[node]; });
-        const auto fitted = nodes_.joined(at);
-        all_.ax[i] = rates[0] - of_v * (all_.vx[i] - fitted[FittedNodes::v_x]);
-        all_.ay[i] = rates[1] - of_v * (all_.vy[i] - fitted[FittedNodes::v_y]);
-        all_.drho[i] =
-            -all_.rho[i] * rates[2] - of_rho * (all_.rho[i] - scene_.fluid.density - fitted[FittedNodes::excess]);
-      }
+                 of_v = std::min(damping_of_v * strain_rate_, of_rho), rho0 = scene_.fluid.density;
+    for_fitted([&](int node) {
+      return [&, ax = nodes_.parabolas(acceleration_.x, node), ay = nodes_.parabolas(acceleration_.y, node),
+              divergence = nodes_.parabolas(divergence_, node)](int slot, const auto& write, const Place& X,
+                                                                const Place& Y, const auto& fitted) {
+        const Lanes rho = load<Lanes>(&all_.rho[slot]);
+        write(value_at(ax, X, Y) - of_v * (load<Lanes>(&all_.vx[slot]) - fitted[FittedNodes::v_x]), &all_.ax[slot]);
+        write(value_at(ay, X, Y) - of_v * (load<Lanes>(&all_.vy[slot]) - fitted[FittedNodes::v_y]), &all_.ay[slot]);
+        write(-rho * value_at(divergence, X, Y) - of_rho * (rho - rho0 - fitted[FittedNodes::excess]),
+              &all_.drho[slot]);
+      };
     });
   }
 
-  /// Throws Diverged if a particle is half a cell outside, or nowhere.
-  void refuse_strays() const {
-    for (Index i = 0; i < all_.fluid; ++i) {
-      const Vec2 x(all_.x[i], all_.y[i]);
-      for (const int axis : {0, 1}) {
-        const double slack = grid_.cell[axis] / 2;
-        const bool inside = scene_.domain.periodic(axis)
-                                ? std::isfinite(x[axis])
-                                : x[axis] > grid_.box.low[axis] - slack && x[axis] < grid_.box.high[axis] + slack;
-        if (!inside)
-          throw Diverged({steps(), this->time(), i, x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
-      }
+  /// Calls what of_block(first node) returns, (slot, write, X, Y, fitted), for all particles of a block.
+  template <class OfBlock>
+  void for_fitted(const OfBlock& of_block) const {
+    for_blocks(
+        all_, nodes_, threads_, [&](Index, const auto& block, int node) __attribute__((flatten)) {
+          const FittedNodes::Around fits = nodes_.around(node);
+          const auto work = of_block(node);
+          for_particles_of(block, [&](int slot, const auto& write) {
+            const Place X = all_.place(0, slot), Y = all_.place(1, slot);
+            const Between x = nodes_.between(0, block.column, X.X), y = nodes_.between(1, block.row, Y.X);
+            work(slot, write, X, Y, std::array{joined(fits[0], x, y), joined(fits[1], x, y), joined(fits[2], x, y)});
+          });
+        });
+  }
+
+  void keep_mean_density() {
+    const double gap = mean_density_ - all_.rho.sum() / static_cast<double>(particles());
+    for (Index slot = 0; slot + lanes <= all_.fluid; slot += lanes) {
+      const Lanes rho = load<Lanes>(&all_.rho[slot]);
+      store(rho > Lanes{} ? rho + gap : rho, &all_.rho[slot]);
     }
+  }
+
+  bool is_inside(int slot, int axis) const {
+    const double x = axis == 0 ? all_.x[slot] : all_.y[slot];
+    if (scene_.domain.periodic(axis)) return std::isfinite(x);
+    return x > cells_.box.low[axis] && x < cells_.box.high[axis];  // or half a cell outside
+  }
+  [[noreturn]] void refuse(int slot, int axis) const {
+    const Vec2 x(all_.x[slot], all_.y[slot]);
+    throw Diverged(
+        {steps(), this->time(), all_.number[slot], x, axis == 0 ? "x [m]" : "y [m]", x[axis], "inside the domain"});
   }
 
   Lattice lattice_;
   Vectors seats_;  // m  of the particles on their lattice
+  Grid cells_;     // of the particles, a node in the middle of each
   FittedNodes nodes_;
-  std::vector<std::array<double, 3>> rates_;  // m/s², m/s², 1/s  acceleration, divergence
-  std::vector<double> divergence_;            // 1/s
+  Field<double> pressure_, divergence_;  // Pa, 1/s
+  NodeVectors acceleration_;             // m/s²
   std::vector<AtWall> at_walls_;
-  FluidState all_;
+  FittedParticles all_;
+  std::vector<LaneBits> calm_;
   Integrator integrator_;
   double mean_density_ = 0;                // kg/m³
   double strain_rate_ = 0, strained_ = 0;  // 1/s, -  of the lattice since it was laid out

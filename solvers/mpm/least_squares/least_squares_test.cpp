@@ -26,46 +26,47 @@ Scene<Newtonian, Uniform> between_plates(const WallVelocity& low, const WallVelo
           .start = start};
 }
 
-/// A field of second degree on particles that stand anywhere.
-struct Scattered {
-  FluidState all;
-  static double field(double x, double y) { return 3 - x + 2 * y + 4 * x * x - x * y + 0.5 * y * y; }
+double field(double x, double y) { return 3 - x + 2 * y + 4 * x * x - x * y + 0.5 * y * y; }
 
-  Scattered() {
-    const Vectors places = lattice({.high = {1, 1}}, 0.05).places();
-    all.fluid = places.cols();
-    all.x = places.row(0).array() + 0.01 * (37 * places.row(1).array()).sin();
-    all.y = places.row(1).array() + 0.01 * (53 * places.row(0).array()).cos();
-    all.vx = Scalars::NullaryExpr(all.fluid, [&](Index i) { return field(all.x[i], all.y[i]); });
-    all.vy = -all.vx;
-    all.rho = 1000 + all.vx;
-  }
-};
-
-TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndBetweenThem) {
-  const Scattered particles;
-  FittedNodes nodes(Grid({.box = {.high = {1, 1}}}, 0.1));
-  nodes.fit(particles.all, 1000, 1);
-  for (const Vec2& x : {Vec2(0, 0), Vec2(1, 1), Vec2(0.33, 0.71), Vec2(0.05, 0.98), Vec2(0.999, 0.4)}) {
-    const auto found = nodes.joined(nodes.near(x.x(), x.y()));
-    const double exact = Scattered::field(x.x(), x.y());
-    EXPECT_NEAR(found[FittedNodes::v_x], exact, 1e-9);
-    EXPECT_NEAR(found[FittedNodes::v_y], -exact, 1e-9);
-    EXPECT_NEAR(found[FittedNodes::excess], exact, 1e-9);
-    const auto read = nodes.through_nodes(nodes.near(x.x(), x.y()),
-                                          [&](int node) { return std::array{nodes.fit(node)[FittedNodes::v_x][0]}; });
-    EXPECT_NEAR(read[0], exact, 1e-9);
-  }
-}
-
-TEST(FittedNodes, FindTheNearestNodeAcrossAPeriodicBoundaryAndInsideAWall) {
-  const FittedNodes nodes(Grid({.box = {.high = {1, 1}}, .periodic_x = true}, 0.1));
-  const NearNode across = nodes.near(1.98, 0.98);
-  EXPECT_EQ(across.column, 0);
-  EXPECT_EQ(across.row, 10);
-  EXPECT_NEAR(across.X, -0.2, 1e-12);
-  EXPECT_NEAR(across.Y, -0.2, 1e-12);
-  EXPECT_EQ(nodes.near(0.5, 1.3).row, 10);
+TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndAtParticlesAnywhere) {
+  const Grid grid({.box = {.high = {1, 1}}}, 0.1), cells = grid.around_nodes();
+  Vectors places = lattice({.high = {1, 1}}, 0.05).places();
+  places.row(0).array() += 0.06 * (37 * places.row(1).array()).sin();  // some of them outside
+  places.row(1).array() += 0.06 * (53 * places.row(0).array()).cos();
+  FittedParticles all;
+  all.lay_out(places, cells);
+  all.order.for_each([&](int cell, int slot) {
+    all.X[slot] = 10 * all.x[slot] - cell % cells.columns;
+    all.Y[slot] = 10 * all.y[slot] - cell / cells.columns;
+    all.vx[slot] = field(all.x[slot], all.y[slot]);
+    all.vy[slot] = -all.vx[slot];
+    all.rho[slot] = 1000 + all.vx[slot];
+  });
+  FittedNodes nodes(cells, 1);
+  nodes.fit_to(all, 1000);
+  for (int row = 0; row < cells.rows; ++row)
+    for (int column = 0; column < cells.columns; ++column) {
+      const double exact = field(0.1 * column, 0.1 * row);
+      EXPECT_NEAR(nodes.velocity(nodes.node_at(column, row)).x(), exact, 1e-9);
+      EXPECT_NEAR(nodes.velocity(nodes.node_at(column, row)).y(), -exact, 1e-9);
+      EXPECT_NEAR(nodes.fit[FittedNodes::excess][0][nodes.node_at(column, row)], exact, 1e-9);
+    }
+  const auto parabola = [](double first, double second, double third) { return 3 * (first - second) + third; };
+  Field<double> values = nodes.fit[FittedNodes::v_x][0];
+  nodes.extend(values, parabola);
+  for_blocks(all, nodes, 1, [&](Index, const auto& block, int node) {
+    for_particles_of(block, [&](int slot, const auto& write) {
+      const Place X = all.place(0, slot), Y = all.place(1, slot);
+      const Between x = nodes.between(0, block.column, X.X), y = nodes.between(1, block.row, Y.X);
+      const Lanes by_fits = joined(nodes.around(node)[FittedNodes::v_x], x, y),
+                  by_values = value_at(nodes.parabolas(values, node), X, Y);
+      for (int lane = 0; lane < lanes; ++lane)
+        if (write.present[lane]) {
+          EXPECT_NEAR(by_fits[lane], all.vx[slot + lane], 1e-9);
+          EXPECT_NEAR(by_values[lane], all.vx[slot + lane], 1e-9);
+        }
+    });
+  });
 }
 
 TEST(LeastSquaresMpm, ARunHasTheVelocityAndThePressureOfItsScene) {

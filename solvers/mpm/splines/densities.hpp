@@ -57,19 +57,6 @@ Truth<Lanes> settle_in(Particles& particles, int slot, const Place& X, const Pla
          ~write.present;
 }
 
-/// Calls work(block, node) for all blocks, which tells where all is calm.
-template <class Particles, class Work>
-void for_blocks(const Particles& particles, const CentreNodes& nodes, int threads, std::vector<LaneBits>& calm,
-                const Work& work) {
-  const auto& blocks = particles.order.blocks();
-  calm.resize(blocks.size());
-  share_out(threads, static_cast<Index>(blocks.size()), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i)
-      calm[i] = lanes_with<Lanes>(work(blocks[i], nodes.stride * blocks[i].row + blocks[i].column));
-  });
-}
-inline const Truth<Lanes> calm_so_far = Lanes{} == Lanes{};
-
 template <class Density>
 struct DensityInCells;
 

@@ -75,26 +75,6 @@ struct SplineParticles : ParticlesInCells<double> {
   }
 };
 
-/// Writes the lanes that hold a particle, and zero to the others.
-struct IfPresent {
-  Truth<Lanes> present;
-
-  Lanes operator()(const Lanes& value, double* to) const {
-    const Lanes kept = present ? value : Lanes{};
-    store(kept, to);
-    return kept;
-  }
-};
-
-/// Calls work(slot, write) for the k-th particles of all cells of a block at once, for every k.
-template <class Block, class Work>
-void for_particles_of(const Block& block, const Work& work) {
-  const Lanes count = converted<Lanes>(block.count.data());
-  Lanes k{};
-  for (int slot = block.first, end = block.slot(0, block.most()); slot < end; slot += lanes, k += 1)
-    work(slot, IfPresent{k < count});
-}
-
 /// Sets a particle going, with the affine velocity of its velocity's slopes and the stress of these and its density.
 template <class FluidLaw, class Transfer, class Density>
 void begin(SplineParticles<FluidLaw, Transfer, Density>& particles, int slot, const Beginning& there,

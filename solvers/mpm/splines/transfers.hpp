@@ -16,7 +16,7 @@ enum GivenToSplines { mass_given, momentum_given, impulse_given = 3 };
 /// Calls work(axis) for both axes.
 template <class Work>
 void for_axes(const Work& work) {
-  with_indices<2>([&](auto... axis) { (work(axis), ...); });
+  for_indices<2>(work);
 }
 template <int axis, class Particles>
 auto& component(Particles& particles) {
@@ -50,23 +50,7 @@ void for_places(const Particles& particles, const Block& block, const Work& work
 /// Sums over the particles of a block of X^m Y^n with m, n < count.
 template <int count, class Particles, class Block>
 auto moments_of(const Particles& particles, const Block& block) {
-  std::array<std::array<Lanes, count>, count> sums{};
-  for_places(particles, block, [&](int, const Place& X, const Place& Y) {
-    const auto powers = [](const Place& at) {
-      std::array<Lanes, count> all{Lanes{}, at.X, at.XX};
-      for (int m = 3; m < count; ++m) all[m] = all[m - 2] * at.XX;
-      return all;
-    };
-    const auto x = powers(X), y = powers(Y);
-    with_indices<count - 1>([&](auto... k) {
-      ((sums[k + 1][0] += x[k + 1]), ...);
-      ((sums[0][k + 1] += y[k + 1]), ...);
-      const auto add_row = [&](auto m) { ((sums[m + 1][k + 1] += x[m + 1] * y[k + 1]), ...); };
-      (add_row(k), ...);
-    });
-  });
-  sums[0][0] = converted<Lanes>(block.count.data());
-  return sums;
+  return sums_of_powers<0, count, [](int) { return count; }>(particles, block, one_each);
 }
 
 template <class Transfer>

@@ -16,7 +16,7 @@ using PowersOfBoth = ThreeByThree<Lanes>;
 /// Calls f(0), f(1), f(2), unrolled.
 template <class F>
 void for_three(const F& f) {
-  with_indices<3>([&](auto... i) { (f(i), ...); });
+  for_indices<3>(f);
 }
 
 /// Of sums over particles of q, q X and q X², what the three nodes get.
@@ -44,12 +44,36 @@ PowersOfBoth along_both(const PowersOfBoth& q, const Change& change) {
 inline PowersOfBoth nodes_of(const PowersOfBoth& sums) {
   return along_both(sums, [](const Powers& q) { return at_nodes(q); });
 }
-/// A field of the nodes around the cells whose first node is `node`.
-inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node) {
+/// A field of the nodes around the cells whose first node is `node`; along each axis by `change`.
+template <class Change>
+PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node, const Change& change) {
   PowersOfBoth q;
   for_three([&](auto a) { for_three([&](auto b) { q[a][b] = load<Lanes>(&field[node + b * nodes.stride + a]); }); });
-  return along_both(q, [](const Powers& line) { return of_nodes(line); });
+  return along_both(q, change);
 }
+inline PowersOfBoth laid_out(const CentreNodes& nodes, const Field<double>& field, int node) {
+  return laid_out(nodes, field, node, [](const Powers& q) { return of_nodes(q); });
+}
+
+/// Sums over the particles of a block of q X^i Y^j, for i from `first` to `end` - 1 and j below powers_of_Y(i), which
+/// does not grow with i; value(slot) is q.
+template <int first, int end, auto powers_of_Y, class Particles, class Block, class Value>
+auto sums_of_powers(const Particles& particles, const Block& block, const Value& value) {
+  std::array<std::array<Lanes, powers_of_Y(first)>, end - first> sums{};
+  for_particles_of(block, [&](int slot, const auto& write) {
+    const Lanes X = load<Lanes>(&particles.X[slot]);
+    std::array<Lanes, powers_of_Y(first)> y{fill<Lanes>(1), load<Lanes>(&particles.Y[slot])};
+    for (int j = 2; j < powers_of_Y(first); ++j) y[j] = y[j / 2] * y[j - j / 2];
+    Lanes x = write.present ? value(slot) : Lanes{};
+    for_indices<end>([&](auto i) {
+      if constexpr (i >= first)
+        for_indices<powers_of_Y(i)>([&](auto j) { sums[i - first][j] += j == 0 ? x : x * y[j]; });
+      x *= X;
+    });
+  });
+  return sums;
+}
+inline Lanes one_each(int /*slot*/) { return fill<Lanes>(1); }
 
 /// The functions of a place along an axis: 1, X and X², and how X² changes: its slope, or its affine slope, what
 /// particles of the affine method see of it (w_a (x_a - x) summed over the nodes, over the spread of these).

@@ -44,7 +44,7 @@ template <class Kernel, class Integrator, class Real, class FluidLaw, class Forc
 class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, FluidLaw, Force>, Kernel, Integrator,
                                       Packed<Real>, FluidLaw, Force> {
   using Base = Simulation<SecondOrder, Kernel, Integrator, Packed<Real>, FluidLaw, Force>;
-  using Base::near_, Base::scene_, Base::settings_, Base::smoothing_length, Base::threads;
+  using Base::scene_, Base::settings_, Base::smoothing_length, Base::threads;
 
  public:
   /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
@@ -65,6 +65,27 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     this->tick();
   }
 
+ protected:
+  using Base::near_;
+
+  /// What a particle carries from the rates to the next drift: its velocity and the slopes of what changes with it.
+  enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
+
+  /// Puts a particle back that is too near to a wall.
+  void keep_off(const Wall& wall, Index i) {
+    Particles& all = near_.all;
+    const double missing = least_distance * settings_.spacing - wall.distance({all.x[i], all.y[i]});
+    if (!(missing > 0)) return;
+    const double back = wall.inward * missing;
+    const auto change = [&](DriftField slope_x, DriftField slope_y) {
+      return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
+    };
+    (wall.axis == 0 ? all.x : all.y)[i] += back;
+    all.vx[i] += change(vx_along_x, vx_along_y);
+    all.vy[i] += change(vy_along_x, vy_along_y);
+    all.rho[i] += change(rho_along_x, rho_along_y);
+  }
+
  private:
   friend Base;
 
@@ -75,8 +96,6 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   static constexpr double damping_of_v =
       8;  // likewise, while the fluid is strained by as much as it is long; no faster
 
-  /// What a particle carries from the rates to the next drift: its velocity and the slopes of what changes with it.
-  enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
   static constexpr std::size_t drift_fields = 8;
 
   using Fit = FitOfFlow<Real>;
@@ -100,21 +119,6 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
       for (const Wall& wall : scene_.walls)
         for (Index i = begin; i < end; ++i) keep_off(wall, i);
     });
-  }
-
-  /// Puts a particle back that is too near to a wall.
-  void keep_off(const Wall& wall, Index i) {
-    Particles& all = near_.all;
-    const double missing = least_distance * settings_.spacing - wall.distance({all.x[i], all.y[i]});
-    if (!(missing > 0)) return;
-    const double back = wall.inward * missing;
-    const auto change = [&](DriftField slope_x, DriftField slope_y) {
-      return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
-    };
-    (wall.axis == 0 ? all.x : all.y)[i] += back;
-    all.vx[i] += change(vx_along_x, vx_along_y);
-    all.vy[i] += change(vy_along_x, vy_along_y);
-    all.rho[i] += change(rho_along_x, rho_along_y);
   }
 
   template <bool of_density, bool of_velocity, class Laps>

@@ -50,7 +50,10 @@ class Flow:
 
     def scene(self, spacing):
         """All that a solver needs, as vnv/doors/README.md lists it; `spacing` [m] is that of the particles."""
-        return json.loads(_vnv("scene", *self._words, f"--spacing={float(spacing)!r}", "--json"))
+        scene = json.loads(_vnv("scene", *self._words, f"--spacing={float(spacing)!r}", "--json"))
+        if scene["schema"] != "touchstone scene 1":
+            raise BadInput(f"vnv scene: schema {scene['schema']!r}, expected 'touchstone scene 1': touchstone.py is of another version")
+        return scene
 
     def particles(self, spacing):
         """The particles at the start: {"x [m]": array, "y [m]": array, ...}, with that spacing [m]."""

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Each scene that `vnv scene FLOW --json` prints is of the JSON schema that documents it, and what is not is refused by it.
+"""Each scene that `vnv scene FLOW --json` prints is of the JSON schema that documents it, and what is not is refused by it; our own
+readers of scenes refuse one of a newer version in one line.
 
 scenes_are_of_their_schema.py VNV
 """
@@ -9,10 +10,12 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 import jsonschema
 
-SCHEMA = pathlib.Path(__file__).resolve().parents[2] / "doors" / "scene.schema.json"
+VNV = pathlib.Path(__file__).resolve().parents[2]
+SCHEMA = VNV / "doors" / "scene.schema.json"
 
 
 def said(*command):
@@ -31,6 +34,16 @@ def spoilt(scene):
         yield changed
 
 
+def readers_of_a_newer_scene(scene):
+    """What a program that reads scene.json has done with one of version 2, where it has not refused it in one line."""
+    for reader in ("run_freefem.py", "run_openfoam.py"):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.json").write_text(json.dumps({**scene, "schema": "touchstone scene 2"}), encoding="utf-8")
+            ended = subprocess.run([sys.executable, VNV / "peers" / reader, "0.5"], cwd=folder, capture_output=True, text=True, check=False)
+        if ended.stderr != "scene.json: schema 'touchstone scene 2', expected 'touchstone scene 1'\n" or ended.returncode == 0:
+            yield f"{reader}: {ended.returncode}: {ended.stderr}"
+
+
 def main(vnv):
     validator = jsonschema.Draft7Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
     validator.check_schema(validator.schema)
@@ -40,6 +53,7 @@ def main(vnv):
         scene = json.loads(said(vnv, "scene", flow, "--json"))
         wrong += [f"{flow}: {'/'.join(map(str, error.path))}: {error.message}" for error in validator.iter_errors(scene)]
         wrong += [f"{flow}: passes though it is spoilt" for other in spoilt(scene) if validator.is_valid(other)]
+    wrong += readers_of_a_newer_scene(scene)
     print("\n".join(wrong) or f"{len(flows)} scenes are of {SCHEMA.name}")
     return 1 if wrong or len(flows) < 14 else 0
 

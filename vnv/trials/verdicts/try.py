@@ -121,17 +121,18 @@ def try_for_real(build, data, files, at_most):
 
 
 def mutate_samples(options, folder, name):
-    """Claims that hold of a method, those that fail by some field of its samples, the others, and whether the index is red."""
+    """Claims that hold of a method, those that fail by some field of its samples, the others, whether the index is red, and
+    the seconds spent on this after the runs."""
     case, method = name.split(".")
     records = folder / name
     records.mkdir()
     done = run([options.build / "vnv" / case, "--data", options.data, "--method", method, "--mutate-samples", "--records", records])
-    told = re.search(r"^[\w.]+: (\d+) claims hold: beyond (\d+)/\d+", done.stdout, re.MULTILINE)
+    told = re.search(r"^[\w.]+: (\d+) claims hold: beyond (\d+)/\d+.*; mutated for ([\d.]+) s$", done.stdout, re.MULTILINE)
     if done.returncode not in (0, 1) or not told:
         raise BadInput(f"{name} --mutate-samples: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
     survivors = [line for line in done.stdout.splitlines() if line.startswith("SURVIVED")]
     is_red = int(told[2]) == 0 or report_on(options.build, options.data, records)[0] == 1
-    return int(told[1]), int(told[2]), survivors, is_red
+    return int(told[1]), int(told[2]), survivors, is_red, float(told[3])
 
 
 def try_samples(options):
@@ -141,10 +142,10 @@ def try_samples(options):
         raise BadInput(f"{options.records}: no records in it, expected *.json")
     with tempfile.TemporaryDirectory(prefix="samples.") as scratch, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = list(pool.map(lambda name: mutate_samples(options, pathlib.Path(scratch), name), names))
-    claims, seen, red = (sum(result[k] for result in results) for k in (0, 1, 3))
+    claims, seen, red, seconds = (sum(result[k] for result in results) for k in (0, 1, 3, 4))
     print("\n".join(line for result in results for line in result[2]))
     print(f"{claims} claims of {len(names)} methods, {seen} made to fail from samples; {red} of {len(names)} indexes as they "
-          f"should be; {time.monotonic() - began:.0f} s")
+          f"should be; {time.monotonic() - began:.0f} s, of which the programs mutated for {seconds / options.jobs:.0f} s and ran solvers else")
     return 0 if seen == claims and red == len(names) else 1
 
 

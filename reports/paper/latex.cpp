@@ -1,0 +1,100 @@
+#include "reports/paper/latex.hpp"
+
+#include "reports/text/html.hpp"
+#include "reports/text/notation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace touchstone::reports {
+namespace {
+
+std::string escaped(char letter) {
+  switch (letter) {
+    case '\\':
+      return "\\textbackslash{}";
+    case '~':
+      return "\\textasciitilde{}";
+    case '<':
+    case '>':
+    case '|':
+      return fmt::format("${}$", letter);
+    case '"':
+      return "''";
+    case '&':
+    case '%':
+    case '$':
+    case '#':
+    case '_':
+    case '^':  // for `with_symbols`
+    case '{':
+    case '}':
+      return fmt::format("\\{}", letter);
+    default:
+      return static_cast<unsigned char>(letter) < ' ' ? " " : std::string(1, letter);
+  }
+}
+
+/// What no font of LaTeX has under its own number.
+std::string with_signs(std::string text) {
+  for (const auto& [letter, command] : {std::pair{"≤", "$\\le$"},
+                                        {"≥", "$\\ge$"},
+                                        {"±", "$\\pm$"},
+                                        {"×", "$\\times$"},
+                                        {"−", "$-$"},
+                                        {"∞", "$\\infty$"},
+                                        {"≈", "$\\approx$"},
+                                        {"ν", "$\\nu$"},
+                                        {"ρ", "$\\rho$"},
+                                        {"δ", "$\\delta$"},
+                                        {"ω", "$\\omega$"},
+                                        {"²", "\\textsuperscript{2}"},
+                                        {"³", "\\textsuperscript{3}"},
+                                        {"⁻¹", "\\textsuperscript{$-$1}"},
+                                        {"µ", "\\textmu{}"},
+                                        {"μ", "\\textmu{}"},
+                                        {"°", "\\textdegree{}"},
+                                        {"–", "--"},
+                                        {"…", "\\dots{}"},
+                                        {"\u202f", "\\,"},
+                                        {"\u00a0", "~"}})
+    text = replaced(std::move(text), letter, command);
+  return text;
+}
+
+std::string row_of(const std::vector<std::string>& cells) { return fmt::format("{} \\\\\n", fmt::join(cells, " & ")); }
+
+}  // namespace
+
+std::string latex(std::string_view text) {
+  std::string all;
+  for (const char letter : text) all += escaped(letter);
+  all = with_symbols(all, "$$$1_{\\mathrm{$2}}$$", "\\textsuperscript{$1}");
+  return with_signs(replaced(std::move(all), "\\^", "\\textasciicircum{}"));
+}
+
+std::string latex(double value) {
+  const std::string number = plain(value);
+  const auto e = number.find('e');
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "$\\infty$" : "$-\\infty$";
+  if (e == std::string::npos) return fmt::format("${}$", number);
+  return fmt::format("${}\\times10^{{{}}}$", number.substr(0, e), std::stoi(number.substr(e + 1)));
+}
+
+std::string to_latex(const LatexTable& table) {
+  std::string alignment, body;
+  std::vector<std::string> headings;
+  for (const LatexTable::Column& column : table.columns) {
+    alignment += column.alignment;
+    headings.push_back(latex(column.heading));
+  }
+  for (const auto& cells : table.rows) body += row_of(cells);
+  return fmt::format(
+      "% \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n{}\\bottomrule\n\\end{{tabular}}\n",
+      alignment, row_of(headings), body);
+}
+
+}  // namespace touchstone::reports
