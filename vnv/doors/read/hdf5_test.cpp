@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 #include "vnv/doors/read/gzip.hpp"
 #include "vnv/doors/read/in_a_child.hpp"
@@ -90,6 +91,8 @@ TEST(AChild, MayCrashOrRunOnWithoutHarm) {
             "a: the library that reads it ended by signal 11, expected a file that it can read");
   EXPECT_EQ(with([] { std::raise(SIGKILL); }),
             "a: the library that reads it ended by signal 9, expected a file that it can read");
+  EXPECT_EQ(with([] { std::_Exit(3); }),
+            "a: the library that reads it ended with status 3, expected a file that it can read");
   EXPECT_EQ(with([] { std::vector<char>(1 << 27); }), "a: takes more than 67108864 bytes of memory");
   EXPECT_NE(with([] {
               const volatile bool runs = true;

@@ -190,8 +190,9 @@ std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
   }
   if (!refusal.empty()) throw Unreadable(refusal);
   if (!is_whole || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    refuse(where, fmt::format("the library that reads it ended by signal {}, expected a file that it can read",
-                              WIFSIGNALED(status) ? WTERMSIG(status) : 0));
+    refuse(where, fmt::format("the library that reads it ended {} {}, expected a file that it can read",
+                              WIFSIGNALED(status) ? "by signal" : "with status",
+                              WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status)));
   for (const Dataset& dataset : datasets) require_equal_rows(dataset.arrays, where);
   return datasets;
 }
