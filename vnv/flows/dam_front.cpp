@@ -171,7 +171,9 @@ std::vector<Value> DamFront::lead(const Level& level, const Run& run) const {
         slowest = std::min(slowest, front_at(front, late));
     const double slab_side = 2 * level.spacing;
     if (!(slowest * column_length < tank_length - 2 * slab_side)) continue;  // nearer to it the slab is in a splash
-    const double lead = half_full_slab(samples, slab_side) / column_length - slowest;
+    // A slab is blind to a sheet of one particle, a percentile of few particles to the last of them.
+    const double front = std::max(half_full_slab(samples, slab_side), percentile_front(samples));
+    const double lead = front / column_length - slowest;
     if (least.empty() || !(lead >= least[0].value))  // no front is the worst
       least = {{level.name, level.spacing, samples.time, least_lead, lead}};
   }

@@ -49,10 +49,10 @@ struct DamFront {
   /// slope of our front.
   std::vector<Value> against_experiments(const Level& level, const Run& run) const;
 
-  /// How far the front, by the operator that follows the spacing, is at the least ahead of the slowest experiment with
-  /// a column of this aspect, whose clock is as late as such a clock may be; at the times of the samples with T from 1
-  /// until that front is two slabs from the far wall. Nothing without such a time or experiment. Water that does not
-  /// run is behind at any spacing.
+  /// How far the front, as a half-full slab of two spacings or as 99.5th percentile, whichever is further, is at the
+  /// least ahead of the slowest experiment with a column of this aspect, whose clock is as late as such a clock may be;
+  /// at the times of the samples with T from 1 until that front is two slabs from the far wall. Nothing without such a
+  /// time or experiment. Water that does not run is behind at any spacing.
   std::vector<Value> lead(const Level& level, const Run& run) const;
   inline static const Quantity least_lead{"least lead of front L over the slowest experiment, its clock 0.3 late"};
 
