@@ -9,8 +9,6 @@
 #include <map>
 #include <set>
 
-#include "vnv/doors/read/numbers.hpp"
-
 namespace touchstone::vnv::doors {
 namespace {
 
@@ -75,38 +73,55 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
     all.push_back(std::move(whole));
     return all;
   }
-  std::map<double, std::vector<std::size_t>> rows;
+  struct Part {
+    std::size_t rows = 0, number = 0;
+  };
+  std::map<double, Part> parts;
   for (std::size_t k = 0; k < time->values.size(); ++k) {
     if (!std::isfinite(time->values[k]))
       refuse(whole.source, fmt::format("row {}: {:.80} = {}, expected a time", k + 1, time->name, time->values[k]));
-    rows[time->values[k]].push_back(k);
+    ++parts[time->values[k]].rows;
+    if (parts.size() > Limits{}.most_datasets)
+      refuse(whole.source,
+             fmt::format("'{}' times or more, expected no more than {}", parts.size(), Limits{}.most_datasets));
   }
-  if (rows.size() == 1) {
-    whole.time = rows.begin()->first;
+  if (parts.size() == 1) {
+    whole.time = parts.begin()->first;
     all.push_back(std::move(whole));
     return all;
   }
-  if (rows.size() > Limits{}.most_datasets)
-    refuse(whole.source, fmt::format("'{}' times, expected no more than {}", rows.size(), Limits{}.most_datasets));
-  for (const auto& [now, of_it] : rows)
+  all.reserve(parts.size());
+  for (auto& [now, part] : parts) {
+    part.number = all.size();
     all.push_back({.source = whole.source,
                    .format = whole.format,
                    .time = now,
                    .index = whole.index,
-                   .rows_are = whole.rows_are});
-  for (Array& array : whole.arrays) {
-    const auto width = static_cast<std::size_t>(array.components);
-    auto one = all.begin();
-    for (const auto& [now, of_it] : rows) {
-      Array& part = (one++)->arrays.emplace_back(Array{.name = array.name, .components = array.components});
-      part.labels = array.labels;
-      reserve_more(part.values, of_it.size() * width);
-      for (const std::size_t k : of_it)
-        part.values.insert(part.values.end(), array.values.begin() + static_cast<std::ptrdiff_t>(k * width),
-                           array.values.begin() + static_cast<std::ptrdiff_t>((k + 1) * width));
-    }
-    array.values = {};  // so that no more than one stands here twice
+                   .rows_are = whole.rows_are,
+                   .arrays = std::vector<Array>(whole.arrays.size())});
   }
+  const auto place_of_time = static_cast<std::size_t>(time - whole.arrays.begin());
+  const auto part_array = [&](std::size_t place) {
+    Array& array = whole.arrays[place];
+    const auto width = static_cast<std::size_t>(array.components);
+    for (const auto& [now, part] : parts) {
+      Array& to = all[part.number].arrays[place];
+      to = {.name = array.name, .components = array.components, .values = {}, .labels = array.labels};
+      reserve_more(to.values, part.rows * width);
+    }
+    auto part = parts.begin();
+    consume_rows(array, [&](std::size_t first, std::span<const double> some) {
+      for (std::size_t k = 0; k < some.size() / width; ++k) {
+        const double now = time->values[first + k];
+        if (part->first != now) part = parts.find(now);
+        std::vector<double>& to = all[part->second.number].arrays[place].values;
+        for (const double value : some.subspan(k * width, width)) to.push_back(value);
+      }
+    });
+  };
+  for (std::size_t place = 0; place < whole.arrays.size(); ++place)
+    if (place != place_of_time) part_array(place);
+  part_array(place_of_time);  // by which the others are parted
   return all;
 }
 
@@ -126,14 +141,17 @@ std::vector<Array> rows_of(std::vector<Block> blocks, const std::string& source)
     arrays.push_back({.name = block.name, .components = static_cast<int>(width), .values = std::move(block.values)});
   }
   if (arrays.size() == 1 && arrays[0].components > 1) {
-    const Array table = std::move(arrays[0]);
+    Array table = std::move(arrays[0]);
     const auto width = static_cast<std::size_t>(table.components);
     arrays.assign(width, {});
     for (std::size_t k = 0; k < width; ++k) {
       arrays[k].name = fmt::format("column {}", k + 1);
       arrays[k].values.reserve(table.rows());
-      for (std::size_t i = k; i < table.values.size(); i += width) arrays[k].values.push_back(table.values[i]);
     }
+    consume_rows(table, [&](std::size_t, std::span<const double> some) {
+      for (std::size_t k = 0; k < width; ++k)
+        for (std::size_t i = k; i < some.size(); i += width) arrays[k].values.push_back(some[i]);
+    });
   }
   require_equal_rows(arrays, source);
   return arrays;
@@ -157,6 +175,7 @@ std::vector<Array> rows_of(std::vector<ParticleArray> all, const std::string& so
         rows.push_back(std::move(array));
       } else if (known->components == array.components) {
         known->values.insert(known->values.end(), array.values.begin(), array.values.end());
+        array.values = {};
       } else {
         refuse(where, fmt::format("property '{:.80}' of {} numbers a particle, expected {}", array.name,
                                   array.components, known->components));

@@ -1,11 +1,14 @@
 #pragma once
 /// What readers of several formats do with the arrays of a dataset.
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "vnv/doors/read/dataset.hpp"
+#include "vnv/doors/read/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 
@@ -16,6 +19,21 @@ bool names_time(std::string_view name);
 void require_equal_rows(const std::vector<Array>& arrays, const std::string& source);
 
 void keep_rows(Array& array, const std::vector<bool>& kept);
+
+/// Calls with the first of some rows, and with the numbers of these, up to the last; memory of those that have been
+/// given is free again, so that what the call makes of them does not stand beside them.
+template <class Call>
+void consume_rows(Array& array, Call&& call) {
+  constexpr std::size_t numbers_at_once = 1 << 18;
+  const auto width = static_cast<std::size_t>(array.components);
+  const std::size_t at_once = std::max<std::size_t>(1, numbers_at_once / width) * width;
+  for (std::size_t at = 0; at < array.values.size(); at += at_once) {
+    const std::span<double> some(array.values.data() + at, std::min(at_once, array.values.size() - at));
+    call(at / width, std::span<const double>(some));
+    forget(some.data(), some.size());
+  }
+  array.values = {};
+}
 
 /// A dataset of each time, in their order, where a column is the time and the whole has none; else the whole. Throws
 /// Unreadable where these are more than a series may have.

@@ -59,7 +59,7 @@ TEST(Delimited, IsRefusedInOneLine) {
   EXPECT_EQ(refusal("x\n1\n\x1b[2J\n"), "run.csv:3: column x: '?[2J', expected a number") << "a terminal obeys it";
   std::string times = "t\n";
   for (int k = 0; k <= 100000; ++k) times += fmt::format("{}\n", k);
-  EXPECT_EQ(refusal(times), "run.csv: '100001' times, expected no more than 100000");
+  EXPECT_EQ(refusal(times), "run.csv: '100001' times or more, expected no more than 100000");
   EXPECT_EQ(refusal("1\n2\n3\n", {.most_bytes = 16}), "run.csv:3: more than 16 bytes");
 }
 

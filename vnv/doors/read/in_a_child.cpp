@@ -23,7 +23,8 @@ namespace {
 /// What goes through a pipe, or comes; after the first failure nothing does.
 class Pipe {
  public:
-  explicit Pipe(int end) : end_(end) {}
+  /// Of what comes it takes no more than `most_bytes` for one list of numbers.
+  explicit Pipe(int end, std::size_t most_bytes = 0) : end_(end), most_bytes_(most_bytes) {}
   ~Pipe() { close(end_); }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -43,9 +44,11 @@ class Pipe {
   template <class Number>
   std::vector<Number> get_all() {
     std::vector<Number> numbers;
-    for (std::uint64_t left = get(); is_whole_ && left > 0;) {  // a broken count takes no more memory than comes
+    std::uint64_t left = get();
+    if (left > most_bytes_ / sizeof(Number)) is_whole_ = false;
+    if (is_whole_) reserve_more(numbers, left);
+    while (is_whole_ && left > 0) {  // a broken count fills no more memory than comes
       const std::size_t first = numbers.size(), count = std::min<std::uint64_t>(left, 1 << 20);
-      reserve_more(numbers, count);
       numbers.resize(first + count);
       transfer(reinterpret_cast<char*>(numbers.data() + first), count * sizeof(Number), ::read);
       left -= count;
@@ -78,12 +81,14 @@ class Pipe {
   }
 
   int end_;
+  std::size_t most_bytes_;
   bool is_whole_ = true;
 };
 
-void put(Pipe& pipe, const std::vector<Dataset>& datasets) {
+/// Their numbers are gone then.
+void put(Pipe& pipe, std::vector<Dataset>& datasets) {
   pipe.put(datasets.size());
-  for (const Dataset& dataset : datasets) {
+  for (Dataset& dataset : datasets) {
     pipe.put(dataset.source);
     pipe.put(dataset.format);
     pipe.put(dataset.time.has_value());
@@ -91,11 +96,11 @@ void put(Pipe& pipe, const std::vector<Dataset>& datasets) {
     pipe.put(dataset.index.has_value());
     pipe.put(static_cast<std::uint64_t>(dataset.index.value_or(0)));
     pipe.put(dataset.arrays.size());
-    for (const Array& array : dataset.arrays) {
+    for (Array& array : dataset.arrays) {
       pipe.put(array.name);
       pipe.put(static_cast<std::uint64_t>(array.components));
       pipe.put(array.values.size());
-      pipe.put(array.values.data(), array.values.size());
+      consume_rows(array, [&](std::size_t, std::span<const double> some) { pipe.put(some.data(), some.size()); });
       pipe.put(array.labels.size());
       for (const std::string& label : array.labels) pipe.put(label);
     }
@@ -152,7 +157,7 @@ std::size_t bytes_of_data() {
   dup2(nowhere, STDERR_FILENO);
   Pipe pipe(end);
   try {
-    const std::vector<Dataset> datasets = read();
+    std::vector<Dataset> datasets = read();
     pipe.put("");
     put(pipe, datasets);
   } catch (const std::bad_alloc&) {
@@ -179,7 +184,7 @@ std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
   std::vector<Dataset> datasets;
   bool is_whole = false;
   {  // which closes the pipe, so that a child that is astray does not wait for it
-    Pipe pipe(ends[0]);
+    Pipe pipe(ends[0], bytes);
     if (child < 0) refuse(where, fmt::format("no process of its own: {}", std::strerror(errno)));
     refusal = pipe.get_text();
     if (refusal.empty()) datasets = get(pipe);

@@ -181,7 +181,8 @@ std::vector<Dataset> with_file(Dataset dataset, const fs::path& file) {
 std::vector<Dataset> read_npy(const fs::path& file, std::string_view bytes, const Limits& limits) {
   const NumpyArray array = npy_array(bytes, file.string());
   Budget budget(limits);
-  std::vector<Block> blocks{{"column 1", array.shape, numpy::numbers_of(array, budget, file.string())}};
+  std::vector<Block> blocks;
+  blocks.push_back({"column 1", array.shape, numpy::numbers_of(array, budget, file.string())});
   return with_file({.format = "NPY", .arrays = rows_of(std::move(blocks), file.string())}, file);
 }
 

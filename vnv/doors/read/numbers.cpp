@@ -20,12 +20,22 @@ std::size_t whole_number(std::string_view text, const std::string& where) {
   return number;
 }
 
-void expect_to_fill(const void* begin, std::size_t bytes) {
-  constexpr std::uintptr_t page = 4096, least = 1 << 22;
+/// Says it of the whole pages of memory, for the system to follow or not.
+static void advise(const void* begin, std::size_t bytes, int advice) {
+  constexpr std::uintptr_t page = 4096;
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page,
              end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
-  if (bytes >= least)
-    madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);  // or not, where there are none
+  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, advice);
+}
+
+void expect_to_fill(const void* begin, std::size_t bytes) {
+  constexpr std::size_t least = 1 << 22;
+  if (bytes >= least) advise(begin, bytes, MADV_HUGEPAGE);
+}
+
+void forget(double* begin, std::size_t count) {
+  advise(begin, count * sizeof(double), MADV_NOHUGEPAGE);  // into which the system would gather them again
+  advise(begin, count * sizeof(double), MADV_DONTNEED);
 }
 
 std::size_t Budget::take(std::size_t rows, std::size_t components, const std::string& where) {

@@ -40,6 +40,23 @@ std::size_t size_of(const NumpyArray& array, const std::string& where) {
   return size;
 }
 
+/// Appends numbers of the kind, all that the bytes hold.
+static void append(std::string_view bytes, const Kind& kind, std::vector<double>& to) {
+  if (kind.letter == 'f' && kind.bytes == 2) {
+    const std::size_t size = bytes.size() / 2;
+    reserve_more(to, size);
+    for (std::size_t i = 0; i < size; ++i)
+      to.push_back(Eigen::half_impl::half_to_float(
+          Eigen::half_impl::raw_uint16_to_half(load<std::uint16_t>(bytes.data() + 2 * i, kind.order))));
+  } else {
+    const auto power = static_cast<std::size_t>(std::countr_zero(kind.bytes));  // of 1, 2, 4 or 8 bytes
+    append_bytes(bytes,
+                 kind.letter == 'f' ? (kind.bytes == 4 ? Type::float32 : Type::float64)
+                                    : static_cast<Type>(2 * power + (kind.letter != 'i')),
+                 kind.order, to);
+  }
+}
+
 std::vector<double> numbers_of(const NumpyArray& array, Budget& budget, const std::string& where) {
   if (!array.kind.is_number()) refuse(where, fmt::format("type '{}', expected numbers", array.kind.letter));
   if (array.shape.size() > 2) refuse(where, fmt::format("'{}' dimensions, expected 1 or 2", array.shape.size()));
@@ -47,23 +64,24 @@ std::vector<double> numbers_of(const NumpyArray& array, Budget& budget, const st
   const std::size_t size = size_of(array, where);
   if (size == 0) return numbers;
   budget.take(size, 1, where);
-  if (array.kind.letter == 'f' && array.kind.bytes == 2) {
-    numbers.reserve(size);
-    for (std::size_t i = 0; i < size; ++i)
-      numbers.push_back(Eigen::half_impl::half_to_float(
-          Eigen::half_impl::raw_uint16_to_half(load<std::uint16_t>(array.bytes.data() + 2 * i, array.kind.order))));
-  } else {
-    const auto power = static_cast<std::size_t>(std::countr_zero(array.kind.bytes));  // of 1, 2, 4 or 8 bytes
-    const Type type = array.kind.letter == 'f' ? (array.kind.bytes == 4 ? Type::float32 : Type::float64)
-                                               : static_cast<Type>(2 * power + (array.kind.letter != 'i'));
-    append_bytes(array.bytes, type, array.kind.order, numbers);
+  if (!array.is_fortran || array.shape.size() < 2) {
+    append(array.bytes, array.kind, numbers);
+    return numbers;
   }
-  if (!array.is_fortran || array.shape.size() < 2) return numbers;
+  constexpr std::size_t at_once = 1 << 14;  // so that no second copy stands beside all
   const std::size_t rows = array.shape[0], columns = array.shape[1];
-  std::vector<double> turned(size);
+  std::vector<double> some;
+  reserve_more(numbers, size);
+  numbers.resize(size);
   for (std::size_t column = 0; column < columns; ++column)
-    for (std::size_t row = 0; row < rows; ++row) turned[row * columns + column] = numbers[column * rows + row];
-  return turned;
+    for (std::size_t first = 0; first < rows; first += at_once) {
+      some.clear();
+      append(array.bytes.substr((column * rows + first) * array.kind.bytes,
+                                std::min(at_once, rows - first) * array.kind.bytes),
+             array.kind, some);
+      for (std::size_t i = 0; i < some.size(); ++i) numbers[(first + i) * columns + column] = some[i];
+    }
+  return numbers;
 }
 
 }  // namespace touchstone::vnv::doors::numpy

@@ -55,10 +55,12 @@ std::vector<Dataset> read_bytes(const std::filesystem::path& file, std::string_v
 }  // namespace
 
 std::vector<Dataset> read_datasets(const std::filesystem::path& file, const Limits& limits) {
-  const Bytes all = bytes_of(file, limits);
+  Bytes all = bytes_of(file, limits);
   const std::string_view bytes(all.held.get(), all.size);
   if (!bytes.starts_with(gzip_begins)) return read_bytes(file, bytes, limits);
-  return read_bytes(file, gunzipped(file.string(), bytes, limits), limits);
+  const std::string text = gunzipped(file.string(), bytes, limits);
+  all.held.reset();
+  return read_bytes(file, text, limits);
 }
 
 }  // namespace touchstone::vnv::doors

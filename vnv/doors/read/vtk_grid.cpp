@@ -218,6 +218,11 @@ std::vector<Array> joined(std::vector<Array> first, std::vector<Array> second) {
   return first;
 }
 
+std::vector<Array> before(std::vector<Array> others, Array first) {
+  others.insert(others.begin(), std::move(first));
+  return others;
+}
+
 }  // namespace
 
 bool is_mesh(const std::vector<std::uint8_t>& kinds) {
@@ -229,6 +234,9 @@ void Grid::add_cells(const Cells& cells, std::size_t first_point, const std::str
     refuse(where, fmt::format("'{}' offsets, expected {}, one a cell", cells.ends.size(), cells.kinds.size()));
   Measuring measuring(std::span<const double>(points.values).subspan(3 * first_point), where);
   std::int64_t first = 0, first_face = 0;
+  reserve_more(dimensions, cells.kinds.size());
+  reserve_more(centres.values, 3 * cells.kinds.size());
+  reserve_more(volumes.values, cells.kinds.size());
   for (std::size_t i = 0; i < cells.kinds.size(); ++i) {
     const std::uint8_t kind = cells.kinds[i];
     const std::optional<Shape> shape = shape_of(kind);
@@ -259,16 +267,16 @@ std::vector<Dataset> datasets_of(Grid grid, const std::string& source, const std
   const bool points_are_cells = most == 0 && grid.centres.values == grid.points.values;
   if (points_are_cells) grid.of_points = joined(std::move(grid.of_points), std::exchange(grid.of_cells, {}));
   if (most < 2 || !grid.of_points.empty())
-    datasets.push_back(dataset_of(joined({std::move(grid.points)}, std::move(grid.of_points)), source, {}));
+    datasets.push_back(dataset_of(before(std::move(grid.of_points), std::move(grid.points)), source, {}));
   if (most >= 2) {
     std::vector<bool> kept;
     for (const int dimension : grid.dimensions) kept.push_back(dimension == most);
-    datasets.push_back(
-        dataset_of(joined({std::move(grid.centres), std::move(grid.volumes)}, std::move(grid.of_cells)), source, kept));
+    datasets.push_back(dataset_of(
+        before(before(std::move(grid.of_cells), std::move(grid.volumes)), std::move(grid.centres)), source, kept));
     datasets.back().rows_are = Rows::cells;
   } else if (most == 0 && !grid.of_cells.empty()) {
     grid.centres.name = points_array;
-    datasets.push_back(dataset_of(joined({std::move(grid.centres)}, std::move(grid.of_cells)), source, {}));
+    datasets.push_back(dataset_of(before(std::move(grid.of_cells), std::move(grid.centres)), source, {}));
   }
   for (Dataset& dataset : datasets) {
     dataset.format = format;

@@ -183,6 +183,9 @@ class Legacy {
     }
     std::vector<std::int64_t> list;
     numbers(size, 1, Type::int32, keyword, list);
+    const std::size_t likely = std::min(cells, list.size());  // a claim so far
+    reserve_more(cells_.ends, likely);
+    reserve_more(cells_.corners, list.size() - likely);
     for (std::size_t at = 0; cells > 0; --cells) {
       if (at == list.size() || list[at] < 0 || std::cmp_greater_equal(list[at], list.size() - at))
         refuse(file_ + ": " + keyword,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "vnv/doors/read/vtk_grid.hpp"
@@ -20,6 +21,16 @@ constexpr std::size_t most_arrays = 1000;  // of points or of cells
 class Pieces {
  public:
   explicit Pieces(const Limits& limits) : limits_(limits) {}
+
+  /// Of all files this comes before the first is added, so that each array is as long as it gets from its beginning.
+  void expect(const XmlFile& file) {
+    bytes_ += file.size();
+    for (const pugi::xml_node& piece : file.root().child(std::string(file.type()).c_str()).children("Piece")) {
+      points_ += file.count(piece, "NumberOfPoints", true);
+      for (const char* of : {"NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfPolys", "NumberOfStrips"})
+        cells_ += file.count(piece, of, true);
+    }
+  }
 
   void add(XmlFile& file) {
     const std::string type(file.type());
@@ -39,11 +50,11 @@ class Pieces {
     const std::size_t points = file.count(piece, "NumberOfPoints"), first_point = grid_.points.rows();
     if (points == 0) return;
     add_points(file, piece, points);
-    add_arrays(file, piece.child("PointData"), points, grid_.of_points);
+    add_arrays(file, piece.child("PointData"), points, points_, grid_.of_points);
     const bool has_arrays = piece.child("CellData").child("DataArray");
     Cells cells = file.type() == "PolyData" ? cells_of_poly_data(file, piece, has_arrays)
                                             : cells_of_grid(file, piece, has_arrays);
-    add_arrays(file, piece.child("CellData"), cells.kinds.size(), grid_.of_cells);
+    add_arrays(file, piece.child("CellData"), cells.kinds.size(), cells_, grid_.of_cells);
     if (has_arrays || is_mesh(cells.kinds)) grid_.add_cells(cells, first_point, file.name() + ": cells");
   }
 
@@ -53,23 +64,34 @@ class Pieces {
     if (!array.attribute("NumberOfComponents")) array.append_attribute("NumberOfComponents") = 3;
     if (file.components(array) != 3)
       refuse(file.name() + ": Points", fmt::format("'{}' components, expected 3", file.components(array)));
+    if (grid_.points.values.empty()) reserve(points_, 3, grid_.points.values);
     file.append(array, points, grid_.points.values);
   }
 
+  /// Space for all pieces, as they claim, but in all no more than a number for each byte.
+  void reserve(std::size_t rows, std::size_t components, std::vector<double>& values) {
+    const std::size_t numbers = components == 0 || rows > bytes_ / components ? bytes_ : rows * components;
+    reserve_more(values, numbers);
+    bytes_ -= numbers;
+  }
+
   /// Of each name one array, whose pieces follow each other.
-  void add_arrays(XmlFile& file, const pugi::xml_node& data, std::size_t rows, std::vector<Array>& arrays) {
+  void add_arrays(XmlFile& file, const pugi::xml_node& data, std::size_t rows, std::size_t rows_of_all,
+                  std::vector<Array>& arrays) {
     for (const pugi::xml_node& array : data.children("DataArray")) {
       const std::string name = array.attribute("Name").value();
       const std::size_t components = file.components(array);
       auto known = std::find_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.name == name; });
       if (known == arrays.end() && arrays.size() == most_arrays)
         refuse(file.name(), fmt::format("expected no more than {} arrays", most_arrays));
-      if (known == arrays.end())
+      if (known == arrays.end()) {
         known = arrays.insert(
             known, {.name = name, .components = static_cast<int>(std::min(components, limits_.most_components))});
-      else if (std::cmp_not_equal(known->components, components))
+        reserve(rows_of_all, components, known->values);
+      } else if (std::cmp_not_equal(known->components, components)) {
         refuse(file.name(), fmt::format("array '{}' of '{}' components, expected {} as before", name, components,
                                         known->components));
+      }
       file.append(array, rows, known->values);
     }
   }
@@ -137,6 +159,8 @@ class Pieces {
   }
 
   Limits limits_;
+  std::size_t points_ = 0, cells_ = 0;  // of all pieces
+  std::size_t bytes_ = 0;               // of all files, for which no space is reserved yet
   Grid grid_{};
   std::string encoding_ = {};
 };
@@ -148,13 +172,16 @@ std::string kind_of(std::string_view type) { return type == "PolyData" ? "VTP" :
 std::vector<Dataset> read_parallel(const fs::path& path, XmlFile& file, const Limits& limits, FilesBeside& files) {
   const std::string type(file.type());
   Pieces pieces(limits);
+  std::deque<FilesBeside::Named> all;
+  std::deque<XmlFile> parts;
   for (const pugi::xml_node& piece : file.root().child(type.c_str()).children("Piece")) {
-    const FilesBeside::Named named = files.read(path, piece.attribute("Source").value());
-    XmlFile part(named.file.string(), named.bytes, limits);
+    const FilesBeside::Named& named = all.emplace_back(files.read(path, piece.attribute("Source").value()));
+    const XmlFile& part = parts.emplace_back(named.file.string(), named.bytes, limits);
     if (part.type() != type.substr(1))
       refuse(part.name(), fmt::format("type '{:.40}', expected {}", part.type(), type.substr(1)));
-    pieces.add(part);
+    pieces.expect(part);
   }
+  for (XmlFile& part : parts) pieces.add(part);
   std::vector<Dataset> datasets = std::move(pieces).datasets(path, "P" + kind_of(type.substr(1)));
   if (const std::optional<double> time = file.time())
     for (Dataset& dataset : datasets) dataset.time = time;
@@ -168,6 +195,7 @@ std::vector<Dataset> read_leaf(const fs::path& path, XmlFile& file, const Limits
     refuse(file.name(),
            fmt::format("type '{:.40}', expected PolyData, UnstructuredGrid or their parallel forms", type));
   Pieces pieces(limits);
+  pieces.expect(file);
   pieces.add(file);
   return std::move(pieces).datasets(path, kind_of(type));
 }

@@ -11,7 +11,8 @@
 namespace touchstone::vnv::doors::vtk {
 namespace {
 
-constexpr std::size_t most_elements = 1000000;  // of XML: each takes 64 bytes of memory
+/// Of XML: one without attributes takes 64 bytes of memory, and as many for the text in it.
+std::size_t most_elements(std::size_t bytes) { return 10000 + bytes / 16; }
 
 std::string_view attribute_of(std::string_view tag, std::string_view name) {
   const std::size_t at = tag.find(name);
@@ -100,7 +101,7 @@ class XmlFile::Bytes {
 };
 
 XmlFile::XmlFile(std::string name, std::string_view bytes, const Limits& limits)
-    : name_(std::move(name)), budget_(limits), unread_(bytes.size()) {
+    : name_(std::move(name)), size_(bytes.size()), budget_(limits), unread_(bytes.size()) {
   if (bytes.size() > limits.most_bytes)
     refuse(name_, fmt::format("'{}' bytes, expected no more than {}", bytes.size(), limits.most_bytes));
   const std::size_t appended = bytes.find("<AppendedData");
@@ -118,8 +119,8 @@ XmlFile::XmlFile(std::string name, std::string_view bytes, const Limits& limits)
     appended_ = bytes.substr(begin + 1);
     text_ = fmt::format("{}</VTKFile>", bytes.substr(0, appended));
   }
-  if (std::count(text_.begin(), text_.end(), '<') > static_cast<std::ptrdiff_t>(most_elements))
-    refuse(name_, fmt::format("expected XML of no more than {} elements", most_elements));
+  if (std::cmp_greater(std::count(text_.begin(), text_.end(), '<'), most_elements(bytes.size())))
+    refuse(name_, fmt::format("expected XML of no more than {} elements", most_elements(bytes.size())));
   const pugi::xml_parse_result parsed =
       document_.load_buffer_inplace(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed)

@@ -16,6 +16,7 @@ class XmlFile {
   XmlFile(std::string name, std::string_view bytes, const Limits& limits);
 
   const std::string& name() const { return name_; }
+  std::size_t size() const { return size_; }
   pugi::xml_node root() const { return document_.document_element(); }
   std::string_view type() const { return root().attribute("type").value(); }
 
@@ -49,6 +50,7 @@ class XmlFile {
 
   enum class Compressor { none, zlib, lz4 };
   std::string name_;
+  std::size_t size_;  // in bytes
   pugi::xml_document document_{};
   std::string text_{};  // which the document refers to
   std::string_view appended_{};
