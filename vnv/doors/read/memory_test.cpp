@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <bit>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
 
 #include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/testing.hpp"
-#include "vnv/programs/scratch_folder.hpp"
 
 namespace touchstone::vnv::doors {
 namespace memory_test {
@@ -20,6 +20,15 @@ namespace memory_test {
 namespace fs = std::filesystem;
 
 constexpr std::size_t count = 1 << 23;  // numbers of a byte each
+
+/// A folder for as long as this lasts.
+struct Folder {
+  const fs::path path = fs::path(testing::TempDir()) / fmt::format("memory.{}", getpid());
+
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  fs::path operator/(const std::string& name) const { return path / name; }
+};
 
 /// Bytes that a process of its own holds at the most, after this one's.
 std::size_t most_held(const std::function<void()>& work) {
@@ -94,7 +103,7 @@ TEST(FileOfOneByteNumbers, IsReadWithinTenTimesItsSize) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "a sanitizer keeps what is freed";
 #endif
-  const programs::ScratchFolder folder;
+  const Folder folder;
   const std::map<std::string, std::function<std::string()>> files = {
       {"list.npy", [] { return npy(fmt::format("({},)", count), false); }},
       {"table.npy", [] { return npy(fmt::format("({}, 2)", count / 2), false); }},
@@ -121,7 +130,7 @@ TEST(FileOfOneByteNumbers, MayBeInPiecesOfFilesOfTheirOwn) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "a sanitizer keeps what is freed";
 #endif
-  const programs::ScratchFolder folder;
+  const Folder folder;
   std::string pieces;
   for (int piece = 0; piece < 5; ++piece) {
     pieces += fmt::format(R"(<Piece Source="{}.vtp"/>)", piece);
