@@ -152,8 +152,10 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--name", options.name, "of the code that is judged")->capture_default_str();
   command
-      .add_option("--field", options.fields,
-                  "array of a field, velocity=U; fields: position, velocity, pressure, density, mass, volume")
+      .add_option(
+          "--field", options.fields,
+          "array of a field, velocity=U; fields: position, velocity, pressure, density, mass, volume, and fraction: "
+          "of a volume, that is fluid")
       ->type_name("FIELD=ARRAY")
       ->allow_extra_args(false);
   command
@@ -166,7 +168,8 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
   command.add_option(
       "--only", options.only,
-      "rows that are fluid, NAME=VALUE of an array; default: those that an array of names calls fluid or water");
+      "rows that are fluid, NAME=VALUE of an array, or NAME>VALUE or NAME<VALUE; default: those that an array of names "
+      "calls fluid or water");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
   command.add_option("--time", options.time, "of files that have none [s]")->check(CLI::NonNegativeNumber);
   command.add_option("--time-step", options.time_step, "between the indices of files that have no time [s]")

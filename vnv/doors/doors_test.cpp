@@ -16,6 +16,7 @@
 #include "vnv/run/vtp_series.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -358,6 +359,35 @@ TEST_F(Doors, JudgeFrontsOfFilesWithoutVolumes) {
   const Judgement judgement = judged("dam_break", {write("places.csv", text)}, at_start);
   EXPECT_NEAR(value_of(judgement, {"front L, half-full slab of two spacings"}), 1, 1e-9);
   EXPECT_TRUE(says(judgement.not_judged.at(0), "no pressure in the files"));
+}
+
+TEST_F(Doors, JudgeOfAMeshTheMassOfWaterAndNotTheNumberOfItsCells) {
+  const auto write_cells = [&](double time, const std::vector<double>& water) {
+    std::string points, cells, types;  // two columns of four squares
+    for (int k = 0; k < 15; ++k) points += fmt::format("{} {} 0\n", 0.3 * (k % 3), 0.3 * (k / 3));
+    for (int k = 0; k < 8; ++k) {
+      const int corner = k % 2 + 3 * (k / 2);
+      cells += fmt::format("4 {} {} {} {}\n", corner, corner + 1, corner + 4, corner + 3);
+      types += "9\n";
+    }
+    return write(fmt::format("{}.vtk", time),
+                 fmt::format("# vtk DataFile Version 3.0\nwater\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                             "FIELD FieldData 1\nTIME 1 1 double\n{}\nPOINTS 15 double\n{}CELLS 8 40\n{}CELL_TYPES "
+                             "8\n{}CELL_DATA 8\nSCALARS alpha.water double 1\nLOOKUP_TABLE default\n{}\n",
+                             time, points, cells, types, fmt::join(water, " ")));
+  };
+  const auto judged_cells = [&](double last) {
+    const Mapping by_fraction{.arrays = {{"fraction", "alpha.water"}}, .only = "alpha.water>0"};
+    return judge_files(flow_named("dam_break"),
+                       {write_cells(0, {1, 1, 1, 1, 0, 0, 0, 0}), write_cells(0.1, {1, 1, 1, 0.5, 0, 0, last, 0})},
+                       by_fraction, 0.3);
+  };
+  const Judgement kept = judged_cells(0.5), losing = judged_cells(0.4);
+  EXPECT_EQ(outcome_of(kept, DamFront::mass_change), Outcome::holds);
+  EXPECT_NEAR(value_of(losing, DamFront::mass_change), -0.1 / 4, 1e-12);
+  EXPECT_TRUE(std::isnan(value_of(kept, DamFront::lost))) << "five cells hold water where four did";
+  EXPECT_EQ(outcome_of(kept, DamFront::lost), Outcome::inconclusive);
+  EXPECT_EQ(std::ranges::count(kept.not_judged, "no particles in the files: what is measured of it is not judged"), 1);
 }
 
 TEST_F(Doors, LeaveUnjudgedWhatNoFieldIsThereFor) {

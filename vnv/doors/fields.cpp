@@ -21,6 +21,7 @@ const std::map<std::string, std::vector<std::string>> common_names{
     {"density", {"density", "rho", "rhop", "dens"}},
     {"mass", {"mass", "masses", "m"}},
     {"volume", {"volume", "volumes", "vol", "cellvolumes"}},
+    {"fraction", {}},  // of a volume that is the fluid: only as the user says
 };
 
 struct Unit {
@@ -59,6 +60,7 @@ constexpr std::array units{
     Unit{"volume", "m3", 1},
     Unit{"volume", "m³", 1},
     Unit{"volume", "m^3", 1},
+    Unit{"fraction", "-", 1},
     Unit{"pressure", "m2/s2", kinematic},
     Unit{"pressure", "m²/s²", kinematic},
 };
@@ -226,29 +228,34 @@ std::string fluid_by_name(const Dataset& data) {
   return "";
 }
 
-/// Which rows are fluid, by `only`: "NAME=VALUE", or all of them.
+/// Which rows are fluid, by `only`: "NAME=VALUE", "NAME>VALUE" or "NAME<VALUE", or all of them.
 std::vector<std::size_t> chosen_rows(const Dataset& data, const std::string& only) {
   std::vector<std::size_t> rows;
-  const std::size_t equals = only.find('=');
+  const std::size_t sign = only.find_first_of("=<>");
+  const char relation = sign == only.npos ? ' ' : only[sign];
   const Array* by = nullptr;
   double value = 0;
   if (!only.empty()) {
-    by = data.array(only.substr(0, equals));
-    const std::string number = equals == only.npos ? "" : only.substr(equals + 1);
+    by = data.array(only.substr(0, sign));
+    const std::string number = sign == only.npos ? "" : only.substr(sign + 1);
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     const bool is_number = error == std::errc{} && end == number.data() + number.size();
-    if (by && !by->labels.empty()) {
+    if (by && !by->labels.empty() && relation == '=') {
       const auto label = std::ranges::find(by->labels, number);
       if (label == by->labels.end())
         throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, number,
                                      fmt::join(by->labels, ", ")));
       value = static_cast<double>(label - by->labels.begin());
-    } else if (!by || by->components != 1 || !is_number)
+    } else if (!by || by->components != 1 || !is_number || !by->labels.empty())
       throw Unreadable(
-          fmt::format("{}: --only '{}', expected NAME=VALUE of an array of one component", data.source, only));
+          fmt::format("{}: --only '{}', expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component",
+                      data.source, only));
   }
   for (std::size_t row = 0; row < data.rows(); ++row)
-    if (!by || by->values[row] == value) rows.push_back(row);
+    if (!by || (relation == '>'   ? by->values[row] > value
+                : relation == '<' ? by->values[row] < value
+                                  : by->values[row] == value))
+      rows.push_back(row);
   return rows;
 }
 
@@ -301,8 +308,10 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   };
   std::string words;
   s.time = time_of(data, mapping, words);
+  const bool is_mesh = data.rows_are == Rows::cells;
+  if (!is_mesh) reading.fields.emplace_back("particles");
   reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
-                             data.rows_are == Rows::cells ? "cells" : "particles", s.time, words);
+                             is_mesh ? "cells" : "particles", s.time, words);
 
   if (!only.empty()) say("rows", fmt::format("{}{}", only, mapping.only.empty() ? ", by its name" : ", as said"));
 
@@ -374,7 +383,16 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   s.pressure = scalars("pressure", "pressure");
   s.density = scalars("density", "density");
   s.mass = scalars("mass", "mass");
-  const Scalars volume = scalars("volume", "volume");
+  Scalars volume = scalars("volume", "volume");
+  if (mapping.arrays.contains("fraction")) {
+    const Scalars fraction = scalars("fraction", "fraction");
+    for (Eigen::Index p = 0; p < count; ++p)
+      if (!(fraction[p] > 0 && volume[p] > 0))
+        throw Unreadable(fmt::format(
+            "{}: row {}: fraction {} of volume {}, expected both above 0: --only '{}>0' leaves rows out", data.source,
+            rows[static_cast<std::size_t>(p)] + 1, fraction[p], volume[p], mapping.arrays.at("fraction")));
+    volume *= fraction;
+  }
   const auto known = [](const Scalars& field) { return field.allFinite() && (field > 0).all(); };
   if (known(volume)) {  // the weight of a row in a norm is its volume
     if (!known(s.density)) s.density = Scalars::Constant(count, density);

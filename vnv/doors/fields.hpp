@@ -18,7 +18,7 @@ struct Mapping {
   std::map<std::string, std::string> units{};   // kind -> unit: "length" -> "mm", "velocity", "pressure", "time"
   std::string axes{};                           // of the plane, "xy", "xz", ...; empty: that in which the places lie
   Vec2 origin = Vec2::Zero();                   // m  the flow's origin, in the coordinates of the files
-  std::string only{};                           // "NAME=VALUE": rows that are fluid
+  std::string only{};                           // "NAME=VALUE", "NAME>VALUE", "NAME<VALUE": rows that are fluid
   bool inside = false;                          // leave out rows outside the domain
   std::optional<double> time{};                 // s  of a file that has none
   std::optional<double> time_step{};            // s  of files with an index and no time
@@ -27,14 +27,16 @@ struct Mapping {
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
   Samples samples{};
-  std::vector<std::string> fields{};  // "velocity", "pressure", "density", "mass": what was found
+  std::vector<std::string> fields{};  // "velocity", "pressure", ...: what was found; "particles": not cells of a mesh
   std::string file{};                 // in words
   std::vector<std::string> words{};
   bool has_volumes = true;  // else densities are the fluid's and masses equal
 };
 
-/// `density` [kg/m³] is that of the fluid at rest. Throws Unreadable: no places, two candidates for one field, a cloud
-/// that is not flat, rows outside the domain, what is not a finite number, no time.
+/// `density` [kg/m³] is that of the fluid at rest. Where the user names a field "fraction", volumes are multiplied by
+/// it: in a cell at a surface, that of its fluid counts. Throws Unreadable: no places, two candidates for one field, a
+/// cloud that is not flat, rows outside the domain, what is not a finite number, no time, a fraction that is not above
+/// zero or is of no volume.
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density);
 
 }  // namespace touchstone::vnv::doors

@@ -47,6 +47,36 @@ TEST(Fields, AreOfTheRowsThatAWordNames) {
   EXPECT_NE(refusal(oil, {}).find("--only NAME=VALUE (array is oil, wall) or --inside"), std::string::npos);
 }
 
+/// Cells of a mesh, half of which water, the rest air, but for one at the surface.
+Dataset water_and_air() {
+  return {.source = "a.vtu",
+          .time = 1,
+          .rows_are = Rows::cells,
+          .arrays = {{.name = cell_centres_array, .components = 2, .values = {0.1, 0.1, 0.1, 0.3, 0.1, 0.5, 0.1, 0.7}},
+                     {.name = cell_volumes_array, .values = {0.04, 0.04, 0.04, 0.04}},
+                     {.name = "alpha.water", .values = {1, 1, 0.25, 0}}}};
+}
+
+TEST(Fields, AreOfTheRowsAboveOrBelowAThreshold) {
+  EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water>0.25"}, domain, 1000).samples.size(), 2);
+  EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water<0.5"}, domain, 1000).samples.x(1, 0), 0.5);
+  const std::string expected = ", expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component";
+  for (const std::string only : {"alpha.water>", "alpha.water>=0.5", "alpha.air>0.5", "alpha.water"})
+    EXPECT_EQ(refusal(water_and_air(), {.only = only}), "a.vtu: --only '" + only + "'" + expected);
+  EXPECT_EQ(refusal(fluid_and_wall(), {.only = "array>0"}), "a.npz: --only 'array>0'" + expected) << "words";
+}
+
+TEST(Fields, OfACellAtASurfaceWeighByItsFluid) {
+  const Mapping by_fraction{.arrays = {{"fraction", "alpha.water"}}, .only = "alpha.water>0"};
+  EXPECT_EQ(reading_of(water_and_air(), by_fraction, domain, 1000).samples.mass.matrix(), Eigen::Vector3d(40, 40, 10));
+  EXPECT_EQ(refusal(water_and_air(), {.arrays = by_fraction.arrays}),
+            "a.vtu: row 4: fraction 0 of volume 0.04, expected both above 0: --only 'alpha.water>0' leaves rows out");
+  Dataset without_volumes = water_and_air();
+  without_volumes.arrays.erase(without_volumes.arrays.begin() + 1);
+  EXPECT_EQ(refusal(without_volumes, by_fraction),
+            "a.vtu: row 1: fraction 1 of volume nan, expected both above 0: --only 'alpha.water>0' leaves rows out");
+}
+
 TEST(Fields, AreOfColumnsThatTheUserLists) {
   Dataset table{.source = "a.npy", .time = 1};
   for (const char* name : {"column 1", "column 2", "column 3", "c_v[1]"})

@@ -103,7 +103,7 @@ struct Exact {
 
 /// A measurement and the fields that it reads besides places.
 struct Measured {
-  std::vector<std::string> fields;  // "velocity", "pressure"
+  std::vector<std::string> fields;  // "velocity", "pressure"; "particles": says nothing of a mesh, whose cells stay
   Measurement measurement;
   std::optional<Span> over{};  // none: made at each time by itself
   std::string name{};          // of what is measured over time

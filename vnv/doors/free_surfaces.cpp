@@ -180,11 +180,16 @@ Flow dam_break(Settings& set) {
         dam.rms_of(dam.of_thin_slab, experiment), 0.17,
         literature("so much the experiments of two authors with one column differ, Martin & Moyce (1952) being one")));
   flow.resolved = 30;
+  const auto kept = [dam](const Quantity& quantity) {
+    return [=](const Level& level, const Run& run) {
+      std::vector<Value> found = dam.kept(level, run);
+      std::erase_if(found, [&](const Value& value) { return value.quantity != quantity; });
+      return found;
+    };
+  };
   flow.measured = {{{}, [dam](const Level& level, const Run& run) { return dam.positions(level, run.samples.back()); }},
-                   {{},
-                    [=](const Level& level, const Run& run) { return dam.kept(level, run); },
-                    Span{0, 0, 2},
-                    "mass and particles"},
+                   {{}, kept(dam.mass_change), Span{0, 0, 2}, "mass"},
+                   {{"particles"}, kept(dam.lost), Span{0, 0, 2}, "the number of particles"},
                    {{},
                     [dam](const Level& level, const Run& run) { return dam.lead(level, run); },
                     Span{INFINITY, 0, 1},  // at whatever times there are

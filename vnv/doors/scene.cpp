@@ -25,6 +25,7 @@ std::string in_words(const Vec2& v) { return fmt::format("({:g}, {:g})", v.x(), 
 std::set<std::string> fields_of(const Flow& flow) {
   std::set<std::string> fields{"position"};
   for (const Measured& one : flow.measured) fields.insert(one.fields.begin(), one.fields.end());
+  fields.erase("particles");
   return fields;
 }
 

@@ -24,17 +24,18 @@ def write(name, kind, text):
 
 
 def patches(scene):
-    """The kind of each side, by its wall or as periodic."""
+    """The wall at each side; none at one that is periodic or open."""
     walls = {SIDES[wall["axis"], wall["fluid"]]: wall for wall in scene["walls"]}
     return {side: walls.get(side) for side in FACES}
 
 
-def mesh(scene, columns, rows):
+def mesh(scene, columns, rows, depth):
     (x0, y0), (x1, y1) = scene["domain"]["low [m]"], scene["domain"]["high [m]"]
-    depth = scene["spacing [m]"]
     corners = [(x, y, z) for z in (0, depth) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
-    sides = "".join(f"{side} {{ type {'wall' if wall else f'cyclic; neighbourPatch {OPPOSITE[side]}'}; faces ({FACES[side]}); }}\n"
-                    for side, wall in patches(scene).items())
+    def kind(side, wall):
+        is_periodic = scene["domain"]["periodic"][side in ("bottom", "top")]
+        return "wall" if wall else f"cyclic; neighbourPatch {OPPOSITE[side]}" if is_periodic else "patch"
+    sides = "".join(f"{side} {{ type {kind(side, wall)}; faces ({FACES[side]}); }}\n" for side, wall in patches(scene).items())
     write("system/blockMeshDict", "dictionary", f"""convertToMeters 1;
 vertices ({" ".join(f"({x} {y} {z})" for x, y, z in corners)});
 blocks (hex (0 1 2 3 4 5 6 7) ({columns} {rows} 1) simpleGrading (1 1 1));
@@ -73,6 +74,11 @@ def every(scene):
     return scene.get("times from 0 on, every [s]", 0)
 
 
+def every_time(scene):
+    """Steps end on the times that are written only if these are multiples of one interval [s]."""
+    return math.gcd(*(round(time * 1e9) for time in (*scene["times [s]"], every(scene)))) * 1e-9
+
+
 def settings(scene, step, nu):
     write("constant/transportProperties", "dictionary", f"transportModel Newtonian; nu {nu!r};")
     write("constant/turbulenceProperties", "dictionary", "simulationType laminar;")
@@ -87,11 +93,9 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }"""
     write("system/fvSolution", "dictionary", """solvers
 { "p.*" { solver PCG; preconditioner DIC; tolerance 1e-12; relTol 0; } "U.*" { solver PBiCGStab; preconditioner DILU; tolerance 1e-12; relTol 0; } }
 PIMPLE { nOuterCorrectors 1; nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }""")
-    # Steps end on the times that are written only if these are multiples of one interval.
-    times = scene["times [s]"]
-    interval = math.gcd(*(round(time * 1e9) for time in (*times, every(scene)))) * 1e-9
+    interval = every_time(scene)
     write("system/controlDict", "dictionary", f"""application pimpleFoam; startFrom startTime; startTime 0; stopAt endTime;
-endTime {times[-1]!r}; deltaT {interval / math.ceil(interval / step)!r}; writeControl adjustableRunTime; writeInterval {interval!r};
+endTime {scene["times [s]"][-1]!r}; deltaT {interval / math.ceil(interval / step)!r}; writeControl adjustableRunTime; writeInterval {interval!r};
 writeFormat binary; writePrecision 12; timePrecision 10; runTimeModifiable no;""")
 
 
@@ -102,10 +106,15 @@ def run(*words):
         sys.exit(f"{words[0]} ended with {done.returncode}: " + pathlib.Path("log." + words[0]).read_text(encoding="utf-8")[-500:])
 
 
-def main(courant):
+def read_scene():
     scene = json.loads(pathlib.Path("scene.json").read_text(encoding="utf-8"))
     if scene["schema"] != "touchstone scene 1":
         sys.exit(f"scene.json: schema {scene['schema']!r}, expected 'touchstone scene 1'")
+    return scene
+
+
+def main(courant):
+    scene = read_scene()
     with open("particles.csv", newline="", encoding="utf-8") as file:
         start = sorted(csv.DictReader(file), key=lambda row: (float(row["y [m]"]), float(row["x [m]"])))
     rows = len({row["y [m]"] for row in start})
@@ -114,7 +123,7 @@ def main(courant):
     speeds += [math.hypot(*wall["velocity [m/s]"]) for wall in scene["walls"]]
     speeds += [math.hypot(*scene["body force"]["amplitude [m/s²]"]) * scene["domain"]["high [m]"][1] ** 2 / (8 * nu)]
     step = min(spacing ** 2 / nu, courant * spacing / max(speeds))
-    mesh(scene, len(start) // rows, rows)
+    mesh(scene, len(start) // rows, rows, spacing)
     fields(scene, start)
     settings(scene, step, nu)
     run("blockMesh")
