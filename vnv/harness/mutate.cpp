@@ -323,6 +323,12 @@ std::optional<Record> assess_if_possible(const std::string& case_name, const Cas
   return std::nullopt;
 }
 
+/// What is no number fails anyway: it would say nothing of the claim's limit.
+bool fails_by_a_number(const Record& record, const Verdict& claim) {
+  const auto found = std::ranges::find_if(record.verdicts, [&](const Verdict& v) { return is_same_claim(v, claim); });
+  return found != record.verdicts.end() && std::isfinite(found->value) && fails_in(record, claim);
+}
+
 bool is_of_ensemble(const Verdict& v) { return v.level.empty() && !v.half_width; }
 
 /// Whether no claim has yet to be made to fail by all levels together, or, where one is named, by this one.
@@ -351,7 +357,7 @@ Mutations mutate_samples(const std::string& case_name, const Case& declared, con
     const std::optional<Record> mutated = assess_if_possible(case_name, unplotted, results, baselines);
     for (std::size_t k = 0; mutated && k < fails_by.size(); ++k) {
       const Verdict& v = judged.verdicts[k];
-      if (!fails_by[k].empty() || !may_fail(v) || !fails_in(*mutated, v)) continue;
+      if (!fails_by[k].empty() || !may_fail(v) || !fails_by_a_number(*mutated, v)) continue;
       fails_by[k] = change;
       if (v.outcome == Outcome::holds) all.failing = mutated;
     }
