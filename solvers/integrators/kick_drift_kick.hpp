@@ -16,7 +16,7 @@ class KickDriftKick {
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     FluidState& all = flow.state();
     const int threads = flow.threads();
-    if (!started_) flow.find_accelerations(time, lap);
+    if (!started_) flow.find_rates(time, lap);
     started_ = true;
     kick_and_drift(all, threads, dt);
     lap(SubStep::motion);

@@ -17,6 +17,7 @@ concept Dividing = requires(const Term& term, const Pair<Real>& ij) {
 template <class Real, std::size_t count>
 std::array<Real, count> reciprocals(const std::array<Real, count>& of) {
   std::array<Real, count> product = of, per;
+  if constexpr (count == 0) return per;
   for (std::size_t k = 1; k < count; ++k) product[k] *= product[k - 1];
   Real rest = 1 / product[count - 1];
   for (std::size_t k = count - 1; k > 0; --k) {
@@ -27,17 +28,29 @@ std::array<Real, count> reciprocals(const std::array<Real, count>& of) {
   return per;
 }
 
-/// The slope of a kernel [m⁻⁴] at a distance whose reciprocal is known.
+/// A kernel that knows W'(q) / q without a division.
+template <class Kernel>
+concept DividedSlope = requires(double q) {
+  Kernel::dw_per_q(q);
+};
+
+/// The slope of a kernel [m⁻⁴] at a distance whose reciprocal is known, where the kernel asks for it.
 template <class Kernel>
 struct Slope {
-  explicit Slope(double h) : per_h(1 / h), per_h3(per_h * per_h * per_h) {}
+  static constexpr bool needs_reciprocal = !DividedSlope<Kernel>;
+
+  explicit Slope(double h) : per_h(1 / h), per_h3(per_h * per_h * per_h), per_h4(per_h3 * per_h) {}
 
   template <class Real>
   Real operator()(const Real& r, const Real& per_r) const {
     return Kernel::dw(Real(r * Number<Real>(per_h))) * Number<Real>(per_h3) * per_r;
   }
+  template <class Real>
+  requires(!needs_reciprocal) Real operator()(const Real& r) const {
+    return Kernel::dw_per_q(Real(r * Number<Real>(per_h))) * Number<Real>(per_h4);
+  }
 
-  double per_h, per_h3;  // 1/m, 1/m³  once for all pairs
+  double per_h, per_h3, per_h4;  // 1/m, 1/m³, 1/m⁴  once for all pairs
 };
 
 template <class... Terms>
@@ -47,29 +60,33 @@ struct Momentum {
   /// The pull of all terms on a pair, whose slope is found on the way.
   template <class Kernel, class Real>
   Pull<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
-    // r² and not r: the division need not wait for the root.
-    std::array<Real, 1 + (0 + ... + int(Dividing<Terms, Real>))> divisors{ij.r2};
-    std::size_t last = 0;
-    std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, last), ...); }, terms);
+    constexpr std::size_t first = Slope<Kernel>::needs_reciprocal;
+    std::array<Real, first + (0 + ... + int(Dividing<Terms, Real>))> divisors;
+    if constexpr (first) divisors[0] = ij.r2;  // and not r: the division need not wait for the root
+    std::size_t next = first;
+    std::apply([&](const auto&... term) { (add_divisor(term, ij, divisors, next), ...); }, terms);
     const auto per = reciprocals(divisors);
-    ij.slope = slope(ij.r, Real(ij.r * per[0]));
+    if constexpr (first)
+      ij.slope = slope(ij.r, Real(ij.r * per[0]));
+    else
+      ij.slope = slope(ij.r);
     Pull<Real> sum;
-    last = 0;
-    std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, last)), ...); }, terms);
+    next = first;
+    std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, next)), ...); }, terms);
     return sum;
   }
 
  private:
   template <class Term, class Real, std::size_t count>
   static void add_divisor(const Term& term, const Pair<Real>& ij, std::array<Real, count>& divisors,
-                          std::size_t& last) {
-    if constexpr (Dividing<Term, Real>) divisors[++last] = term.divisor(ij);
+                          std::size_t& next) {
+    if constexpr (Dividing<Term, Real>) divisors[next++] = term.divisor(ij);
   }
   template <class Term, class Real, std::size_t count>
   static Pull<Real> pull_of(const Term& term, const Pair<Real>& ij, const std::array<Real, count>& per,
-                            std::size_t& last) {
+                            std::size_t& next) {
     if constexpr (Dividing<Term, Real>)
-      return term.pull(ij, per[++last]);
+      return term.pull(ij, per[next++]);
     else
       return term(ij);
   }
@@ -109,7 +126,10 @@ template <class Kernel, class I, class J>
 auto pair_of(const I& i, const J& j, double mass, const Slope<Kernel>& slope) {
   auto ij = pair_of(i, j, mass);
   using Real = typename J::Real;
-  ij.slope = slope(ij.r, Real(1 / ij.r));
+  if constexpr (Slope<Kernel>::needs_reciprocal)
+    ij.slope = slope(ij.r, Real(1 / ij.r));
+  else
+    ij.slope = slope(ij.r);
   return ij;
 }
 

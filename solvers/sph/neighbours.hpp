@@ -91,10 +91,12 @@ template <std::size_t K, int width, class Packed, class Term>
 [[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Packed* all, const Term& term) {
   using Sum = Lanes<typename Packed::Number, width>;
   std::array<Sum, K> total;
-  for (Sum& sum : total) sum = Sum{};
+#pragma GCC unroll 64
+  for (std::size_t k = 0; k < K; ++k) total[k] = Sum{};
   const Row<Packed, width> i{all, rows.data()};
   for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
     const auto added = term(i, Row<Packed, width>{all, row});
+#pragma GCC unroll 64
     for (std::size_t k = 0; k < K; ++k) total[k] += added[k];
   }
   return total;

@@ -45,7 +45,7 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
         const double h = level.smoothing_or(choice.ratio * level.spacing);
         return sph::free_surface<sph::WendlandC2>(
             scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
-            viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h));
+            viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h, level.spacing));
       },
       [=](const Level& level) {
         const double h = level.smoothing_or(choice.ratio * level.spacing);
@@ -57,7 +57,7 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
 template <class AnyScene>
 Method sph_delta(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(scene, output_interval, "sph_delta", diffusion_words + ", symmetric pressure term p_i + p_j",
-                      choice, [](const auto& fluid, double h) {
+                      choice, [](const auto& fluid, double h, double) {
                         return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in(fluid, h)};
                       });
 }
@@ -68,11 +68,11 @@ Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoic
       scene, output_interval, "sph_shifted",
       diffusion_words +
           ", symmetric pressure term p_i + p_j, particle shifting, tangential at a free surface (Sun et al. 2017)",
-      choice, [](const auto& fluid, double h) {
+      choice, [](const auto& fluid, double h, double spacing) {
         return sph::Parts{.pressure = sph::PressureSum{},
                           .diffusion = diffusion_in(fluid, h),
                           .gradient = sph::PlainGradient{},
-                          .shifting = sph::TangentialShifting{}};
+                          .shifting = sph::TangentialShifting{spacing}};
       });
 }
 
@@ -80,7 +80,7 @@ template <class AnyScene>
 Method sph_corrected(const AnyScene& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts(
       scene, output_interval, "sph_corrected", "gradients corrected after Bonet & Lok (1999), " + diffusion_words,
-      choice, [](const auto& fluid, double h) {
+      choice, [](const auto& fluid, double h, double) {
         return sph::Parts{
             .pressure = sph::BonetLokPressure{}, .diffusion = diffusion_in(fluid, h), .gradient = sph::BonetLok{}};
       });

@@ -4,6 +4,7 @@
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
 #include "solvers/integrators/kick_drift_kick.hpp"
+#include "solvers/sph/drift.hpp"
 #include "solvers/sph/free_surface/gradients/plain.hpp"
 #include "solvers/sph/free_surface/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
@@ -24,54 +25,150 @@ struct Parts {
   Shifting shifting{};
 };
 
-/// Writes the rates of density, by continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, and of velocity,
-/// by pressure and the terms listed besides; only those that are asked for.
-template <class Kernel, bool of_density, bool of_velocity, class Packed, class Terms, class PartsOfMethod>
-void sum_rates(Neighbourhood<Packed>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
+/// What the parts of a method read decides what its passes find and its particles keep.
+template <class PartsOfMethod>
+struct Finds {
+  static constexpr bool diffusion = is_present<decltype(PartsOfMethod::diffusion)>,
+                        shifting = is_present<decltype(PartsOfMethod::shifting)>,
+                        correction = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ||
+                                     ReadsSurroundings<decltype(PartsOfMethod::pressure)>,
+                        rise = ReadsSurroundings<decltype(PartsOfMethod::diffusion)> || shifting,
+                        surroundings = correction || rise, slopes = correction || shifting;
+  static constexpr std::size_t carried = shifting ? drift_fields : rise ? 2 : 0, first_of_rise = carried - 2;
+};
+template <class Real, class PartsOfMethod>
+using PackedOfSurface = std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>;
+
+/// The first pass: all that neither the new density nor the pressure has a part in. Writes the rate of density, by
+/// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the rise of density that the last second pass
+/// has found; the accelerations by the terms; and surroundings.
+template <class Kernel, class Packed, class Terms, class PartsOfMethod>
+void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
+  using Found = Finds<PartsOfMethod>;
+  struct At {
+    enum : std::size_t {
+      slopes = 0,
+      diffusion = slopes + (Found::slopes ? 4 : 1),
+      pull = diffusion + Found::diffusion,
+      moments = pull + 2,
+      crowd = moments + (Found::surroundings ? 3 : 0),
+      count = crowd + (Found::shifting ? 2 : 0)
+    };
+  };
+  const auto of_pair = [terms, parts, mass = near.all.mass, slope = Slope<Kernel>(h), per_h = 1 / h](const auto& i,
+                                                                                                     const auto& j) {
+    auto ij = pair_of(i, j, mass);
+    using Real = std::remove_cvref_t<decltype(ij.r)>;
+    std::array<Real, At::count> sums;
+    const auto pull = terms.on(ij, slope);
+    sums[At::pull] = pull.x;
+    sums[At::pull + 1] = pull.y;
+    const Real per_r = ij.mass * ij.volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
+    if constexpr (Found::slopes) {
+      sums[At::slopes] = -ij.vx * x;
+      sums[At::slopes + 1] = -ij.vx * y;
+      sums[At::slopes + 2] = -ij.vy * x;
+      sums[At::slopes + 3] = -ij.vy * y;
+    } else {
+      sums[At::slopes] = -ij.approach() * per_r;
+    }
+    if constexpr (Found::diffusion) sums[At::diffusion] = parts.diffusion.rate(ij, i, j);
+    if constexpr (Found::surroundings) {
+      sums[At::moments] = -x * ij.x;
+      sums[At::moments + 1] = -x * ij.y;
+      sums[At::moments + 2] = -y * ij.y;
+    }
+    if constexpr (Found::shifting) {
+      const Real crowd = parts.shifting.template crowd<Kernel>(Real(ij.r * Number<Real>(per_h)), per_h);
+      sums[At::crowd] = crowd * x;
+      sums[At::crowd + 1] = crowd * y;
+    }
+    return sums;
+  };
   Particles& all = near.all;
-  sum_over_neighbours<3>(
-      near.fluid_near_fluid, near.seen,
-      [terms, parts, mass = all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
-        auto ij = pair_of(i, j, mass);
-        using Real = std::remove_cvref_t<decltype(ij.r)>;
-        auto pull = terms.on(ij, slope);
-        std::array<Real, 3> rates{};
-        if constexpr (of_density) {
-          const Pull<Real> along = parts.gradient(i, j, Pull<Real>{ij.slope * ij.x, ij.slope * ij.y});
-          rates[0] = ij.rho_i * ij.mass * ij.volume_j * (ij.vx * along.x + ij.vy * along.y);
-          if constexpr (is_present<decltype(PartsOfMethod::diffusion)>) rates[0] += parts.diffusion.rate(ij, i, j);
+  sum_over_neighbours<At::count>(
+      near.fluid_near_fluid, near.seen, of_pair, [&](Index i, const std::array<double, At::count>& sums) {
+        Packed& self = near.seen[i];
+        if constexpr (Found::surroundings)
+          self.set_surroundings(sums[At::moments], sums[At::moments + 1], sums[At::moments + 2]);
+        double divergence = sums[At::slopes];
+        if constexpr (Found::slopes) {
+          const auto slopes_of = [&](std::size_t k) { return self.corrected(sums[k], sums[k + 1]); };
+          const Vec2 of_vx = slopes_of(At::slopes), of_vy = slopes_of(At::slopes + 2);
+          divergence = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ? of_vx.x() + of_vy.y()
+                                                                            : sums[At::slopes] + sums[At::slopes + 3];
+          if constexpr (Found::shifting) {
+            const Vec2 way = parts.shifting.way({sums[At::crowd], sums[At::crowd + 1]}, h);
+            const std::array<double, 6> next{way.x(), way.y(), of_vx.x(), of_vx.y(), of_vy.x(), of_vy.y()};
+            for (std::size_t k = 0; k < next.size(); ++k) all.carried[k][i] = next[k];
+          }
         }
-        if constexpr (of_velocity) {
-          if constexpr (ReadsSurroundings<decltype(PartsOfMethod::pressure)>)
-            pull += parts.pressure(ij, i, j);
-          else
-            pull += parts.gradient(i, j, parts.pressure(ij));
-          rates[1] = pull.x;
-          rates[2] = pull.y;
+        all.drho[i] = -all.rho[i] * divergence;
+        if constexpr (Found::diffusion) all.drho[i] += sums[At::diffusion];
+        all.ax[i] = sums[At::pull];
+        all.ay[i] = sums[At::pull + 1];
+      });
+  if constexpr (Found::surroundings) near.images.refresh_fluid(near.all, near.seen);
+}
+
+/// The second pass: what the new density brings. Adds the accelerations by pressure; finds how density rises, which the
+/// next first pass reads, and with it which way along a surface particles may be shifted.
+template <class Kernel, class Packed, class PartsOfMethod>
+void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, double h) {
+  using Found = Finds<PartsOfMethod>;
+  struct At {
+    enum : std::size_t {
+      pull = 0,
+      rise = pull + 2,
+      fullness = rise + (Found::rise ? 2 : 0),
+      count = fullness + (Found::shifting ? 3 : 0)
+    };
+  };
+  const auto of_pair = [parts, mass = near.all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
+    const auto ij = pair_of(i, j, mass, slope);
+    using Real = std::remove_cvref_t<decltype(ij.r)>;
+    std::array<Real, At::count> sums;
+    Pull<Real> pull;
+    if constexpr (ReadsSurroundings<decltype(PartsOfMethod::pressure)>)
+      pull = parts.pressure(ij, i, j);
+    else
+      pull = parts.gradient(i, j, parts.pressure(ij));
+    sums[At::pull] = pull.x;
+    sums[At::pull + 1] = pull.y;
+    if constexpr (Found::rise) {
+      const Real rise = ij.mass * ij.slope * (1 - ij.rho_i * ij.volume_j);  // V_j (rho_j - rho_i)
+      sums[At::rise] = rise * ij.x;
+      sums[At::rise + 1] = rise * ij.y;
+    }
+    if constexpr (Found::shifting) {
+      const Real fullness_i = i.two(&Packed::l_yy)[1], fullness_j = j.two(&Packed::l_yy)[1],
+                 fuller = ij.mass * ij.volume_j * ij.slope * (fullness_j - fullness_i);
+      sums[At::fullness] = fuller * ij.x;
+      sums[At::fullness + 1] = fuller * ij.y;
+      sums[At::fullness + 2] = -ij.slope * positive_part(Real(Number<Real>(parts.shifting.surface) - fullness_j));
+    }
+    return sums;
+  };
+  Particles& all = near.all;
+  sum_over_neighbours<At::count>(
+      near.fluid_near_fluid, near.seen, of_pair, [&](Index i, const std::array<double, At::count>& sums) {
+        Packed& self = near.seen[i];
+        all.ax[i] += sums[At::pull];
+        all.ay[i] += sums[At::pull + 1];
+        if constexpr (Found::rise) {
+          const Vec2 rise = self.corrected(sums[At::rise], sums[At::rise + 1]);
+          all.carried[Found::first_of_rise][i] = rise.x();
+          all.carried[Found::first_of_rise + 1][i] = rise.y();
         }
-        return rates;
-      },
-      [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
-        if constexpr (of_density) drho[i] = sums[0];
-        if constexpr (of_velocity) {
-          ax[i] = sums[1];
-          ay[i] = sums[2];
+        if constexpr (Found::shifting) {
+          const Vec2 way =
+              parts.shifting.along_surface({all.carried[drift_x][i], all.carried[drift_y][i]}, self,
+                                           {sums[At::fullness], sums[At::fullness + 1]}, sums[At::fullness + 2] > 0);
+          all.carried[drift_x][i] = way.x();
+          all.carried[drift_y][i] = way.y();
         }
       });
 }
-
-/// What a part reads of the surroundings decides what has to be found and kept of them.
-template <class PartsOfMethod>
-inline constexpr bool corrects =
-    ReadsSurroundings<decltype(PartsOfMethod::gradient)> || ReadsSurroundings<decltype(PartsOfMethod::pressure)>;
-template <class PartsOfMethod>
-inline constexpr bool diffuses_rise = ReadsSurroundings<decltype(PartsOfMethod::diffusion)>;
-template <class PartsOfMethod>
-inline constexpr bool shifts = is_present<decltype(PartsOfMethod::shifting)>;
-template <class Real, class PartsOfMethod>
-using PackedOfSurface =
-    std::conditional_t<corrects<PartsOfMethod> || diffuses_rise<PartsOfMethod> || shifts<PartsOfMethod>,
-                       Surroundings<Real>, Packed<Real>>;
 
 /// Continuity density, fixed wall particles that balance the fluid (Adami, Hu & Adams 2012), kick-drift-kick.
 template <class Kernel, class Integrator, class Real, class FluidLaw, class Force, class Terms, class PartsOfMethod>
@@ -79,11 +176,12 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
                                       Kernel, Integrator, PackedOfSurface<Real, PartsOfMethod>, FluidLaw, Force> {
   using Base = Simulation<FreeSurface, Kernel, Integrator, PackedOfSurface<Real, PartsOfMethod>, FluidLaw, Force>;
   using Base::near_, Base::scene_, Base::smoothing_length;
+  using Found = Finds<PartsOfMethod>;
 
  public:
   FreeSurface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,
               const PartsOfMethod& parts)
-      : Base(scene, settings, 0), terms_(terms), parts_(parts) {}
+      : Base(scene, settings, Found::carried), terms_(terms), parts_(parts) {}
 
   /// The particles are shifted, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
@@ -97,36 +195,40 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
  private:
   friend Base;
 
-  /// Rates of velocity and density, in one pass over the pairs.
+  /// Rates of density, and of velocity with the pressure that the density has by then.
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {
-    constexpr bool finds_rise = of_density && diffuses_rise<PartsOfMethod>;
-    see_all<corrects<PartsOfMethod> || finds_rise>(time, lap);
-    if constexpr (finds_rise) carry_rise_to_ghosts<Kernel>(near_, smoothing_length());
-    sum_rates<Kernel, of_density, of_velocity>(near_, terms_, parts_, smoothing_length());
-    lap(SubStep::pairs);
-    if constexpr (of_velocity)
+    if constexpr (of_density) {
+      see_all(time, lap);
+      if constexpr (Found::rise) see_rise<Kernel>(near_, Found::first_of_rise, smoothing_length());
+      lap(SubStep::boundaries);
+      sum_by_motion<Kernel>(near_, terms_, parts_, smoothing_length());
+      lap(SubStep::pairs);
+    }
+    if constexpr (of_velocity) {
+      if constexpr (!of_density) see_all(time, lap);
+      sum_by_pressure<Kernel>(near_, parts_, smoothing_length());
+      lap(SubStep::pairs);
       this->add_body_force(time, lap);
-    else
-      lap(SubStep::rates);
+    }
   }
 
-  /// Fluid, ghosts and images as the last motion left them, and their surroundings if they are needed.
-  template <bool surroundings, class Laps>
+  /// Fluid, ghosts and images as the last motion left them.
+  template <class Laps>
   void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
     balance_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
-    if constexpr (surroundings) find_surroundings<Kernel>(near_, smoothing_length());
-    lap(SubStep::pairs);
   }
 
   template <class Laps>
   void shift(const Laps& lap) {
-    if constexpr (shifts<PartsOfMethod>) {
-      see_all<true>(this->time(), lap);
-      parts_.shifting.template shift<Kernel>(near_, smoothing_length(), this->settings_.spacing, this->time_step());
+    if constexpr (Found::shifting) {
+      Particles& all = near_.all;
+      const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
+      share_out_fields(this->threads(), all.fluid,
+                       [&](Index begin, Index end) { drift(all, fastest * this->time_step(), begin, end); });
       lap(SubStep::motion);
     }
   }

@@ -51,7 +51,11 @@ Near neighbourhood(const Scene<Tait>& scene) {
               lay_out_ghosts(scene.domain, scene.walls, spacing, ghost_layers<WendlandC2>(settings)));
 }
 
-/// Packs the fluid with fields of its place, and finds their surroundings.
+const Antuono antuono{.sound_speed = c, .h = h};
+const Parts all_parts{
+    .pressure = PressureSum{}, .diffusion = antuono, .gradient = BonetLok{}, .shifting = TangentialShifting{spacing}};
+
+/// Packs the fluid with fields of its place, and finds their surroundings by both passes.
 void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
   Particles& all = near.all;
   for (Index i = 0; i < all.fluid; ++i) {
@@ -62,7 +66,10 @@ void see(Near& near, const Motion& velocity, const Field& density, const Field& 
     near.seen[i].set_state(density(x), pressure(x));
   }
   near.images.refresh_fluid(all, near.seen);
-  find_surroundings<WendlandC2>(near, h);
+  near.carry(drift_fields, 0);
+  sum_by_motion<WendlandC2>(near, momentum(), all_parts, h);
+  sum_by_pressure<WendlandC2>(near, all_parts, h);
+  see_rise<WendlandC2>(near, rho_along_x, h);
 }
 
 /// Fluid with nothing around it, in disorder, round: corners are not corrected in full.
@@ -88,7 +95,8 @@ Near tank(const WallVelocity& wall, const Motion& velocity, const Field& density
 
 template <class Parts>
 Vectors accelerations(Near& near, const Parts& parts) {
-  sum_rates<WendlandC2, false, true>(near, momentum(), parts, h);
+  near.all.ax = near.all.ay = 0;
+  sum_by_pressure<WendlandC2>(near, parts, h);
   Vectors a(2, near.all.fluid);
   a.row(0) = near.all.ax;
   a.row(1) = near.all.ay;
@@ -96,7 +104,7 @@ Vectors accelerations(Near& near, const Parts& parts) {
 }
 template <class Parts>
 Scalars density_rates(Near& near, const Parts& parts) {
-  sum_rates<WendlandC2, true, false>(near, momentum(), parts, h);
+  sum_by_motion<WendlandC2>(near, momentum(), parts, h);
   return near.all.drho;
 }
 
@@ -229,7 +237,6 @@ TEST(Surroundings, OfALonelyParticleKeepItsCorrectionBounded) {
   EXPECT_EQ(near.seen[0].l_yy, 5);
 }
 
-const Antuono antuono{.sound_speed = c, .h = h};
 /// What diffusion alone does to a density.
 Scalars diffusion(Near& near) { return density_rates(near, Parts{.diffusion = antuono}); }
 
@@ -336,7 +343,11 @@ Vectors places(const Near& near) {
   for (Index i = 0; i < near.all.fluid; ++i) x.col(near.all.number[i]) = Vec2(near.all.x[i], near.all.y[i]);
   return x;
 }
-void shift(Near& near, double dt) { TangentialShifting().shift<WendlandC2>(near, h, spacing, dt); }
+/// As the fastest particle goes in a time [s].
+void shift(Near& near, double dt) {
+  Particles& all = near.all;
+  drift(all, std::sqrt((all.vx.square() + all.vy.square()).maxCoeff()) * dt, 0, all.fluid);
+}
 
 const Motion passing = [](const Vec2&) -> Vec2 { return {1, 0}; };
 

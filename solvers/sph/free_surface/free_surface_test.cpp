@@ -18,8 +18,10 @@ constexpr double spacing = 0.05, h = 2 * spacing, c = 20, g = 9.81;
 constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
 constexpr Antuono diffusion{.sound_speed = c, .h = h};
 constexpr Parts delta{.pressure = PressureSum{}, .diffusion = diffusion};
-constexpr Parts delta_plus{
-    .pressure = PressureSum{}, .diffusion = diffusion, .gradient = PlainGradient{}, .shifting = TangentialShifting{}};
+constexpr Parts delta_plus{.pressure = PressureSum{},
+                           .diffusion = diffusion,
+                           .gradient = PlainGradient{},
+                           .shifting = TangentialShifting{spacing}};
 constexpr Parts corrected{.pressure = BonetLokPressure{}, .diffusion = diffusion, .gradient = BonetLok{}};
 
 /// Water at rest under gravity.

@@ -20,6 +20,11 @@ struct WendlandC2 {
     const Real s = positive_part(Real(1 - Number<Real>(0.5) * q));
     return Number<Real>(-5 * sigma) * q * s * s * s;
   }
+  template <class Real>
+  static constexpr Real dw_per_q(const Real& q) {
+    const Real s = positive_part(Real(1 - Number<Real>(0.5) * q));
+    return Number<Real>(-5 * sigma) * s * (s * s);
+  }
 };
 static_assert(obeys_kernel_laws<WendlandC2>());
 

@@ -5,6 +5,7 @@
 
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/quadratic_fit.hpp"
+#include "solvers/sph/drift.hpp"
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/walls/extrapolated_ghosts.hpp"
 
@@ -48,7 +49,10 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
  public:
   /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
-  SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings) : Base(scene, settings, drift_fields) {
+  SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+      : Base(scene, settings, drift_fields),
+        sound_speed_(scene.fluid.sound_speed()),
+        per_spacing_(1 / settings.spacing) {
     require_filled("sph", scene.filled, scene.domain.box);
     mean_density_ = near_.all.rho.mean();
   }
@@ -67,9 +71,6 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
  protected:
   using Base::near_;
-
-  /// What a particle carries from the rates to the next drift: its velocity and the slopes of what changes with it.
-  enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
 
   /// Puts a particle back that is too near to a wall.
   void keep_off(const Wall& wall, Index i) {
@@ -96,8 +97,6 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   static constexpr double damping_of_v =
       8;  // likewise, while the fluid is strained by as much as it is long; no faster
 
-  static constexpr std::size_t drift_fields = 8;
-
   using Fit = FitOfFlow<Real>;
   /// What is read of a fit, for each particle.
   enum Derivative { rest, along_x, along_y, xx, xy, yy };
@@ -106,16 +105,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   void drift(double dt) {
     Particles& all = near_.all;
     share_out_fields(threads(), all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      const Scalars x = dt * all.carried[drift_x](part), y = dt * all.carried[drift_y](part);
-      const auto change = [&](DriftField slope_x, DriftField slope_y) {
-        return x * all.carried[slope_x](part) + y * all.carried[slope_y](part);
-      };
-      all.x(part) += x;
-      all.y(part) += y;
-      all.vx(part) += change(vx_along_x, vx_along_y);
-      all.vy(part) += change(vy_along_x, vy_along_y);
-      all.rho(part) += change(rho_along_x, rho_along_y);
+      sph::drift(all, dt, begin, end);
       for (const Wall& wall : scene_.walls)
         for (Index i = begin; i < end; ++i) keep_off(wall, i);
     });
@@ -163,15 +153,17 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   void move(Index i, const std::array<double, made>& fit) {
     Particles& all = near_.all;
     const double *const vx = fit.data(), *const vy = vx + 6, *const p = vx + 12;
-    const double rho = all.rho[i], c = scene_.fluid.sound_speed(), per_c2 = 1 / scene_.fluid.pressure_slope(rho);
-    const double of_rho = damping_of_rho * c / settings_.spacing, of_v = std::min(damping_of_v * strain_rate_, of_rho);
+    const double rho = all.rho[i], per_rho = 1 / rho, per_c2 = 1 / scene_.fluid.pressure_slope(rho);
+    const double c = sound_speed_, of_rho = damping_of_rho * c * per_spacing_,
+                 of_v = std::min(damping_of_v * strain_rate_, of_rho);
     all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + of_rho * per_c2 * p[rest];
-    all.ax[i] = -p[along_x] / rho + of_v * vx[rest];
-    all.ay[i] = -p[along_y] / rho + of_v * vy[rest];
+    all.ax[i] = -p[along_x] * per_rho + of_v * vx[rest];
+    all.ay[i] = -p[along_y] * per_rho + of_v * vy[rest];
     if constexpr (Viscous<FluidLaw>) {
-      const double nu = scene_.fluid.viscosity / rho;
-      all.ax[i] += nu * (vx[xx] + vx[yy] + (vx[xx] + vy[xy]) / 3);
-      all.ay[i] += nu * (vy[xx] + vy[yy] + (vx[xy] + vy[yy]) / 3);
+      constexpr double third = 1.0 / 3;
+      const double nu = scene_.fluid.viscosity * per_rho;
+      all.ax[i] += nu * (vx[xx] + vx[yy] + third * (vx[xx] + vy[xy]));
+      all.ay[i] += nu * (vy[xx] + vy[yy] + third * (vx[xy] + vy[yy]));
     }
     const std::array<double, drift_fields> next{-spreading * c * fit[centre],
                                                 -spreading * c * fit[centre + 1],
@@ -184,8 +176,9 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     for (std::size_t k = 0; k < drift_fields; ++k) all.carried[k][i] = next[k];
   }
 
-  double mean_density_ = 0;  // kg/m³
-  double strain_rate_ = 0;   // 1/s  the largest slope of a velocity
+  double sound_speed_, per_spacing_;  // m/s, 1/m
+  double mean_density_ = 0;           // kg/m³
+  double strain_rate_ = 0;            // 1/s  the largest slope of a velocity
 };
 
 /// sph::second_order<sph::WendlandC2>(scene, {.spacing = ..., .smoothing_length = 1.3 spacings, ...}), sums in `Real`.
