@@ -11,6 +11,7 @@ namespace touchstone::bench {
 inline const vnv::Quantity faster{"speed-up over the reference loop", "", vnv::Kind::cost, vnv::Better::larger};
 inline const vnv::Quantity faster_rates{"right-hand side: speed-up over the reference loop", "", vnv::Kind::cost,
                                         vnv::Better::larger};
+inline const vnv::Quantity slower_rates{"right-hand side over that of the printed method", "", vnv::Kind::cost};
 inline const vnv::Quantity solver_time{"solver", "ns per particle-step", vnv::Kind::cost};
 inline const vnv::Quantity loop_time{"plain loop", "ns per particle-step", vnv::Kind::cost};
 inline const vnv::Quantity spread{"half interquartile range of the speed-up", "%", vnv::Kind::cost};
@@ -57,6 +58,24 @@ vnv::Run race(Solver solver, Loop loop, long lead = 0, const Effort& effort = {}
   run.add(loop_time, 1e9 * times.of(1) / static_cast<double>(loop.particles().size()));
   run.add(lap_cost, times.ratio(2, 0));
   found_laps(run, laps, each);
+  return run;
+}
+
+/// A solver with one right-hand side a step against the printed method, which finds two, over as many particles of the
+/// same flow: all but the search for neighbours.
+template <class Solver, class Printed>
+vnv::Run race_with_printed(Solver solver, Printed printed, long lead = 0) {
+  for (long k = 0; k < lead; ++k) solver.step(), printed.step();
+  vnv::LapClock laps, laps_of_printed;
+  const Times times = time_in_turn({[&] { laps.step(solver); }, [&] { laps_of_printed.step(printed); }});
+  const auto without_sorting = [](const vnv::LapClock& of) {
+    return 1 - of.per_step(SubStep::sorting) / of.per_step();
+  };
+  vnv::Run run = run_of(solver, times.of(0));
+  run.add(slower_rates, 2 * times.ratio(0, 1) * without_sorting(laps) / without_sorting(laps_of_printed));
+  run.add(spread, 100 * times.spread(0, 1));
+  run.add(solver_time, 1e9 * times.of(0) / static_cast<double>(solver.particles()));
+  found_laps(run, laps, times.of(0) / static_cast<double>(solver.particles()));
   return run;
 }
 
