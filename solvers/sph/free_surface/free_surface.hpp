@@ -195,7 +195,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
  private:
   friend Base;
 
-  /// Rates of density, and of velocity with the pressure that the density has by then.
+  /// Rates of density, and of velocity with the pressure that the density has by then. Diffusion reads the rise of
+  /// density of the last second pass: kick-drift-kick begins with both, other integrators begin with none.
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {
     if constexpr (of_density) {
