@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <malloc.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <bit>
@@ -12,6 +9,7 @@
 #include <map>
 
 #include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/most_held.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {
@@ -29,29 +27,6 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
   fs::path operator/(const std::string& name) const { return path / name; }
 };
-
-/// Bytes that a process of its own holds at the most, after this one's.
-std::size_t most_held(const std::function<void()>& work) {
-  const auto held_by = [](const std::function<void()>& of_child) {
-    const pid_t child = fork();
-    if (child == 0) {
-      try {
-        of_child();
-      } catch (...) {
-        _exit(1);
-      }
-      _exit(0);
-    }
-    int status = 0;
-    rusage used{};
-    EXPECT_EQ(wait4(child, &status, 0, &used), child);
-    EXPECT_EQ(status, 0) << "it cannot be read";
-    return 1024 * static_cast<std::size_t>(used.ru_maxrss);
-  };
-  malloc_trim(0);  // a child would use again what is free here
-  const std::size_t before = held_by([] {});
-  return held_by(work) - before;
-}
 
 /// Ten times the file and 4 MiB, which every reader may hold, the file itself included.
 std::size_t most_for(std::size_t bytes) { return 10 * bytes + (std::size_t{1} << 22); }
