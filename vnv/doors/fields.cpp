@@ -100,8 +100,7 @@ struct Found {
     return columns.size() > 1 ? columns.size() : static_cast<std::size_t>(columns[0]->components);
   }
   double operator()(std::size_t row, std::size_t component) const {
-    return columns.size() > 1 ? columns[component]->values[row]
-                              : columns[0]->values[row * static_cast<std::size_t>(columns[0]->components) + component];
+    return columns.size() > 1 ? columns[component]->values[row] : columns[0]->at(row, component);
   }
 };
 
@@ -296,6 +295,20 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 
 }  // namespace
 
+void require_known_names(const Mapping& mapping, const std::string& where) {
+  const auto require = [&](const auto& said, const char* what, const std::set<std::string>& known) {
+    for (const auto& [name, value] : said)
+      if (!known.contains(name))
+        throw std::invalid_argument(
+            fmt::format("{}: {} '{}' = '{}', expected one of: {}", where, what, name, value, fmt::join(known, ", ")));
+  };
+  std::set<std::string> fields, kinds;
+  for (const auto& [field, names] : common_names) fields.insert(field);
+  for (const Unit& unit : units) kinds.insert(unit.kind);
+  require(mapping.arrays, "field", fields);
+  require(mapping.units, "unit of", kinds);
+}
+
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {
   Reading reading;
   Samples& s = reading.samples;
@@ -395,6 +408,14 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   s.density = scalars("density");
   s.mass = scalars("mass");
   Scalars volume = scalars("volume");
+  if (find(data, "volume", mapping).words == cell_volumes_array) {  // measured in the unit of places
+    std::string unsaid;
+    const double metre = factor(places, "length", mapping, density, unsaid),
+                 depth = metre * data.layer[3 - plane[0] - plane[1]];
+    volume *= std::pow(metre, data.cell_dimensions) / (depth > 0 ? depth : 1);
+    if (data.cell_dimensions == 3)
+      reading.words.back() += depth > 0 ? fmt::format(", of a layer {:g} m deep", depth) : ", as of a layer 1 m deep";
+  }
   if (mapping.arrays.contains("fraction")) {
     const Scalars fraction = scalars("fraction");
     each_row([&](std::size_t row, Eigen::Index p) {

@@ -67,6 +67,13 @@ std::string legacy() {
                      std::string(rows, '\7'));
 }
 
+/// A pressure on a grid of so many points, of a heading that says where they are.
+std::string structured(std::string heading, std::size_t points, const std::string& more = "") {
+  heading = "# vtk DataFile Version 3.0\na\nBINARY\nDATASET " + heading;
+  return heading + fmt::format("POINT_DATA {}\nSCALARS p unsigned_char\nLOOKUP_TABLE default\n{}\n{}", points,
+                               std::string(points, '\7'), more);
+}
+
 std::string text_of(std::string heading, const std::string& row) {
   for (std::size_t k = 0; k < count / row.size(); ++k) heading += row;
   return heading;
@@ -86,6 +93,21 @@ TEST(FileOfOneByteNumbers, IsReadWithinTenTimesItsSize) {
       {"one_piece.vtp", [] { return vtp(1, count); }},
       {"pieces.vtp", [] { return vtp(5, count); }},
       {"legacy.vtk", legacy},
+      {"image.vtk", [] { return structured(fmt::format("STRUCTURED_POINTS\nDIMENSIONS {} 2 1\n", count / 2), count); }},
+      {"lines.vtk",
+       [] {
+         const std::string axis = "_COORDINATES 1 unsigned_char\n\7\n";
+         return structured(fmt::format("RECTILINEAR_GRID\nDIMENSIONS {0} 1 1\nX_COORDINATES {0} unsigned_char\n{1}\n",
+                                       count / 2, std::string(count / 2, '\7')) +
+                               "Y" + axis + "Z" + axis,
+                           count / 2);
+       }},
+      {"ghosts.vtk",
+       [] {
+         return structured(fmt::format("STRUCTURED_POINTS\nDIMENSIONS {} 2 1\n", count / 4), count / 2,
+                           fmt::format("SCALARS vtkGhostType unsigned_char\nLOOKUP_TABLE default\n\1{}\n",
+                                       std::string(count / 2 - 1, '\0')));
+       }},
       {"table.csv", [] { return text_of("x,y\n", "1,2\n"); }},
       {"dump.lammpstrj",
        [] { return text_of(fmt::format("ITEM: NUMBER OF ATOMS\n{}\nITEM: ATOMS x y\n", count / 4), "1 2\n"); }}};
