@@ -162,7 +162,7 @@ TEST(TableOfClaims, SaysUnderAComparisonWhatExplainsItsError) {
                                       {"level", "M2"},
                                       {"field", "velocity"},
                                       {"error [%]", "3.25"},
-                                      {"fitted", "viscosity −5.125 ± 0.5\u202f%, time 2 ± 1\u202fs"},
+                                      {"fitted", "viscosity −5.1 ± 0.5\u202f%, time 2.0 ± 1.0\u202fs"},
                                       {"explained [%]", "90"}}));
 }
 
@@ -175,7 +175,7 @@ TEST(TableOfClaims, ShowsTheBestExplanationWhereNoneSuffices) {
          .explanations = {{{{"gravity", "%", 5, 1}}, 0.25, false, ""}, {{{"noise", "%", 1, 1}}, 0.1, false, ""}},
          .sentence = "none"}};
   });
-  EXPECT_EQ(last_row(diagnosis_table(records)).at("fitted"), "gravity 5 ± 1\u202f% does not suffice");
+  EXPECT_EQ(last_row(diagnosis_table(records)).at("fitted"), "gravity 5.0 ± 1.0\u202f% does not suffice");
 }
 
 TEST(TableOfARecord, HasItsNumbersUnderTheirHeadings) {

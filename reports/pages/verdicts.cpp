@@ -87,8 +87,8 @@ std::string diagnosis_table(const CaseRecords& records) {
       if (!one.named && &one != &found.explanations.front()) continue;  // the best is shown where none suffices
       std::string fitted;
       for (const vnv::FittedCause& c : one.causes)
-        fitted += fmt::format("{}{} {} ± {}\u202f{}", fitted.empty() ? "" : ", ", escape(c.cause), printed(c.value),
-                              printed(c.half_width, 2), escape(c.unit));
+        fitted += fmt::format("{}{} {}\u202f{}", fitted.empty() ? "" : ", ", escape(c.cause),
+                              replaced(vnv::in_digits_of_interval(c.value, c.half_width), "-", "−"), escape(c.unit));
       table.rows.push_back(
           {name_html(record.method), level_cell(found.level), escape(found.field), number_cell(found.error),
            words_cell(fitted + (one.named ? "" : " <small>does not suffice</small>")), number_cell(100 * one.share)});

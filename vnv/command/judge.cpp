@@ -26,6 +26,7 @@ doors::Mapping mapping_of(const JudgeOptions& options) {
   if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};
   if (options.time >= 0) mapping.time = options.time;
   if (options.time_step > 0) mapping.time_step = options.time_step;
+  doors::require_known_names(mapping, "--field, --unit");
   return mapping;
 }
 
@@ -47,7 +48,7 @@ void print(const Diagnosis& diagnosis) {
   for (const Explanation& one : diagnosis.explanations) {
     std::vector<std::string> causes;
     for (const FittedCause& c : one.causes)
-      causes.push_back(fmt::format("{} {:.4g} +- {:.2g} {}", c.cause, c.value, c.half_width, c.unit));
+      causes.push_back(fmt::format("{} {} {}", c.cause, in_digits_of_interval(c.value, c.half_width), c.unit));
     fmt::print("  {:5.1f} % of the squared error: {}{}\n", 100 * one.share, fmt::join(causes, ", "),
                one.named ? " *" : "");
   }
@@ -65,6 +66,11 @@ void print_as_json(const doors::Flow& flow, const doors::Judgement& judgement, b
                              {"not judged", judgement.not_judged}};
   for (const char* part : {"runs", "values", "orders", "verdicts", "diagnoses"}) all[part] = record.at(part);
   fmt::print("{}\n", all.dump(2));
+}
+
+/// Before anything is read: what cannot be kept need not be judged.
+void make_folder_of(const std::string& records) {
+  if (!records.empty()) files::make_folder(records);
 }
 
 /// Keeps the record and the verdicts where a folder or a file is named.
@@ -111,6 +117,7 @@ int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const W
 }  // namespace
 
 int judge(const Build&, const JudgeOptions& options) {
+  make_folder_of(options.records);
   const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
   return conclude(
       flow,
@@ -128,6 +135,7 @@ int prepare(const Build&, const PrepareOptions& options) {
 }
 
 int collect(const Build&, const CollectOptions& options) {
+  make_folder_of(options.records);
   const doors::Solver solver = doors::read_solver(options.solver);
   return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)),
                   {options.records, options.junit, options.as_json});

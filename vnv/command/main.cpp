@@ -52,10 +52,8 @@ void add_at_once(CLI::App& command, int& at_once) {
 }
 
 void add_results(CLI::App& command, std::string& records, std::string& junit, bool& as_json) {
-  command
-      .add_option("--records", records,
-                  "folder for the record, JSON with every value and verdict, which vnv report turns into pages")
-      ->check(CLI::ExistingDirectory);
+  command.add_option("--records", records,
+                     "folder for the record, JSON with every value and verdict, which vnv report turns into pages");
   command.add_option("--junit", junit, "file for the verdicts as JUnit XML, for continuous integration");
   command.add_flag("--json", as_json, "print JSON, for a program");
 }

@@ -179,7 +179,7 @@ int run(const Build& build, const RunOptions& chosen) {
   RunOptions options = chosen;
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   if (options.records.empty()) options.records = build.records(options.suite);
-  fs::create_directories(options.records / "logs");
+  files::make_folder(options.records / "logs");
   Sum sum;
   if (solvers.empty() || !options.patterns.empty()) {
     const Catalogue catalogue = read_catalogue(build, options.patterns);

@@ -576,15 +576,9 @@ class Diagnostician {
     return noise;
   }
 
-  /// Of four digits at most, and an interval that reaches to the next at least.
+  /// Its sign is in the words.
   static std::string quantity(const FittedCause& c) {
-    const double size = std::abs(c.value), last_digit = std::pow(10, std::floor(std::log10(size)) - 3);
-    const double half_width = std::max(c.half_width, last_digit);
-    const double digits = std::floor(std::log10(half_width));
-    if (!(digits >= -9 && digits <= 3)) return fmt::format("{:.3g} ± {:.1g} {}", size, half_width, c.unit);
-    const int places =
-        std::max(0, static_cast<int>(-digits) + (half_width > last_digit && half_width < 3 * std::pow(10, digits)));
-    return fmt::format("{:.{}f} ± {:.{}f} {}", size, places, half_width, places, c.unit);
+    return fmt::format("{} {}", in_digits_of_interval(std::abs(c.value), c.half_width), c.unit);
   }
 
   Explanation explanation(const Fit& fit, bool is_named) const {

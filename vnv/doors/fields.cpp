@@ -100,8 +100,7 @@ struct Found {
     return columns.size() > 1 ? columns.size() : static_cast<std::size_t>(columns[0]->components);
   }
   double operator()(std::size_t row, std::size_t component) const {
-    return columns.size() > 1 ? columns[component]->values[row]
-                              : columns[0]->values[row * static_cast<std::size_t>(columns[0]->components) + component];
+    return columns.size() > 1 ? columns[component]->values[row] : columns[0]->at(row, component);
   }
 };
 
@@ -229,8 +228,7 @@ std::string fluid_by_name(const Dataset& data) {
 }
 
 /// Which rows are fluid, by `only`: "NAME=VALUE", "NAME>VALUE" or "NAME<VALUE", or all of them.
-std::vector<std::size_t> chosen_rows(const Dataset& data, const std::string& only) {
-  std::vector<std::size_t> rows;
+std::vector<bool> chosen_rows(const Dataset& data, const std::string& only) {
   const std::size_t sign = only.find_first_of("=<>");
   const char relation = sign == only.npos ? ' ' : only[sign];
   const Array* by = nullptr;
@@ -251,12 +249,12 @@ std::vector<std::size_t> chosen_rows(const Dataset& data, const std::string& onl
           fmt::format("{}: --only '{}', expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component",
                       data.source, only));
   }
-  for (std::size_t row = 0; row < data.rows(); ++row)
-    if (!by || (relation == '>'   ? by->values[row] > value
-                : relation == '<' ? by->values[row] < value
-                                  : by->values[row] == value))
-      rows.push_back(row);
-  return rows;
+  std::vector<bool> chosen(data.rows(), true);
+  for (std::size_t row = 0; by && row < chosen.size(); ++row)
+    chosen[row] = relation == '>'   ? by->values[row] > value
+                  : relation == '<' ? by->values[row] < value
+                                    : by->values[row] == value;
+  return chosen;
 }
 
 double time_of(const Dataset& data, const Mapping& mapping, std::string& words) {
@@ -297,12 +295,32 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 
 }  // namespace
 
+void require_known_names(const Mapping& mapping, const std::string& where) {
+  const auto require = [&](const auto& said, const char* what, const std::set<std::string>& known) {
+    for (const auto& [name, value] : said)
+      if (!known.contains(name))
+        throw std::invalid_argument(
+            fmt::format("{}: {} '{}' = '{}', expected one of: {}", where, what, name, value, fmt::join(known, ", ")));
+  };
+  std::set<std::string> fields, kinds;
+  for (const auto& [field, names] : common_names) fields.insert(field);
+  for (const Unit& unit : units) kinds.insert(unit.kind);
+  require(mapping.arrays, "field", fields);
+  require(mapping.units, "unit of", kinds);
+}
+
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {
   Reading reading;
   Samples& s = reading.samples;
   const std::string only = mapping.only.empty() ? fluid_by_name(data) : mapping.only;
-  std::vector<std::size_t> rows = chosen_rows(data, only);
-  if (rows.empty()) throw Unreadable(fmt::format("{}: no row that is fluid, expected at least one", data.source));
+  std::vector<bool> chosen = chosen_rows(data, only);
+  Eigen::Index count = std::ranges::count(chosen, true);
+  if (count == 0) throw Unreadable(fmt::format("{}: no row that is fluid, expected at least one", data.source));
+  const auto each_row = [&](const auto& work) {  // (row of the file, number of those chosen)
+    Eigen::Index p = 0;
+    for (std::size_t row = 0; row < chosen.size(); ++row)
+      if (chosen[row]) work(row, p++);
+  };
   const auto say = [&](const std::string& field, const std::string& as) {
     reading.words.push_back(fmt::format("{}: {}", field, as));
   };
@@ -310,7 +328,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   s.time = time_of(data, mapping, words);
   const bool is_mesh = data.rows_are == Rows::cells;
   if (!is_mesh) reading.fields.emplace_back("particles");
-  reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, rows.size(),
+  reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, count,
                              is_mesh ? "cells" : "particles", s.time, words);
 
   if (!only.empty()) say("rows", fmt::format("{}{}", only, mapping.only.empty() ? ", by its name" : ", as said"));
@@ -325,72 +343,87 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
       throw Unreadable(fmt::format("{}: {} is '{}' of {} component{}, expected those along {} and {}", data.source,
                                    field, found.words, found.components(), found.components() == 1 ? "" : "s",
                                    "xyz"[plane[0]], "xyz"[plane[1]]));
-    Vectors all(2, static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t p = 0; p < rows.size(); ++p)
+    Vectors all(2, count);
+    each_row([&](std::size_t row, Eigen::Index p) {
       for (const int k : {0, 1}) {
-        const double value = found(rows[p], plane[static_cast<std::size_t>(k)]);
+        const double value = found(row, plane[static_cast<std::size_t>(k)]);
         if (!std::isfinite(value))
-          throw Unreadable(fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, rows[p] + 1,
-                                       found.words, value));
-        all(k, static_cast<Eigen::Index>(p)) = to_si * value;
+          throw Unreadable(
+              fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));
+        all(k, p) = to_si * value;
       }
+    });
     say(field, as + fmt::format(", along {} and {}", "xyz"[plane[0]], "xyz"[plane[1]]));
     return all;
   };
-  s.x = vectors(places, "position", "length").colwise() - mapping.origin;
+  s.x = vectors(places, "position", "length");
+  s.x.colwise() -= mapping.origin;
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
-  std::vector<std::size_t> within;
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index p = 0; p < s.size(); ++p) {
+  std::vector<bool> within = chosen;
+  Eigen::Index outside = 0;
+  each_row([&](std::size_t row, Eigen::Index p) {
     for (const int axis : {0, 1}) s.x(axis, p) = domain.wrapped(axis, s.x(axis, p));
-    Vec2 nearest = s.x.col(p).cwiseMax(domain.box.low).cwiseMin(domain.box.high);
-    if ((nearest - s.x.col(p)).norm() > off) continue;
-    s.x.col(p) = nearest;
-    kept.push_back(p);
-    within.push_back(rows[static_cast<std::size_t>(p)]);
-  }
-  if (const std::size_t outside = rows.size() - within.size(); outside > 0) {
-    if (!mapping.inside || within.empty())
+    const Vec2 nearest = s.x.col(p).cwiseMax(domain.box.low).cwiseMin(domain.box.high);
+    within[row] = (nearest - s.x.col(p)).norm() <= off;
+    if (within[row])
+      s.x.col(p) = nearest;
+    else
+      ++outside;
+  });
+  if (outside > 0) {
+    if (!mapping.inside || outside == count)
       throw Unreadable(
           fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
                       "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
-                      data.source, outside, rows.size(), domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
+                      data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
                       domain.box.high.y(), labels_of(data), guess_of_unit(s.x, domain)));
     say("left out", fmt::format("{} rows outside the domain", outside));
-    s.x = Vectors(s.x(Eigen::all, kept));
-    rows = within;
+    count = 0;
+    each_row([&](std::size_t row, Eigen::Index p) {
+      if (within[row]) s.x.col(count++) = s.x.col(p).eval();
+    });
+    s.x.conservativeResize(Eigen::NoChange, count);
+    chosen = within;
   }
-  const auto count = static_cast<Eigen::Index>(rows.size());
   if (const Found velocity = find(data, "velocity", mapping); velocity.there()) {
     s.v = vectors(velocity, "velocity", "velocity");
     reading.fields.emplace_back("velocity");
   } else {
     s.v = Vectors::Constant(2, count, NAN);
   }
-  const auto scalars = [&](const std::string& field, const std::string& kind) {
+  const auto scalars = [&](const std::string& field) {
     const Found found = find(data, field, mapping);
     if (!found.there()) return Scalars(Scalars::Constant(count, NAN));
     std::string as = found.words;
-    const double to_si = factor(found, kind, mapping, density, as);
+    const double to_si = factor(found, field, mapping, density, as);
     Scalars all(count);
-    for (Eigen::Index p = 0; p < count; ++p) all[p] = to_si * found(rows[static_cast<std::size_t>(p)], 0);
+    each_row([&](std::size_t row, Eigen::Index p) { all[p] = to_si * found(row, 0); });
     say(field, as);
     reading.fields.push_back(field);
     return all;
   };
-  s.pressure = scalars("pressure", "pressure");
-  s.density = scalars("density", "density");
-  s.mass = scalars("mass", "mass");
-  Scalars volume = scalars("volume", "volume");
+  s.pressure = scalars("pressure");
+  s.density = scalars("density");
+  s.mass = scalars("mass");
+  Scalars volume = scalars("volume");
+  if (find(data, "volume", mapping).words == cell_volumes_array) {  // measured in the unit of places
+    std::string unsaid;
+    const double metre = factor(places, "length", mapping, density, unsaid),
+                 depth = metre * data.layer[3 - plane[0] - plane[1]];
+    volume *= std::pow(metre, data.cell_dimensions) / (depth > 0 ? depth : 1);
+    if (data.cell_dimensions == 3)
+      reading.words.back() += depth > 0 ? fmt::format(", of a layer {:g} m deep", depth) : ", as of a layer 1 m deep";
+  }
   if (mapping.arrays.contains("fraction")) {
-    const Scalars fraction = scalars("fraction", "fraction");
-    for (Eigen::Index p = 0; p < count; ++p)
+    const Scalars fraction = scalars("fraction");
+    each_row([&](std::size_t row, Eigen::Index p) {
       if (!(fraction[p] > 0 && volume[p] > 0))
-        throw Unreadable(fmt::format(
-            "{}: row {}: fraction {} of volume {}, expected both above 0: --only '{}>0' leaves rows out", data.source,
-            rows[static_cast<std::size_t>(p)] + 1, fraction[p], volume[p], mapping.arrays.at("fraction")));
+        throw Unreadable(
+            fmt::format("{}: row {}: fraction {} of volume {}, expected both above 0: --only '{}>0' leaves rows out",
+                        data.source, row + 1, fraction[p], volume[p], mapping.arrays.at("fraction")));
+    });
     volume *= fraction;
   }
   const auto known = [](const Scalars& field) { return field.allFinite() && (field > 0).all(); };

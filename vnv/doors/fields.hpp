@@ -24,6 +24,9 @@ struct Mapping {
   std::optional<double> time_step{};            // s  of files with an index and no time
 };
 
+/// Throws std::invalid_argument for a field or a kind of unit that there is not, saying where and naming all of them.
+void require_known_names(const Mapping& mapping, const std::string& where);
+
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
   Samples samples{};

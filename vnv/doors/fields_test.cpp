@@ -61,7 +61,8 @@ TEST(Fields, AreOfTheRowsAboveOrBelowAThreshold) {
   EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water>0.25"}, domain, 1000).samples.size(), 2);
   EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water<0.5"}, domain, 1000).samples.x(1, 0), 0.5);
   const std::string expected = ", expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component";
-  for (const std::string only : {"alpha.water>", "alpha.water>=0.5", "alpha.air>0.5", "alpha.water"})
+  for (const std::string only :
+       {"alpha.water>", "alpha.water>=0.5", "alpha.water>0.5m", "alpha.air>0.5", "alpha.water"})
     EXPECT_EQ(refusal(water_and_air(), {.only = only}), "a.vtu: --only '" + only + "'" + expected);
   EXPECT_EQ(refusal(fluid_and_wall(), {.only = "array>0"}), "a.npz: --only 'array>0'" + expected) << "words";
 }
@@ -75,6 +76,24 @@ TEST(Fields, OfACellAtASurfaceWeighByItsFluid) {
   without_volumes.arrays.erase(without_volumes.arrays.begin() + 1);
   EXPECT_EQ(refusal(without_volumes, by_fraction),
             "a.vtu: row 1: fraction 1 of volume nan, expected both above 0: --only 'alpha.water>0' leaves rows out");
+}
+
+TEST(Fields, OfALayerOfBodiesAreWeighedByVolumesOverItsDepth) {
+  Dataset layer = water_and_air();
+  layer.cell_dimensions = 3;
+  layer.layer = {0, 0, 0.5};
+  const Reading metres = reading_of(layer, {}, domain, 1000);
+  EXPECT_EQ(metres.samples.mass[0], 80);
+  EXPECT_EQ(metres.words.back(), "volume: cell volumes, of a layer 0.5 m deep");
+  for (double& x : layer.arrays[0].values) x *= 1000;
+  for (double& volume : layer.arrays[1].values) volume *= 1e9;
+  layer.layer[2] *= 1000;
+  const Reading millimetres = reading_of(layer, {.units = {{"length", "mm"}}}, domain, 1000);
+  EXPECT_NEAR(millimetres.samples.mass[0], 80, 1e-10);
+  EXPECT_EQ(millimetres.words.back(), metres.words.back());
+  layer.layer = {};
+  EXPECT_EQ(reading_of(layer, {.units = {{"length", "mm"}}}, domain, 1000).words.back(),
+            "volume: cell volumes, as of a layer 1 m deep");
 }
 
 TEST(Fields, AreOfColumnsThatTheUserLists) {

@@ -70,18 +70,18 @@ void require_volumes(const Flow& flow, const std::string& source, Reading& readi
   }
 }
 
-/// A run of what was given, as if it had been computed here.
-Run run_of(const GivenLevel& given, const std::string& level, const Watch& watch) {
+/// A run of what was given, whose samples it takes, as if it had been computed here.
+Run run_of(GivenLevel& given, const std::string& level, const Watch& watch) {
   Run run{.summary = {.level = level,
                       .spacing = given.spacing,
                       .finished = given.outcome == "finished",
                       .outcome = given.outcome,
                       .cost = given.cost}};
-  for (const auto& [time, samples] : given.at) {
-    run.samples.push_back(samples);
+  for (auto& [time, samples] : given.at) {
+    run.samples.push_back(std::move(samples));
     if (!watch.see) continue;
     run.history.time.push_back(time);
-    run.history.seen.push_back(watch.see(samples));
+    run.history.seen.push_back(watch.see(run.samples.back()));
   }
   if (run.samples.empty()) return run;
   run.summary.end_time = run.samples.back().time;
@@ -116,9 +116,11 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
   return [=, &not_judged](const Level& level, const Run& run) {
     std::vector<Value> all;
     if (run.samples.empty()) return all;  // it did not answer, as its verdict says
-    if (!measured.over) {
+    if (!measured.over && run.samples.size() > 1) {
       for (const Samples& samples : run.samples)
         add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);
+    } else if (!measured.over) {
+      add(all, level, run, run.samples);  // without a copy
     } else if (const auto [first, last, least] = *measured.over; run.samples.size() < least ||
                                                                  run.samples.front().time > first * (1 + 1e-9) ||
                                                                  run.samples.back().time < last * (1 - 1e-9)) {
@@ -195,25 +197,25 @@ bool is_of(const Exact& exact, const Verdict& verdict, const std::vector<Claim>&
 
 /// Diagnoses each field and level of which a verdict fails, an order as its finest level, and adds what is found to the
 /// sentences of these verdicts. If asked, all others too.
-void diagnose_failures(const Flow& flow, const std::vector<GivenLevel>& levels, const Method& method,
-                       const std::vector<Claim>& claims, bool diagnose_all, Record& record) {
+void diagnose_failures(const Flow& flow, const Results& results, const std::vector<Claim>& claims, bool diagnose_all,
+                       Record& record) {
+  const std::vector<Level>& levels = results.method.levels;
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const Exact& exact : flow.exact) {
       const auto has_value = [&](const Value& v) {
-        return v.level == method.levels[k].name && has(exact.norms, v.quantity.name);
+        return v.level == levels[k].name && has(exact.norms, v.quantity.name);
       };
       if (std::ranges::none_of(record.values, has_value)) continue;
       std::vector<Verdict*> of_it;
       for (Verdict& v : record.verdicts)
-        if (is_of(exact, v, claims) &&
-            (v.level == method.levels[k].name || (v.level.empty() && k + 1 == levels.size())))
+        if (is_of(exact, v, claims) && (v.level == levels[k].name || (v.level.empty() && k + 1 == levels.size())))
           of_it.push_back(&v);
       const auto fails = [](const Verdict* v) { return v->outcome == Outcome::fails; };
       if (std::ranges::none_of(of_it, fails) && !diagnose_all) continue;
       std::vector<const Samples*> samples;
-      for (const auto& [time, at] : levels[k].at) samples.push_back(&at);
+      for (const Samples& at : results.runs[k].samples) samples.push_back(&at);
       Diagnosis found = diagnose(exact, samples, flow.domain, levels[k].spacing);
-      found.level = method.levels[k].name;
+      found.level = levels[k].name;
       for (Verdict* v : of_it) {
         if (!has(found.quantities, v->quantity)) found.quantities.push_back(v->quantity);
         if (fails(v)) v->sentence += "; " + found.sentence;
@@ -230,8 +232,9 @@ void Given::say(const std::string& line) {
 
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> said) {
-  for (const Dataset& data : rows_to_judge(read_datasets(file))) {
+  for (Dataset& data : rows_to_judge(read_datasets(file))) {
     Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
+    data.arrays.clear();  // there may be many, and what stood in them is in the samples
     given.files.push_back(reading.file);
     for (const std::string& line : reading.words) given.say(line);
     if (given.fields)
@@ -257,7 +260,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   Case judged = case_of(flow, given, times, judgement.not_judged);
   Method method{.name = what.name, .description = what.description, .ladders = {{ladder_of_files, {}}}};
   std::vector<Run> runs;
-  for (const GivenLevel& level : given.levels) {
+  for (GivenLevel& level : given.levels) {
     const std::string name = fmt::format("{:.4g} across", flow.across / level.spacing);
     runs.push_back(run_of(level, name, flow.judged.watch));
     if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
@@ -267,12 +270,13 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
     method.ladders[0].levels.push_back(name);
   }
   method.claims = own_claims(flow, what, method.levels.back().name);
-  judgement.record = assess(flow.case_name(), judged, {method, what.suite, std::move(runs)},
-                            what.baselines ? std::optional(*what.baselines) : std::nullopt);
+  const Results results{method, what.suite, std::move(runs)};
+  judgement.record =
+      assess(flow.case_name(), judged, results, what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
   std::vector<Claim> claims = judged.claims;
   std::ranges::copy(method.claims, std::back_inserter(claims));
-  diagnose_failures(flow, given.levels, method, claims, what.diagnose, judgement.record);
+  diagnose_failures(flow, results, claims, what.diagnose, judgement.record);
   if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; })) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
     refuse_to_claim_nothing(judgement.record);

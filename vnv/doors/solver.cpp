@@ -11,9 +11,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -21,6 +23,10 @@ namespace touchstone::vnv::doors {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What stands in the folder of a run besides its output; that of what the program says is `log_file`.
+constexpr std::string_view scene_file = "scene.json", particles_file = "particles.csv", run_script = "run.sh",
+                           log_file = "output.txt";
 
 std::string name_of(const Solver& solver, double spacing) {
   return fmt::format("{:.4g}_across", solver.flow.across / spacing);
@@ -32,8 +38,8 @@ std::map<std::string, std::string> placeholders(const Solver& solver, double spa
                                          {"across", fmt::format("{:.12g}", solver.flow.across / spacing)},
                                          {"until", fmt::format("{}", solver.times.back())},
                                          {"times", fmt::format("{}", fmt::join(solver.times, ","))},
-                                         {"scene", (folder / "scene.json").string()},
-                                         {"particles", (folder / "particles.csv").string()},
+                                         {"scene", (folder / scene_file).string()},
+                                         {"particles", (folder / particles_file).string()},
                                          {"folder", folder.string()},
                                          {"here", solver.file.parent_path().string()}};
   std::vector<std::string> parameters;
@@ -92,13 +98,17 @@ std::string line_of(const Solver& solver, double spacing, const fs::path& folder
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Files that fit the patterns, in the folder of a run.
+/// Files that fit the patterns, in the folder of a run; of what is not its output only what a pattern names in full.
 std::vector<fs::path> files_of(const Solver& solver, const fs::path& folder) {
   std::vector<fs::path> files;
   for (const std::string& pattern : solver.output) {
     glob_t found{};
     if (glob((folder / pattern).c_str(), 0, nullptr, &found) == 0)
-      for (std::size_t k = 0; k < found.gl_pathc; ++k) files.emplace_back(found.gl_pathv[k]);
+      for (const fs::path file : std::span(found.gl_pathv, found.gl_pathc)) {
+        const bool is_own = std::ranges::count(std::array{scene_file, particles_file, run_script, log_file},
+                                               std::string_view(file.lexically_relative(folder).native())) > 0;
+        if (!is_own || file == folder / pattern) files.push_back(file);
+      }
     globfree(&found);
   }
   return files;
@@ -213,12 +223,12 @@ void prepare(const Solver& solver, const fs::path& folder) {
     const std::string line = line_of(solver, spacing, own);  // before anything is removed
     fs::remove_all(own);
     fs::create_directories(own);
-    files::write_whole(own / "scene.json", scene_as_json(solver.flow, spacing));
-    files::write_whole(own / "particles.csv", particles_as_csv(solver.flow, spacing));
-    files::write_whole(own / "run.sh", fmt::format("#!/bin/sh\ncd {0}\n: > {1}\nbegan=$(date +%s.%N)\n"
-                                                   "trap 'echo \"$began $(date +%s.%N)\" > {1}' EXIT\n{2}\n",
-                                                   quoted(own.string()), began_and_ended, line));
-    fs::permissions(own / "run.sh", fs::perms::owner_exec, fs::perm_options::add);
+    files::write_whole(own / scene_file, scene_as_json(solver.flow, spacing));
+    files::write_whole(own / particles_file, particles_as_csv(solver.flow, spacing));
+    files::write_whole(own / run_script, fmt::format("#!/bin/sh\ncd {0}\n: > {1}\nbegan=$(date +%s.%N)\n"
+                                                     "trap 'echo \"$began $(date +%s.%N)\" > {1}' EXIT\n{2}\n",
+                                                     quoted(own.string()), began_and_ended, line));
+    fs::permissions(own / run_script, fs::perms::owner_exec, fs::perm_options::add);
   }
 }
 
@@ -226,9 +236,9 @@ Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) 
   prepare(solver, folder);
   Given given;
   for (const double spacing : solver.spacings) {
-    const fs::path own = fs::absolute(folder) / name_of(solver, spacing), log = own / "output.txt";
+    const fs::path own = fs::absolute(folder) / name_of(solver, spacing), log = own / log_file;
     const programs::Ran ran = programs::run_limited(solver.case_and_method() + " " + name_of(solver, spacing),
-                                                    {"sh", (own / "run.sh").string()}, own, log, solver.limits);
+                                                    {"sh", (own / run_script).string()}, own, log, solver.limits);
     if (ran.well()) {
       read_level(solver, spacing, own, given);
     } else {

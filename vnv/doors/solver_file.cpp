@@ -205,6 +205,7 @@ Solver read_solver(const fs::path& file) {
   keys.require("output");
   solver.output = keys.texts("output");
   solver.mapping = mapping_of(keys.table("read"));
+  require_known_names(solver.mapping, fmt::format("{}: read", file.string()));
   const Keys limits = keys.table("limits"), claims = keys.table("claims");
   solver.limits.wall = limits.positive("time", solver.limits.wall);
   solver.limits.memory = limits.positive("memory", solver.limits.memory);

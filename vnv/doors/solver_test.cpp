@@ -120,6 +120,18 @@ TEST_F(OtherSolvers, FillPlaceholdersAlsoForAShellAndFromAPathWithBlanks) {
   EXPECT_EQ(files::read_whole(runs / "20_across" / "said"), fmt::format("1 20 {} 0.1\n", std::getenv("HOME")));
 }
 
+TEST_F(OtherSolvers, HaveAsOutputNothingThatWasGivenToThemOrSaidUnlessItIsNamed) {
+  const auto outcome = [&](const std::string& command, const std::string& output) {
+    std::string text(frozen);
+    text.replace(text.find("output = \"end.csv\""), 18, "output = \"" + output + "\"");
+    return run(solver(text, R"(["cp", "{particles}", "end.csv"])", command)).runs.front().outcome;
+  };
+  EXPECT_EQ(outcome(R"("echo done; cp {particles} end.txt")", "*.txt"), "finished") << "output.txt is what it said";
+  EXPECT_EQ(outcome(R"("cp {particles} end.csv")", "*.csv"), "finished");
+  EXPECT_EQ(outcome(R"("true")", "*.csv"), "did not answer: wrote no file *.csv");
+  EXPECT_EQ(outcome(R"("cat {particles}")", "output.txt"), "finished");
+}
+
 TEST_F(OtherSolvers, ArePreparedForOthersToRunAndCollected) {
   const Solver one = solver(std::string(frozen));
   prepare(one, folder / "runs");
@@ -206,6 +218,10 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
             "mine.toml:4: times = 'soon', expected an array of numbers");
   EXPECT_EQ(refusal("across", "levels"), "mine.toml: no key 'across', which is needed");
   EXPECT_EQ(refusal("time = 0.1", "tine = 0.1").substr(0, 47), "mine.toml:9: unknown key 'tine' of read, expect");
+  for (const auto& [key, said] : {std::pair("fields = { velocty = \"U\" }", "field 'velocty' = 'U'"),
+                                  std::pair("units = { lenght = \"mm\" }", "unit of 'lenght' = 'mm'")})
+    EXPECT_EQ(refusal("time = 0.1", key).find(fmt::format("mine.toml: read: {}, expected one of: density, ", said)), 0)
+        << refusal("time = 0.1", key);
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "

@@ -52,6 +52,13 @@ bool write_and_rename(const fs::path& part, const fs::path& file, std::string_vi
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+  std::error_code cause;
+  fs::create_directories(folder, cause);
+  if (!cause && !fs::is_directory(folder)) cause = std::make_error_code(std::errc::not_a_directory);
+  if (cause) throw std::runtime_error(fmt::format("{}: no folder can be made: {}", folder.string(), cause.message()));
+}
+
 std::string read_whole(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

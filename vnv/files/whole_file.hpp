@@ -12,6 +12,9 @@ namespace touchstone::files {
 /// removed. Throws std::runtime_error naming the file and the cause.
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
+/// Makes a folder and those above it where they are not there. Throws std::runtime_error naming it and the cause.
+void make_folder(const std::filesystem::path& folder);
+
 /// All bytes of a file; none where it cannot be read.
 std::string read_whole(const std::filesystem::path& file);
 

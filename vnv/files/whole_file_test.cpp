@@ -35,6 +35,21 @@ TEST_F(AWholeFile, TakesThePlaceOfTheFormerOneAndLeavesNothingBesideIt) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(AWholeFile, HasAFolderMadeForItWithThoseAbove) {
+  make_folder(folder_ / "a" / "b");
+  make_folder(folder_ / "a" / "b");
+  EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
+  write_whole(file_, "no folder");
+  for (const fs::path& folder : {file_, file_ / "below"}) {
+    try {
+      make_folder(folder);
+      ADD_FAILURE() << folder << " was made";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(error.what(), folder.string() + ": no folder can be made: Not a directory");
+    }
+  }
+}
+
 TEST_F(AWholeFile, LeavesTheFormerOneWhereTheDiskIsFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   write_whole(file_, "first\n");

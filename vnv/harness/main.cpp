@@ -232,8 +232,7 @@ int run(int count, char** arguments) {
     write_ctest_file(the_case(), arguments[0], options.ctest_file, options.records);
     return EXIT_SUCCESS;
   }
-  if (!options.records.empty() && !std::filesystem::is_directory(options.records))
-    throw std::invalid_argument(fmt::format("--records {}: expected a folder that exists", options.records.string()));
+  if (!options.records.empty()) files::make_folder(options.records);
   const Case declared = the_case();
   if (options.list) {
     for (const Method& method : declared.methods) {

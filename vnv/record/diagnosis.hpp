@@ -28,6 +28,9 @@ struct Explanation {
   bool operator==(const Explanation&) const = default;
 };
 
+/// "5.38 ± 0.13": a value of four digits at most, to those of its interval, which reaches to the last of them at least.
+std::string in_digits_of_interval(double value, double half_width);
+
 /// Of one field of one run, at all its times.
 struct Diagnosis {
   std::string level{};

@@ -34,8 +34,9 @@ struct Cost {
   Resource resource = Resource::cpu;
   double occupied = 0;  // s  wall time times how many of the resource
 
-  double spent() const { return resource == Resource::cpu ? cpu : occupied; }               // s  of the resource
-  double per_step() const { return cpu / static_cast<double>(steps); }                      // s
+  double spent() const { return resource == Resource::cpu ? cpu : occupied; }  // s  of the resource
+  /// s  Not a number of another code, whose steps nobody counts.
+  double per_step() const { return steps > 0 ? cpu / static_cast<double>(steps) : not_a_number; }
   double per_particle_step() const { return per_step() / static_cast<double>(particles); }  // s
   double particle_steps_per_second() const { return 1 / per_particle_step(); }              // 1/s
   /// Not a number for a run that timed itself.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace touchstone::vnv {
 namespace {
 
@@ -41,6 +43,9 @@ TEST(CostMeter, CountsTheTimeOfThisProcessAndNotThatOfAPause) {
 TEST(Cost, IsSpreadOverParticlesAndSteps) {
   EXPECT_DOUBLE_EQ(run_of(2).per_particle_step(), 0.05);
   EXPECT_DOUBLE_EQ(run_of(2).particle_steps_per_second(), 20);
+  Cost without_steps = run_of(2);
+  without_steps.steps = 0;
+  EXPECT_TRUE(std::isnan(without_steps.per_particle_step())) << "of another code, which counts none";
 }
 
 }  // namespace

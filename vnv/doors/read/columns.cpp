@@ -54,6 +54,13 @@ void require_equal_rows(const std::vector<Array>& arrays, const std::string& sou
 }
 
 void keep_rows(Array& array, const std::vector<bool>& kept) {
+  if (array.grid) {
+    std::vector<std::size_t>& rows = array.grid->kept.emplace();
+    rows.reserve(static_cast<std::size_t>(std::ranges::count(kept, true)));
+    for (std::size_t row = 0; row < kept.size(); ++row)
+      if (kept[row]) rows.push_back(row);
+    return;
+  }
   const auto width = static_cast<std::size_t>(array.components);
   std::size_t to = 0;
   for (std::size_t row = 0; row < kept.size(); ++row)

@@ -30,7 +30,7 @@ void consume_rows(Array& array, Call&& call) {
   for (std::size_t at = 0; at < array.values.size(); at += at_once) {
     const std::span<double> some(array.values.data() + at, std::min(at_once, array.values.size() - at));
     call(at / width, std::span<const double>(some));
-    forget(some.data(), some.size());
+    forget(some.data(), some.size_bytes());
   }
   array.values = {};
 }

@@ -137,12 +137,23 @@ class Table {
 }  // namespace
 
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+  return read_delimited(file, bytes, limits, [](std::string_view) {});
+}
+
+std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits,
+                                    const std::function<void(std::string_view)>& done) {
+  constexpr std::size_t piece = 1 << 22;
   if (bytes.find('\0') != bytes.npos) refuse(file.string(), fmt::format("not text, expected text, {}", known_formats));
   Table table(file, bytes, limits);
+  const char* kept = bytes.data();
   for (long at = 1; !bytes.empty(); ++at) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     table.add(bytes.substr(0, end), at);
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    if (const auto read = static_cast<std::size_t>(bytes.data() - kept); read >= piece) {
+      done({kept, read});
+      kept = bytes.data();
+    }
   }
   return std::move(table).datasets();
 }

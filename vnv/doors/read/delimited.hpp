@@ -4,6 +4,7 @@
 #include "vnv/doors/read/dataset.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -13,5 +14,9 @@ namespace touchstone::vnv::doors {
 /// 1" and so on. Empty lines and other lines that begin with `#` or `%` are passed over. A column named "time" or "t"
 /// parts the rows into datasets of one time each; they stand in the order of their times. Throws Unreadable.
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits);
+
+/// The same of a text that is given up piece by piece: `done` is called with each piece that is not read again.
+std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits,
+                                    const std::function<void(std::string_view)>& done);
 
 }  // namespace touchstone::vnv::doors

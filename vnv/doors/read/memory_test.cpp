@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <malloc.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <bit>
@@ -12,6 +9,7 @@
 #include <map>
 
 #include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/most_held.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {
@@ -29,29 +27,6 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
   fs::path operator/(const std::string& name) const { return path / name; }
 };
-
-/// Bytes that a process of its own holds at the most, after this one's.
-std::size_t most_held(const std::function<void()>& work) {
-  const auto held_by = [](const std::function<void()>& of_child) {
-    const pid_t child = fork();
-    if (child == 0) {
-      try {
-        of_child();
-      } catch (...) {
-        _exit(1);
-      }
-      _exit(0);
-    }
-    int status = 0;
-    rusage used{};
-    EXPECT_EQ(wait4(child, &status, 0, &used), child);
-    EXPECT_EQ(status, 0) << "it cannot be read";
-    return 1024 * static_cast<std::size_t>(used.ru_maxrss);
-  };
-  malloc_trim(0);  // a child would use again what is free here
-  const std::size_t before = held_by([] {});
-  return held_by(work) - before;
-}
 
 /// Ten times the file and 4 MiB, which every reader may hold, the file itself included.
 std::size_t most_for(std::size_t bytes) { return 10 * bytes + (std::size_t{1} << 22); }
@@ -92,6 +67,13 @@ std::string legacy() {
                      std::string(rows, '\7'));
 }
 
+/// A pressure on a grid of so many points, of a heading that says where they are.
+std::string structured(std::string heading, std::size_t points, const std::string& more = "") {
+  heading = "# vtk DataFile Version 3.0\na\nBINARY\nDATASET " + heading;
+  return heading + fmt::format("POINT_DATA {}\nSCALARS p unsigned_char\nLOOKUP_TABLE default\n{}\n{}", points,
+                               std::string(points, '\7'), more);
+}
+
 std::string text_of(std::string heading, const std::string& row) {
   for (std::size_t k = 0; k < count / row.size(); ++k) heading += row;
   return heading;
@@ -111,6 +93,21 @@ TEST(FileOfOneByteNumbers, IsReadWithinTenTimesItsSize) {
       {"one_piece.vtp", [] { return vtp(1, count); }},
       {"pieces.vtp", [] { return vtp(5, count); }},
       {"legacy.vtk", legacy},
+      {"image.vtk", [] { return structured(fmt::format("STRUCTURED_POINTS\nDIMENSIONS {} 2 1\n", count / 2), count); }},
+      {"lines.vtk",
+       [] {
+         const std::string axis = "_COORDINATES 1 unsigned_char\n\7\n";
+         return structured(fmt::format("RECTILINEAR_GRID\nDIMENSIONS {0} 1 1\nX_COORDINATES {0} unsigned_char\n{1}\n",
+                                       count / 2, std::string(count / 2, '\7')) +
+                               "Y" + axis + "Z" + axis,
+                           count / 2);
+       }},
+      {"ghosts.vtk",
+       [] {
+         return structured(fmt::format("STRUCTURED_POINTS\nDIMENSIONS {} 2 1\n", count / 4), count / 2,
+                           fmt::format("SCALARS vtkGhostType unsigned_char\nLOOKUP_TABLE default\n\1{}\n",
+                                       std::string(count / 2 - 1, '\0')));
+       }},
       {"table.csv", [] { return text_of("x,y\n", "1,2\n"); }},
       {"dump.lammpstrj",
        [] { return text_of(fmt::format("ITEM: NUMBER OF ATOMS\n{}\nITEM: ATOMS x y\n", count / 4), "1 2\n"); }}};

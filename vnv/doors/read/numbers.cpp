@@ -33,9 +33,9 @@ void expect_to_fill(const void* begin, std::size_t bytes) {
   if (bytes >= least) advise(begin, bytes, MADV_HUGEPAGE);
 }
 
-void forget(double* begin, std::size_t count) {
-  advise(begin, count * sizeof(double), MADV_NOHUGEPAGE);  // into which the system would gather them again
-  advise(begin, count * sizeof(double), MADV_DONTNEED);
+void forget(const void* begin, std::size_t bytes) {
+  advise(begin, bytes, MADV_NOHUGEPAGE);  // into which the system would gather them again
+  advise(begin, bytes, MADV_DONTNEED);
 }
 
 std::size_t Budget::take(std::size_t rows, std::size_t components, const std::string& where) {

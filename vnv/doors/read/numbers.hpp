@@ -65,8 +65,8 @@ std::size_t whole_number(std::string_view text, const std::string& where);
 /// Memory that is about to be filled comes in large pages, since each page costs when it is first touched.
 void expect_to_fill(const void* begin, std::size_t bytes);
 
-/// Gives the memory of numbers that are not read again back to the system; they are undefined from then on.
-void forget(double* begin, std::size_t count);
+/// Gives memory that is not read again back to the system; what stood there is undefined from then on.
+void forget(const void* begin, std::size_t bytes);
 
 /// Space for so many more numbers.
 template <class Number>

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <span>
 #include <utility>
@@ -213,6 +214,23 @@ Dataset dataset_of(std::vector<Array> arrays, const std::string& source, std::ve
   return {.source = source, .arrays = std::move(arrays)};
 }
 
+/// The depth of a mesh along each axis at whose two ends all its points stand, so that it is one layer; else 0.
+std::array<double, 3> layer_of(const std::vector<double>& points) {
+  std::array<double, 3> layer{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = INFINITY, high = -INFINITY, off = 0;
+    for (std::size_t i = axis; i < points.size(); i += 3) {
+      low = std::min(low, points[i]);
+      high = std::max(high, points[i]);
+    }
+    for (std::size_t i = axis; i < points.size(); i += 3)
+      off = std::max(off, std::min(points[i] - low, high - points[i]));
+    constexpr double rounding = 1e-4;  // of places in single precision, of the depth
+    if (off <= rounding * (high - low)) layer[axis] = high - low;
+  }
+  return layer;
+}
+
 std::vector<Array> joined(std::vector<Array> first, std::vector<Array> second) {
   std::move(second.begin(), second.end(), std::back_inserter(first));
   return first;
@@ -263,6 +281,7 @@ void Grid::add_cells(const Cells& cells, std::size_t first_point, const std::str
 
 std::vector<Dataset> datasets_of(Grid grid, const std::string& source, const std::string& format) {
   const int most = grid.dimensions.empty() ? 0 : *std::max_element(grid.dimensions.begin(), grid.dimensions.end());
+  const std::array<double, 3> layer = most == 3 ? layer_of(grid.points.values) : std::array<double, 3>{};
   std::vector<Dataset> datasets;
   const bool points_are_cells = most == 0 && grid.centres.values == grid.points.values;
   if (points_are_cells) grid.of_points = joined(std::move(grid.of_points), std::exchange(grid.of_cells, {}));
@@ -274,6 +293,8 @@ std::vector<Dataset> datasets_of(Grid grid, const std::string& source, const std
     datasets.push_back(dataset_of(
         before(before(std::move(grid.of_cells), std::move(grid.volumes)), std::move(grid.centres)), source, kept));
     datasets.back().rows_are = Rows::cells;
+    datasets.back().cell_dimensions = most;
+    datasets.back().layer = layer;
   } else if (most == 0 && !grid.of_cells.empty()) {
     grid.centres.name = points_array;
     datasets.push_back(dataset_of(before(std::move(grid.of_cells), std::move(grid.centres)), source, {}));

@@ -298,15 +298,10 @@ class Legacy {
       if (axes_[axis].size() != dimensions_[axis])
         refuse(file_ + ": " + "XYZ"[axis] + "_COORDINATES",
                fmt::format("'{}', expected {}, as DIMENSIONS say", axes_[axis].size(), dimensions_[axis]));
-    const auto place = [&](std::size_t axis, std::size_t i) {
-      return is_image ? origin_[axis] + static_cast<double>(i) * spacing_[axis] : axes_[axis][i];
-    };
-    grid_.points.values.clear();
-    grid_.points.values.reserve(budget_.take(rows, 3, file_ + ": DIMENSIONS"));
-    for (std::size_t k = 0; k < nz; ++k)
-      for (std::size_t j = 0; j < ny; ++j)
-        for (std::size_t i = 0; i < nx; ++i)
-          grid_.points.values.insert(grid_.points.values.end(), {place(0, i), place(1, j), place(2, k)});
+    GridPlaces& grid = grid_.points.grid.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      grid.axes[axis] = {dimensions_[axis], origin_[axis], spacing_[axis],
+                         is_rectilinear ? std::move(axes_[axis]) : std::vector<double>()};
   }
 
   std::string file_;

@@ -49,11 +49,27 @@ TEST(LegacyVtk, PlacesThePointsOfStructuredGrids) {
   for (const char* name : {"image", "lines", "grid"}) {
     const std::vector<Dataset> read = read_sample(fmt::format("structured_{}.vtk", name));
     ASSERT_EQ(read.size(), 1u) << name;
-    EXPECT_EQ(read[0].array(points_array)->values,
-              (std::vector<double>{1, 2, 3, 1.5, 2, 3, 2, 2, 3, 1, 2.25, 3, 1.5, 2.25, 3, 2, 2.25, 3}))
-        << name;
+    const Array& points = *read[0].array(points_array);
+    std::vector<double> places;
+    for (std::size_t row = 0; row < points.rows(); ++row)
+      for (std::size_t k = 0; k < 3; ++k) places.push_back(points.at(row, k));
+    EXPECT_EQ(places, (std::vector<double>{1, 2, 3, 1.5, 2, 3, 2, 2, 3, 1, 2.25, 3, 1.5, 2.25, 3, 2, 2.25, 3})) << name;
     EXPECT_NEAR(read[0].array("p")->values[5], 5 / 3., 1e-10) << name;
   }
+}
+
+TEST(LegacyVtk, LeavesOutPlacesOfAGridThatAreGhosts) {
+  const std::vector<Dataset> read = read_vtk_legacy(
+      "run/a.vtk",
+      "# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\nPOINT_DATA 4\nFIELD f 2\n"
+      "p 1 4 int\n1 2 3 4\nvtkGhostType 1 4 unsigned_char\n0 1 0 0\n",
+      {});
+  const Array& points = *read.at(0).array(points_array);
+  ASSERT_EQ(points.rows(), 3u);
+  EXPECT_EQ(read[0].array("p")->values, (std::vector<double>{1, 3, 4}));
+  EXPECT_EQ(points.at(1, 0), 0);
+  EXPECT_EQ(points.at(1, 1), 1);
+  EXPECT_EQ(points.at(2, 0), 1);
 }
 
 TEST(LegacyVtk, ReadsWhatFoamToVtkWrites) {
@@ -63,6 +79,9 @@ TEST(LegacyVtk, ReadsWhatFoamToVtkWrites) {
   ASSERT_EQ(binary.size(), 2u);
   EXPECT_EQ(binary[1].time, 0.01);
   EXPECT_EQ(binary[1].index, 2);
+  EXPECT_NEAR(binary[1].layer[2], 0.01, 1e-9) << "all points stand at its bottom or its top";
+  EXPECT_EQ(binary[1].layer[0] + binary[1].layer[1], 0);
+  EXPECT_EQ(binary[1].cell_dimensions, 3);
   EXPECT_EQ(differences(binary[0], xml[0]) + differences(binary[1], xml[1]), "");
   for (std::size_t i = 0; i < 48; ++i)
     EXPECT_NEAR(text[1].array("U")->values[i], binary[1].array("U")->values[i], 1e-6);
