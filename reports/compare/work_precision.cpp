@@ -135,7 +135,7 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
 WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Points& points) {
   const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
   if (diagram.caption.empty())
-    diagram.caption = fmt::format("{} at t = {:g} s against {} time until then; lower left is better.",
+    diagram.caption = fmt::format("{}, at t = {:g} s, against {} time until then; lower left is better.",
                                   diagram.quantity.name, time, name);
   if (resource != Resource::cpu) {
     diagram.id += "_" + name;

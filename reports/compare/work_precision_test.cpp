@@ -96,7 +96,7 @@ TEST(WorkPrecision, JoinsWhoeverMeasuredTheQuantityAtTheSameTime) {
   EXPECT_EQ(find_curve(records, "mpm")->y, (std::vector<double>{1.6, 0.4, 0.1}));
   EXPECT_EQ(find_curve(records, "another code")->y, (std::vector<double>{1.6, 0.4, 0.1}));
   const std::string caption = each_once(records, &vnv::Record::figures).back().caption;
-  EXPECT_TRUE(caption.starts_with("L2 v_x at t = 1 s against CPU time until then;")) << caption;
+  EXPECT_TRUE(caption.starts_with("L2 v_x, at t = 1 s, against CPU time until then;")) << caption;
 }
 
 TEST(WorkPrecision, TakesNoOtherQuantityForThisOneByItsName) {
