@@ -64,7 +64,9 @@ std::string with_signs(std::string text) {
   return text;
 }
 
-std::string row_of(const std::vector<std::string>& cells) { return fmt::format("{} \\\\\n", fmt::join(cells, " & ")); }
+std::string row_of(const std::vector<std::string>& cells, std::string_view space = "") {
+  return fmt::format("{} \\\\{}\n", fmt::join(cells, " & "), space);
+}
 
 }  // namespace
 
@@ -81,7 +83,7 @@ std::string latex(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "$\\infty$" : "$-\\infty$";
   if (e == std::string::npos) return fmt::format("${}$", number);
-  return fmt::format("${}\\times10^{{{}}}$", number.substr(0, e), std::stoi(number.substr(e + 1)));
+  return fmt::format("${{{}\\times10^{{{}}}}}$", number.substr(0, e), std::stoi(number.substr(e + 1)));
 }
 
 std::string to_latex(const LatexTable& table) {
@@ -97,7 +99,7 @@ std::string to_latex(const LatexTable& table) {
     body += body.empty() ? "" : "\\addlinespace\n";
     if (!group.title.empty())
       body += fmt::format("\\multicolumn{{{}}}{{@{{}}l}}{{\\textit{{{}}}}} \\\\*\n", table.columns.size(), group.title);
-    for (const auto& cells : group.rows) body += row_of(cells);
+    for (const auto& cells : group.rows) body += row_of(cells, "[1.5pt]");
   }
   return fmt::format(
       "% \\usepackage{{array,booktabs,longtable}}\n\\begingroup\\scriptsize\\setlength{{\\tabcolsep}}{{2pt}}\n"

@@ -10,7 +10,7 @@ namespace touchstone::reports {
 /// A text in which no letter is a command of LaTeX, with symbols and powers as in print.
 std::string latex(std::string_view text);
 
-/// A number with four significant digits, "$1.2\times10^{-7}$"; words for what is not finite.
+/// A number with four significant digits, "${1.2\times10^{-7}}$", which no line parts; words for what is not finite.
 std::string latex(double value);
 
 /// A table over as many pages as it takes, as wide as the lines of the text. Columns by their headings, each a fraction

@@ -45,16 +45,16 @@ std::string limit_of(const vnv::Verdict& v) {
 }
 
 std::string tex_of_verdicts(const CaseRecords& records, const std::vector<Reference>& references) {
-  LatexTable table{{{"level and time", 0.165},
-                    {"quantity", 0.2},
-                    {"value", 0.15},
-                    {"limit", 0.15},
-                    {"set by", 0.2},
+  LatexTable table{{{"level and time", 0.155},
+                    {"quantity", 0.17},
+                    {"value", 0.185},
+                    {"limit", 0.19},
+                    {"set by", 0.165},
                     {"outcome", 0.135}}};
   for (const vnv::Record& record : records.records) {
     table.groups.push_back({latex(record.method)});
     for (const vnv::Verdict& v : record.verdicts) {
-      const std::string unit = v.unit.empty() ? "" : "\\," + latex(v.unit);
+      const std::string unit = v.unit.empty() ? "" : " " + latex(v.unit);
       const std::string at = std::isnan(v.time) ? "" : latex(v.time) + "\\,s";
       std::vector<std::string> keys;
       for (const Reference& one : named_in(v.author, references)) keys.push_back(one.key);

@@ -32,7 +32,7 @@ TEST(Latex, SetsSymbolsPowersAndSignsAsInPrint) {
 
 TEST(Latex, WritesNumbersWithPowersAndWhatIsNotFinite) {
   EXPECT_EQ(latex(0.0159), "$0.0159$");
-  EXPECT_EQ(latex(-1.5e-7), "$-1.5\\times10^{-7}$");
+  EXPECT_EQ(latex(-1.5e-7), "${-1.5\\times10^{-7}}$");
   EXPECT_EQ(latex(vnv::not_a_number), "nan");
   EXPECT_EQ(latex(-std::numeric_limits<double>::infinity()), "$-\\infty$");
 }
@@ -112,10 +112,10 @@ TEST_F(Export, HasTablesDataVersionsAndCitations) {
   EXPECT_EQ(all.missing, std::vector<std::string>{});
   for (const fs::path& file : all.files) EXPECT_GT(fs::file_size(file), 0u) << file;
   EXPECT_TRUE(contains(text("verdicts.tex"),
-                       "\\textit{mpm\\_a\\&b}} \\\\*\nM2 & L2 $v_{\\mathrm{x}}$ & $1.5$\\,\\% & $\\le$ $1.59$ \\% & "
-                       "literature: Sun et al., table 3~\\cite{sun_comparative} & holds \\\\\n\\end{longtable}"))
+                       "\\textit{mpm\\_a\\&b}} \\\\*\nM2 & L2 $v_{\\mathrm{x}}$ & $1.5$ \\% & $\\le$ $1.59$ \\% & "
+                       "literature: Sun et al., table 3~\\cite{sun_comparative} & holds \\\\[1.5pt]\n\\end{longtable}"))
       << text("verdicts.tex");
-  EXPECT_TRUE(contains(text("versions.tex"), "methods & mpm\\_a\\&b \\\\\nrevision & abc\\_1 \\\\\n"))
+  EXPECT_TRUE(contains(text("versions.tex"), "methods & mpm\\_a\\&b \\\\[1.5pt]\nrevision & abc\\_1 \\\\[1.5pt]\n"))
       << text("versions.tex");
   EXPECT_TRUE(contains(text("versions.csv"), "\nmpm_a&b,abc_1,")) << text("versions.csv");
   EXPECT_TRUE(contains(text("values.csv"), "\npoiseuille,mpm_a&b,M2,0.00125,0.5,L2 v_x [%],3.75\n"));
