@@ -111,14 +111,14 @@ struct Reach {
   }
 };
 
-/// Targets where none are declared: powers of ten, or 1, 2 and 5 times these where they are few, that two methods reach
+/// Targets where none are declared: powers of ten, or more between these where they are few, that two methods reach
 /// and some cheapest run does not; ranked by the smallest that half of the methods reach.
 void choose_targets(WorkDiagram& diagram, const Points& points) {
   const Reach reach(points);
   if (!diagram.targets.empty() || reach.least.empty()) return;
   const double smallest = reach.least[reach.least.size() > 1 ? 1 : 0],
                of_half = reach.least[(reach.least.size() - 1) / 2];
-  for (const auto& steps : {std::vector{1.0}, std::vector{5.0, 2.0, 1.0}}) {
+  for (const auto& steps : {std::vector{1.0}, std::vector{3.0, 1.0}, std::vector{5.0, 2.0, 1.0}}) {
     diagram.targets.clear();
     for (double power = std::pow(10, std::ceil(std::log10(reach.largest))); 5 * power >= smallest; power /= 10)
       for (const double step : steps)

@@ -123,8 +123,8 @@ TEST(WorkPrecision, AsksForErrorsThatTwoMethodsReachAndRanksByWhatHalfOfThemDo) 
   for (auto& value : records.records[1].values) value.value /= 100;
   add_work_precision(records);
   const vnv::Table& costs = find_table(records, "work_prices");
-  EXPECT_EQ(costs.columns, (std::vector<std::string>{"rank", "method", "CPU to 1 % [s]", "CPU to 0.5 % [s]",
-                                                     "CPU to 0.2 % [s]", "CPU to 0.1 % [s]", "smallest error"}));
+  EXPECT_EQ(costs.columns, (std::vector<std::string>{"rank", "method", "CPU to 1 % [s]", "CPU to 0.3 % [s]",
+                                                     "CPU to 0.1 % [s]", "smallest error"}));
   EXPECT_TRUE(costs.caption.ends_with("Ranked by the time to 0.1 %.")) << costs.caption;
 }
 
