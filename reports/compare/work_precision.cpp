@@ -160,32 +160,41 @@ Points beaten(const Points& points) {
   Points left;
   for (const std::string& series : vnv::ranking(points, 1)) {
     const Points own = vnv::of_series(points, series), front = vnv::pareto_front(own, vnv::worthwhile);
-    std::ranges::copy_if(own, std::back_inserter(left),
-                         [&](const WorkPoint& p) { return p.error > 0 && std::ranges::find(front, p) == front.end(); });
+    std::ranges::copy_if(own, std::back_inserter(left), [&](const WorkPoint& p) {
+      const auto is_it = [&](const WorkPoint& f) { return f.cpu == p.cpu && f.error == p.error; };
+      return p.error > 0 && std::ranges::none_of(front, is_it);
+    });
   }
   return left;
 }
 
-/// How many machines the methods of a diagram were run on.
-std::size_t machines_of(const CaseRecords& records, const Points& points) {
+/// What a reader must know of where and how the times of a diagram were measured.
+std::string about_times(const CaseRecords& records, const Points& points) {
   std::set<std::string> machines;
-  for (const vnv::Record& record : records.records)
-    if (!vnv::of_series(points, record.method).empty()) machines.insert(record.machine);
-  return machines.size();
+  bool has_other_codes = false;
+  for (const vnv::Record& record : records.records) {
+    if (vnv::of_series(points, record.method).empty()) continue;
+    machines.insert(record.machine);
+    has_other_codes |= record.another_code;
+  }
+  std::string words;
+  if (has_other_codes)
+    words += " Of a code from elsewhere all that its program takes counts, its start and its output too.";
+  if (std::ranges::any_of(points, &WorkPoint::elsewhere)) words += " Dashed: measured elsewhere, on other machines.";
+  if (machines.size() > 1) words += fmt::format(" Runs were made on {} machines, whose times differ.", machines.size());
+  return words;
 }
 
-vnv::Figure figure(const WorkDiagram& diagram, Resource resource, const Points& points, std::size_t machines) {
-  std::string caption =
-      diagram.caption +
-      " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
-      "error. Rings mark the same among all methods here, the Pareto front.";
-  if (std::ranges::any_of(points, &WorkPoint::elsewhere)) caption += " Dashed: measured elsewhere, on other machines.";
-  if (machines > 1) caption += fmt::format(" These runs were made on {} machines, whose times differ.", machines);
-  return {.id = diagram.id,
-          .title = diagram.title,
-          .caption = caption,
-          .x = {.label = heading_of(resource), .logarithmic = true},
-          .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
+vnv::Figure figure(const CaseRecords& records, const WorkDiagram& diagram, Resource resource, const Points& points) {
+  return {
+      .id = diagram.id,
+      .title = diagram.title,
+      .caption = diagram.caption +
+                 " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
+                 "error. Rings mark the same among all methods here, the Pareto front." +
+                 about_times(records, points),
+      .x = {.label = heading_of(resource), .logarithmic = true},
+      .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
 }
 
 /// Each method's own front goes into its own record, and with it gets the colour that it has in other figures.
@@ -307,7 +316,7 @@ void add_work_precision(CaseRecords& records) {
       has_points = true;
       const WorkDiagram diagram = told(declared, time, resource, points);
       auto& first = records.records.front();
-      first.figures.push_back(figure(diagram, resource, points, machines_of(records, points)));
+      first.figures.push_back(figure(records, diagram, resource, points));
       add_curves(records, diagram, points);
       if (points.empty()) continue;
       first.tables.push_back(costs(diagram, resource, points));

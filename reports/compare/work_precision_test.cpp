@@ -95,6 +95,7 @@ TEST(WorkPrecision, JoinsWhoeverMeasuredTheQuantityAtTheSameTime) {
   add_work_precision(records);
   EXPECT_EQ(find_curve(records, "mpm")->y, (std::vector<double>{1.6, 0.4, 0.1}));
   EXPECT_EQ(find_curve(records, "another code")->y, (std::vector<double>{1.6, 0.4, 0.1}));
+  EXPECT_EQ(find_curve(records, "beaten by another run of its method"), nullptr) << "all are on their fronts";
   const std::string caption = each_once(records, &vnv::Record::figures).back().caption;
   EXPECT_TRUE(caption.starts_with("L2 v_x, at t = 1 s, against CPU time until then;")) << caption;
 }
@@ -146,11 +147,16 @@ TEST(WorkPrecision, SetsWhatOccupiesAnotherResourceInADiagramOfItsOwn) {
   EXPECT_TRUE(contains(own->caption, "against GPU time until then;")) << own->caption;
 }
 
-TEST(WorkPrecision, SaysThatMachinesDiffer) {
-  CaseRecords records = one_declares();
-  records.records[1].machine = "another";
+TEST(WorkPrecision, SaysWhatDoesNotCompareInItsTimes) {
+  CaseRecords records = one_declares(), others = records;
+  others.records[1].machine = "another";
+  others.records[1].another_code = true;
   add_work_precision(records);
-  EXPECT_TRUE(contains(each_once(records, &vnv::Record::figures).back().caption, "on 2 machines"));
+  add_work_precision(others);
+  for (const char* words : {"on 2 machines", "its start and its output"}) {
+    EXPECT_FALSE(contains(each_once(records, &vnv::Record::figures).back().caption, words));
+    EXPECT_TRUE(contains(each_once(others, &vnv::Record::figures).back().caption, words));
+  }
 }
 
 TEST(CostRatios, SetEqualParticleNumberBesideEqualError) {
