@@ -1,16 +1,22 @@
 #include "reports/compare/work_precision.hpp"
 
+#include "vnv/record/same_time.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
+#include <tuple>
 
 namespace touchstone::reports {
 namespace {
 
+using vnv::heading_of;
+using vnv::Resource;
 using vnv::Role;
+using vnv::same_time;
 using vnv::TimeToError;
 using vnv::WorkDiagram;
 using vnv::WorkPoint;
@@ -25,15 +31,119 @@ Points those(const Points& points, const Fits& fits) {
 
 bool is_measured_here(const WorkPoint& p) { return !p.elsewhere; }
 
-/// All points of a diagram; those that several records bring stand once.
-Points points_of(const CaseRecords& records, const WorkDiagram& diagram) {
+/// Every run of a record whose value of what is asked for was measured, for as long as it took of a resource until
+/// then; what it took is unknown of files that were judged.
+Points runs_of(const vnv::Record& record, Resource resource, const auto& is_asked) {
   Points points;
-  for_each(records, &vnv::Record::work, [&](const auto&, const WorkPoint& point) {
-    const bool is_known = std::ranges::any_of(
-        points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
-    if (point.diagram == diagram.id && !is_known) points.push_back(point);
-  });
+  for (const vnv::Value& error : record.values) {
+    const auto run = std::ranges::find(record.runs, error.level, &vnv::RunSummary::level);
+    if (run == record.runs.end() || !run->finished || !is_asked(error)) continue;
+    const vnv::Cost& cost = run->cost;
+    if (cost.resource != resource || std::isnan(cost.spent())) continue;
+    const double fraction = error.time / run->end_time;
+    const bool is_cpu = resource == Resource::cpu;
+    points.push_back({.series = record.method,
+                      .run = run->level,
+                      .particles = static_cast<double>(cost.particles),
+                      .error = error.value,
+                      .cpu = fraction * cost.spent(),
+                      .cpu_lowest = fraction * (is_cpu ? cost.cpu_lowest : cost.spent()),
+                      .cpu_highest = fraction * (is_cpu ? cost.cpu_highest : cost.spent())});
+  }
   return points;
+}
+
+bool brings_its_own(const vnv::Record& record, const WorkDiagram& diagram) {
+  return std::ranges::any_of(record.work,
+                             [&](const WorkPoint& p) { return p.diagram == diagram.id && is_measured_here(p); });
+}
+
+/// The time of a quantity at which most methods have three runs or more, then at which most have any; the latest of
+/// equal ones. Not a number if it was never measured.
+double telling_time(const CaseRecords& records, const vnv::Quantity& quantity) {
+  std::vector<double> times;
+  for_each(records, &vnv::Record::values, [&](const auto&, const vnv::Value& value) {
+    if (value.quantity == quantity && std::ranges::none_of(times, [&](double t) { return same_time(t, value.time); }))
+      times.push_back(value.time);
+  });
+  const auto merit = [&](double time) {
+    long ladders = 0, methods = 0;
+    for (const vnv::Record& record : records.records) {
+      const auto runs = std::ranges::count_if(record.values, [&](const vnv::Value& value) {
+        return value.quantity == quantity && same_time(value.time, time);
+      });
+      ladders += runs >= 3;
+      methods += runs > 0;
+    }
+    return std::tuple(ladders, methods, time);
+  };
+  return times.empty() ? vnv::not_a_number : *std::ranges::max_element(times, {}, merit);
+}
+
+/// All points of a diagram in one resource; those that several records bring stand once.
+Points points_of(const CaseRecords& records, const WorkDiagram& diagram, double time, Resource resource) {
+  const auto is_asked = [&](const vnv::Value& v) { return v.quantity == diagram.quantity && same_time(v.time, time); };
+  Points points;
+  for (const vnv::Record& record : records.records) {
+    for (const WorkPoint& point : record.work) {
+      const bool is_known = std::ranges::any_of(
+          points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
+      if (point.diagram == diagram.id && resource == Resource::cpu && !is_known) points.push_back(point);
+    }
+    if (!brings_its_own(record, diagram))
+      std::ranges::copy(runs_of(record, resource, is_asked), std::back_inserter(points));
+  }
+  return points;
+}
+
+/// The errors of each method's runs worth making: the smallest of each, rising, and the largest of all.
+struct Reach {
+  std::vector<double> least{};
+  double largest = 0;
+
+  explicit Reach(const Points& points) {
+    for (const std::string& method : vnv::ranking(points, 1))
+      if (const auto front = vnv::pareto_front(vnv::of_series(points, method), vnv::worthwhile); !front.empty()) {
+        least.push_back(front.back().error);
+        largest = std::max(largest, front.front().error);
+      }
+    std::ranges::sort(least);
+  }
+};
+
+/// Targets where none are declared: powers of ten, or more between these where they are few, that two methods reach
+/// and some cheapest run does not; ranked by the smallest that half of the methods reach.
+void choose_targets(WorkDiagram& diagram, const Points& points) {
+  const Reach reach(points);
+  if (!diagram.targets.empty() || reach.least.empty()) return;
+  const double smallest = reach.least[reach.least.size() > 1 ? 1 : 0],
+               of_half = reach.least[(reach.least.size() - 1) / 2];
+  for (const auto& steps : {std::vector{1.0}, std::vector{3.0, 1.0}, std::vector{5.0, 2.0, 1.0}}) {
+    diagram.targets.clear();
+    for (double power = std::pow(10, std::ceil(std::log10(reach.largest))); 5 * power >= smallest; power /= 10)
+      for (const double step : steps)
+        if (const double target = std::stod(fmt::format("{:.1g}", step * power));
+            target >= smallest && target <= reach.largest)
+          diagram.targets.push_back(target);
+    if (diagram.targets.size() >= 3) break;
+  }
+  for (const double target : diagram.targets)
+    if (target >= of_half) diagram.ranked_by = target;
+}
+
+/// The diagram of a resource, with all that its declaration leaves to the page.
+WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Points& points) {
+  const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
+  if (diagram.caption.empty())
+    diagram.caption = fmt::format("{}, at t = {:g} s, against {} time until then; lower left is better.",
+                                  diagram.quantity.name, time, name);
+  if (resource != Resource::cpu) {
+    diagram.id += "_" + name;
+    diagram.title += fmt::format(", {} time", name);
+    diagram.caption += " That is the wall time of a run times how many it occupied.";
+  }
+  choose_targets(diagram, points);
+  return diagram;
 }
 
 vnv::Curve curve(const WorkDiagram& diagram, std::string label, Role role, const Points& points) {
@@ -50,21 +160,40 @@ Points beaten(const Points& points) {
   Points left;
   for (const std::string& series : vnv::ranking(points, 1)) {
     const Points own = vnv::of_series(points, series), front = vnv::pareto_front(own, vnv::worthwhile);
-    std::ranges::copy_if(own, std::back_inserter(left),
-                         [&](const WorkPoint& p) { return p.error > 0 && std::ranges::find(front, p) == front.end(); });
+    std::ranges::copy_if(own, std::back_inserter(left), [&](const WorkPoint& p) {
+      const auto is_it = [&](const WorkPoint& f) { return f.cpu == p.cpu && f.error == p.error; };
+      return p.error > 0 && std::ranges::none_of(front, is_it);
+    });
   }
   return left;
 }
 
-vnv::Figure figure(const WorkDiagram& diagram) {
+/// What a reader must know of where and how the times of a diagram were measured.
+std::string about_times(const CaseRecords& records, const Points& points) {
+  std::set<std::string> machines;
+  bool has_other_codes = false;
+  for (const vnv::Record& record : records.records) {
+    if (vnv::of_series(points, record.method).empty()) continue;
+    machines.insert(record.machine);
+    has_other_codes |= record.another_code;
+  }
+  std::string words;
+  if (has_other_codes)
+    words += " Of a code from elsewhere all that its program takes counts, its start and its output too.";
+  if (std::ranges::any_of(points, &WorkPoint::elsewhere)) words += " Dashed: measured elsewhere, on other machines.";
+  if (machines.size() > 1) words += fmt::format(" Runs were made on {} machines, whose times differ.", machines.size());
+  return words;
+}
+
+vnv::Figure figure(const CaseRecords& records, const WorkDiagram& diagram, Resource resource, const Points& points) {
   return {
       .id = diagram.id,
       .title = diagram.title,
-      .caption =
-          diagram.caption +
-          " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
-          "error. Rings mark the same among all methods here, the Pareto front. Dashed: measured elsewhere, on other machines.",
-      .x = {.label = "CPU time [s]", .logarithmic = true},
+      .caption = diagram.caption +
+                 " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
+                 "error. Rings mark the same among all methods here, the Pareto front." +
+                 about_times(records, points),
+      .x = {.label = heading_of(resource), .logarithmic = true},
       .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
 }
 
@@ -79,6 +208,7 @@ void add_curves(CaseRecords& records, const WorkDiagram& diagram, const Points& 
     curves.push_back(curve(diagram, series, Role::published, vnv::pareto_front(vnv::of_series(others, series))));
   if (const auto left = beaten(ours); !left.empty())
     curves.push_back(curve(diagram, "beaten by another run of its method", Role::guide, left));
+  if (points.empty()) return;
   curves.push_back(
       curve(diagram, "Pareto front of all methods here", Role::best, vnv::pareto_front(ours, vnv::worthwhile)));
 }
@@ -94,17 +224,20 @@ std::string with_unit_of(const WorkDiagram& diagram, double target) {
   return fmt::format("{:g}{}", target, diagram.quantity.unit == "%" ? " %" : "");
 }
 
-vnv::Table costs(const WorkDiagram& diagram, const Points& points) {
-  vnv::Table table{diagram.id + "_prices",
-                   "CPU time to a given error",
-                   fmt::format("Interpolated on logarithmic axes along each method's own front; in brackets from the "
-                               "fastest repeat of the neighbouring run that is not good enough to the slowest of the "
-                               "one that is. ≤: the cheapest run is better already. Ranked by the time to {}.",
-                               with_unit_of(diagram, diagram.ranked_by)),
-                   {"rank", "method"},
-                   {}};
+vnv::Table costs(const WorkDiagram& diagram, Resource resource, const Points& points) {
+  const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
+  vnv::Table table{
+      diagram.id + "_prices",
+      name + " time to a given error",
+      fmt::format("Interpolated on logarithmic axes along each method's own front; in brackets from the "
+                  "fastest repeat of the neighbouring run that is not good enough to the slowest of the "
+                  "one that is. ≤: the cheapest run is better already. Ranked by {}.",
+                  std::isnan(diagram.ranked_by) ? "the smallest error"
+                                                : "the time to " + with_unit_of(diagram, diagram.ranked_by)),
+      {"rank", "method"},
+      {}};
   for (const double target : diagram.targets)
-    table.columns.push_back("CPU to " + with_unit_of(diagram, target) + " [s]");
+    table.columns.push_back(name + " to " + with_unit_of(diagram, target) + " [s]");
   table.columns.push_back("smallest error");
   double rank = 0;
   for (const std::string& series : vnv::ranking(points, diagram.ranked_by)) {
@@ -125,16 +258,16 @@ struct Comparison {
 /// The published pair, if it says how long a step took; then all SPH of ours with all MPM of ours, and each SPH alone.
 std::vector<Comparison> comparisons(const Points& points) {
   const auto is_mpm = [](const WorkPoint& p) { return p.family == "MPM"; };
+  const auto is_sph = [](const WorkPoint& p) { return p.family == "SPH"; };
   const Points published = those(points, [](const WorkPoint& p) { return p.elsewhere && p.per_step > 0; });
   const Points ours = those(points, is_measured_here);
   const Points mpm = those(ours, is_mpm);
   std::vector<Comparison> all;
-  if (!published.empty())
-    all.push_back({"Sun et al.", those(published, std::not_fn(is_mpm)), those(published, is_mpm)});
-  all.push_back({"cheapest SPH here", those(ours, std::not_fn(is_mpm)), mpm});
+  if (!published.empty()) all.push_back({"Sun et al.", those(published, is_sph), those(published, is_mpm)});
+  all.push_back({"cheapest SPH here", those(ours, is_sph), mpm});
   std::set<std::string> known;
   for (const WorkPoint& p : ours)
-    if (!is_mpm(p) && known.insert(p.series).second) all.push_back({p.series, vnv::of_series(ours, p.series), mpm});
+    if (is_sph(p) && known.insert(p.series).second) all.push_back({p.series, vnv::of_series(ours, p.series), mpm});
   std::erase_if(all, [](const Comparison& c) { return c.sph.empty() || c.mpm.empty(); });
   return all;
 }
@@ -171,34 +304,24 @@ std::string cost_ratio(const Comparison& pair, double target) {
   return fmt::format("{}{:.3g}", sign, sph.cpu / mpm.cpu);
 }
 
-/// Every run that was measured, for as long as it took until then.
-Points points_of(const vnv::Record& record, const Subject& subject) {
-  Points points;
-  for (const auto& error : record.values) {
-    const auto run = std::ranges::find(record.runs, error.level, &vnv::RunSummary::level);
-    if (!subject.is(error.quantity.heading(), error.time) || run == record.runs.end() || !run->finished) continue;
-    if (std::isnan(run->cost.cpu)) continue;  // unknown, or of another resource, which is compared with none
-    const double fraction = error.time / run->end_time;
-    points.push_back({.series = record.method,
-                      .run = run->level,
-                      .error = error.value,
-                      .cpu = fraction * run->cost.cpu,
-                      .cpu_lowest = fraction * run->cost.cpu_lowest,
-                      .cpu_highest = fraction * run->cost.cpu_highest});
-  }
-  return points;
-}
-
 }  // namespace
 
 void add_work_precision(CaseRecords& records) {
-  for (const WorkDiagram& diagram : each_once(records, &vnv::Record::diagrams)) {
-    const Points points = points_of(records, diagram);
-    auto& first = records.records.front();
-    first.figures.push_back(figure(diagram));
-    add_curves(records, diagram, points);
-    first.tables.push_back(costs(diagram, points));
-    if (auto ratios = cost_ratios(diagram, points); !ratios.rows.empty()) first.tables.push_back(std::move(ratios));
+  for (const WorkDiagram& declared : each_once(records, &vnv::Record::diagrams)) {
+    const double time = telling_time(records, declared.quantity);
+    bool has_points = false;
+    for (const Resource resource : {Resource::gpu, Resource::core, Resource::cpu}) {
+      const Points points = points_of(records, declared, time, resource);
+      if (points.empty() && (has_points || resource != Resource::cpu)) continue;
+      has_points = true;
+      const WorkDiagram diagram = told(declared, time, resource, points);
+      auto& first = records.records.front();
+      first.figures.push_back(figure(records, diagram, resource, points));
+      add_curves(records, diagram, points);
+      if (points.empty()) continue;
+      first.tables.push_back(costs(diagram, resource, points));
+      if (auto ratios = cost_ratios(diagram, points); !ratios.rows.empty()) first.tables.push_back(std::move(ratios));
+    }
   }
 }
 
@@ -228,16 +351,13 @@ std::optional<Cheapest> cheapest(const CaseRecords& records, const Subject& subj
   Points points;
   std::set<std::string> machines;
   for (const auto& record : records.records) {
-    const Points own = points_of(record, subject);
+    const Points own =
+        runs_of(record, Resource::cpu, [&](const vnv::Value& v) { return subject.is(v.quantity.heading(), v.time); });
     points.insert(points.end(), own.begin(), own.end());
     if (!own.empty()) machines.insert(record.machine);
   }
-  std::vector<double> least;  // error of each method
-  for (const std::string& method : vnv::ranking(points, 1))
-    if (const auto front = vnv::pareto_front(vnv::of_series(points, method), vnv::worthwhile); !front.empty())
-      least.push_back(front.back().error);
+  const std::vector<double> least = Reach(points).least;
   if (least.size() < 2 || machines.size() > 1) return std::nullopt;
-  std::ranges::nth_element(least, least.begin() + 1);
   const double error = least[1];
   const std::vector<std::string> methods = vnv::ranking(points, error);
   const auto cost = [&](const std::string& method) {

@@ -10,7 +10,8 @@ namespace touchstone::reports {
 
 /// Adds to the records of a case, for each work-precision diagram that they declare, a figure with every method's
 /// front, the runs that no method beats and what was measured elsewhere; a table of the CPU time to given errors; and
-/// one of `cost_ratios`, if that has rows.
+/// one of `cost_ratios`, if that has rows. A method takes part by having measured the quantity of the diagram at the
+/// same time, whoever declared it; those that occupy another resource than CPU time have a diagram of their own.
 void add_work_precision(CaseRecords& records);
 
 /// CPU time of SPH over that of the cheapest MPM, once at equal particle number, the way of Sun et al., and once at

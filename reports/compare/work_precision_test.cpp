@@ -77,6 +77,88 @@ TEST(WorkPrecision, RanksMethodsByTheTimeToAnError) {
   EXPECT_EQ(std::get<std::string>(costs.rows[2][1]), "paper MPM, measured elsewhere");
 }
 
+/// Two methods with errors of 1.6, 0.4 and 0.1 % at 1 s, in 1, 2 and 4 s and in as long; of them only the first
+/// declares the diagram.
+CaseRecords one_declares() {
+  CaseRecords records{"poiseuille", {sample_record("mpm"), sample_record("another code")}};
+  for (auto& record : records.records) {
+    record.values = errors_of(sample_order());
+    record.runs = {sample_run("M1", 1), sample_run("M2", 2), sample_run("M3", 4)};
+  }
+  records.records[0].diagrams = {
+      {.id = "work", .title = "Work", .caption = "", .quantity = records.records[0].values[0].quantity, .targets = {}}};
+  return records;
+}
+
+TEST(WorkPrecision, JoinsWhoeverMeasuredTheQuantityAtTheSameTime) {
+  CaseRecords records = one_declares();
+  add_work_precision(records);
+  EXPECT_EQ(find_curve(records, "mpm")->y, (std::vector<double>{1.6, 0.4, 0.1}));
+  EXPECT_EQ(find_curve(records, "another code")->y, (std::vector<double>{1.6, 0.4, 0.1}));
+  EXPECT_EQ(find_curve(records, "beaten by another run of its method"), nullptr) << "all are on their fronts";
+  const std::string caption = each_once(records, &vnv::Record::figures).back().caption;
+  EXPECT_TRUE(caption.starts_with("L2 v_x, at t = 1 s, against CPU time until then;")) << caption;
+}
+
+TEST(WorkPrecision, TakesNoOtherQuantityForThisOneByItsName) {
+  CaseRecords records = one_declares();
+  for (auto& value : records.records[1].values) value.quantity.kind = vnv::Kind::error;
+  add_work_precision(records);
+  EXPECT_NE(find_curve(records, "mpm"), nullptr);
+  EXPECT_EQ(find_curve(records, "another code"), nullptr);
+}
+
+TEST(WorkPrecision, IsOfTheTimeAtWhichMostMethodsHaveALadder) {
+  CaseRecords records = one_declares();
+  const auto later = errors_of(sample_order("L2 v_x [%]", 2, 2));
+  for (auto& record : records.records) {
+    for (auto& run : record.runs) run.end_time = 2;
+    record.values.insert(record.values.begin(), later.begin(), later.end());
+  }
+  add_work_precision(records);
+  EXPECT_EQ(find_curve(records, "mpm")->x, (std::vector<double>{0.5, 1, 2})) << "half of each run";
+}
+
+TEST(WorkPrecision, AsksForErrorsThatTwoMethodsReachAndRanksByWhatHalfOfThemDo) {
+  CaseRecords records = one_declares();
+  for (auto& value : records.records[1].values) value.value /= 100;
+  add_work_precision(records);
+  const vnv::Table& costs = find_table(records, "work_prices");
+  EXPECT_EQ(costs.columns, (std::vector<std::string>{"rank", "method", "CPU to 1 % [s]", "CPU to 0.3 % [s]",
+                                                     "CPU to 0.1 % [s]", "smallest error"}));
+  EXPECT_TRUE(costs.caption.ends_with("Ranked by the time to 0.1 %.")) << costs.caption;
+}
+
+TEST(WorkPrecision, SetsWhatOccupiesAnotherResourceInADiagramOfItsOwn) {
+  CaseRecords records = one_declares();
+  for (auto& run : records.records[1].runs) {
+    run.cost.resource = vnv::Resource::gpu;
+    run.cost.occupied = 8;
+    run.cost.cpu = vnv::not_a_number;
+  }
+  add_work_precision(records);
+  EXPECT_EQ(find_curve(records, "another code"), nullptr) << "beside CPU times";
+  const auto& curves = records.records[1].curves;
+  EXPECT_EQ(std::ranges::count(curves, "work_GPU", &vnv::Curve::figure), 1);
+  const auto figures = each_once(records, &vnv::Record::figures);
+  const auto own = std::ranges::find(figures, "work_GPU", &vnv::Figure::id);
+  ASSERT_NE(own, figures.end());
+  EXPECT_EQ(own->x.label, "GPU time [s]");
+  EXPECT_TRUE(contains(own->caption, "against GPU time until then;")) << own->caption;
+}
+
+TEST(WorkPrecision, SaysWhatDoesNotCompareInItsTimes) {
+  CaseRecords records = one_declares(), others = records;
+  others.records[1].machine = "another";
+  others.records[1].another_code = true;
+  add_work_precision(records);
+  add_work_precision(others);
+  for (const char* words : {"on 2 machines", "its start and its output"}) {
+    EXPECT_FALSE(contains(each_once(records, &vnv::Record::figures).back().caption, words));
+    EXPECT_TRUE(contains(each_once(others, &vnv::Record::figures).back().caption, words));
+  }
+}
+
 TEST(CostRatios, SetEqualParticleNumberBesideEqualError) {
   const auto records = two_methods();
   std::vector<vnv::WorkPoint> points = records.records[0].work;

@@ -51,7 +51,7 @@ if (!exists("image")) image = '{0}.svg'
 set encoding utf8
 set terminal svg size {1},{2} dynamic enhanced font 'sans-serif,13' background '#ffffff'
 if (exists("raster")) set terminal pngcairo size {1},{2} enhanced font 'sans,10' background '#ffffff'
-if (exists("paper")) set terminal pdfcairo size {1}/96.,{2}/96. enhanced font 'sans,10'
+if (exists("paper")) set terminal pdfcairo size {1}/96.,{2}/96. enhanced font 'sans,13'
 set output image
 set datafile separator comma
 set minussign

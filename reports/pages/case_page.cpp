@@ -62,9 +62,14 @@ std::string figure_html(const DrawnFigure& drawn, const CaseRecords& records) {
 std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
   std::string html;
   for (const auto& drawn : figures) html += figure_html(drawn, records);
+  // Another code is judged where its user asks for it: then a figure of its flow may have nothing to show, and no
+  // fault.
+  const bool all_are_others = std::ranges::all_of(records.records, &vnv::Record::another_code);
   for (const auto& declared : each_once(records, &vnv::Record::figures)) {
     if (std::ranges::none_of(figures, [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; }))
-      html += fmt::format("<p class=\"nan\">No record brings data for the figure “{}”.</p>\n", escape(declared.title));
+      html += fmt::format("<p class=\"{}\">{} the figure “{}”.</p>\n", all_are_others ? "quiet" : "nan",
+                          all_are_others ? "Nothing was judged at the time of" : "No record brings data for",
+                          escape(declared.title));
   }
   return html;
 }

@@ -106,6 +106,22 @@ TEST_F(Site, ColoursARunThatDivergedOnlyWhereAClaimOnItFails) {
   EXPECT_TRUE(contains(page("poiseuille/index.html"), "<span class=\"nan\">1 point not drawn"));
 }
 
+TEST_F(Site, CallsAFigureWithoutDataAFaultOnlyOfOurOwnMethods) {
+  vnv::Record record = sample_record();
+  record.curves.clear();
+  record.another_code = true;
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("poiseuille/index.html"),
+                       "<p class=\"quiet\">Nothing was judged at the time of the figure “Profiles”.</p>"));
+  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<p class=\"nan\">"));
+  record.another_code = false;
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(
+      contains(page("poiseuille/index.html"), "<p class=\"nan\">No record brings data for the figure “Profiles”.</p>"));
+}
+
 TEST_F(Site, ListsTheClaimsOfAllCases) {
   vnv::Record other = sample_record("sph");
   other.case_name = "couette";

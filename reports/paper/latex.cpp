@@ -64,7 +64,9 @@ std::string with_signs(std::string text) {
   return text;
 }
 
-std::string row_of(const std::vector<std::string>& cells) { return fmt::format("{} \\\\\n", fmt::join(cells, " & ")); }
+std::string row_of(const std::vector<std::string>& cells, std::string_view space = "") {
+  return fmt::format("{} \\\\{}\n", fmt::join(cells, " & "), space);
+}
 
 }  // namespace
 
@@ -81,20 +83,29 @@ std::string latex(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "$\\infty$" : "$-\\infty$";
   if (e == std::string::npos) return fmt::format("${}$", number);
-  return fmt::format("${}\\times10^{{{}}}$", number.substr(0, e), std::stoi(number.substr(e + 1)));
+  return fmt::format("${{{}\\times10^{{{}}}}}$", number.substr(0, e), std::stoi(number.substr(e + 1)));
 }
 
 std::string to_latex(const LatexTable& table) {
-  std::string alignment, body;
+  std::string alignment, body, title;
   std::vector<std::string> headings;
   for (const LatexTable::Column& column : table.columns) {
-    alignment += column.alignment;
+    alignment +=
+        fmt::format(">{{\\raggedright\\arraybackslash}}p{{\\dimexpr {:.3g}\\linewidth-2\\tabcolsep}}", column.width);
     headings.push_back(latex(column.heading));
+    title += column.heading;
   }
-  for (const auto& cells : table.rows) body += row_of(cells);
+  for (const LatexTable::Group& group : table.groups) {
+    body += body.empty() ? "" : "\\addlinespace\n";
+    if (!group.title.empty())
+      body += fmt::format("\\multicolumn{{{}}}{{@{{}}l}}{{\\textit{{{}}}}} \\\\*\n", table.columns.size(), group.title);
+    for (const auto& cells : group.rows) body += row_of(cells, "[1.5pt]");
+  }
   return fmt::format(
-      "% \\usepackage{{booktabs}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n{}\\bottomrule\n\\end{{tabular}}\n",
-      alignment, row_of(headings), body);
+      "% \\usepackage{{array,booktabs,longtable}}\n\\begingroup\\scriptsize\\setlength{{\\tabcolsep}}{{2pt}}\n"
+      "\\renewcommand{{\\_}}{{\\textunderscore\\allowbreak}}\n\\begin{{longtable}}{{{}}}\n\\toprule\n{}\\endhead\n"
+      "\\bottomrule\n\\endfoot\n{}\\end{{longtable}}\n\\endgroup\n",
+      alignment, title.empty() ? "" : row_of(headings) + "\\midrule\n", body);
 }
 
 }  // namespace touchstone::reports

@@ -34,26 +34,36 @@ CaseRecords case_named(const std::string& name, const fs::path& folder) {
       fmt::format("{}: no case '{}', expected one of: {}", folder.string(), name, fmt::join(known, ", ")));
 }
 
-std::string number_or_nothing(double value) { return std::isnan(value) ? "" : latex(value); }
+/// As `printed_limit`, with powers as in print; it may break before the unit.
+std::string limit_of(const vnv::Verdict& v) {
+  const std::string unit = v.unit.empty() ? "" : " " + latex(v.unit);
+  if (v.lower && v.upper && *v.lower != *v.upper)
+    return fmt::format("in [{}, {}]{}", latex(*v.lower), latex(*v.upper), unit);
+  if (v.lower && v.upper) return "$=$ " + latex(*v.upper) + unit;
+  if (v.lower) return "$\\ge$ " + latex(*v.lower) + unit;
+  return v.upper ? "$\\le$ " + latex(*v.upper) + unit : latex(printed_limit(v.lower, v.upper));
+}
 
 std::string tex_of_verdicts(const CaseRecords& records, const std::vector<Reference>& references) {
-  LatexTable table{{{"method", "l"},
-                    {"level", "l"},
-                    {"quantity", "p{4.5cm}"},
-                    {"time [s]", "r"},
-                    {"value", "r"},
-                    {"limit", "r"},
-                    {"limit set by", "p{4.5cm}"},
-                    {"outcome", "l"}}};
-  for_each(records, &vnv::Record::verdicts, [&](const vnv::Record&, const vnv::Verdict& v) {
-    const std::string unit = v.unit.empty() ? "" : "\\," + latex(v.unit);
-    std::vector<std::string> keys;
-    for (const Reference& one : named_in(v.author, references)) keys.push_back(one.key);
-    table.rows.push_back({latex(v.method), latex(v.level), latex(v.quantity), number_or_nothing(v.time),
-                          latex(v.value) + unit, latex(printed_limit(v.lower, v.upper)) + unit,
-                          latex(v.author) + (keys.empty() ? "" : fmt::format("~\\cite{{{}}}", fmt::join(keys, ","))),
-                          latex(word(v.outcome))});
-  });
+  LatexTable table{{{"level and time", 0.155},
+                    {"quantity", 0.17},
+                    {"value", 0.185},
+                    {"limit", 0.19},
+                    {"set by", 0.165},
+                    {"outcome", 0.135}}};
+  for (const vnv::Record& record : records.records) {
+    table.groups.push_back({latex(record.method)});
+    for (const vnv::Verdict& v : record.verdicts) {
+      const std::string unit = v.unit.empty() ? "" : " " + latex(v.unit);
+      const std::string at = std::isnan(v.time) ? "" : latex(v.time) + "\\,s";
+      std::vector<std::string> keys;
+      for (const Reference& one : named_in(v.author, references)) keys.push_back(one.key);
+      table.groups.back().rows.push_back(
+          {latex(v.level) + (v.level.empty() || at.empty() ? "" : ", ") + at, latex(v.quantity), latex(v.value) + unit,
+           limit_of(v), latex(v.author) + (keys.empty() ? "" : fmt::format("~\\cite{{{}}}", fmt::join(keys, ","))),
+           latex(word(v.outcome))});
+    }
+  }
   return to_latex(table);
 }
 
@@ -84,13 +94,13 @@ std::string csv_of(const Versions& versions) {
   for (const auto& row : versions.rows) text += csv_line(row);
   return text;
 }
+/// One above the other: flags and methods are long.
 std::string tex_of(const Versions& versions) {
-  LatexTable table;
-  for (const std::string& heading : versions.headings)
-    table.columns.push_back({heading, heading == "methods" || heading == "flags" ? "p{4cm}" : "l"});
+  LatexTable table{{{"", 0.15}, {"", 0.85}}};
   for (const auto& row : versions.rows) {
-    std::vector<std::string>& cells = table.rows.emplace_back();
-    for (const std::string& cell : row) cells.push_back(latex(cell));
+    table.groups.emplace_back();
+    for (std::size_t k = 0; k < row.size(); ++k)
+      table.groups.back().rows.push_back({latex(versions.headings[k]), latex(row[k])});
   }
   return to_latex(table);
 }

@@ -3,6 +3,7 @@
 #include "reports/paper/latex.hpp"
 #include "reports/paper/references.hpp"
 #include "reports/testing.hpp"
+#include "vnv/programs/limited.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(Latex, SetsSymbolsPowersAndSignsAsInPrint) {
 
 TEST(Latex, WritesNumbersWithPowersAndWhatIsNotFinite) {
   EXPECT_EQ(latex(0.0159), "$0.0159$");
-  EXPECT_EQ(latex(-1.5e-7), "$-1.5\\times10^{-7}$");
+  EXPECT_EQ(latex(-1.5e-7), "${-1.5\\times10^{-7}}$");
   EXPECT_EQ(latex(vnv::not_a_number), "nan");
   EXPECT_EQ(latex(-std::numeric_limits<double>::infinity()), "$-\\infty$");
 }
@@ -111,10 +112,11 @@ TEST_F(Export, HasTablesDataVersionsAndCitations) {
   EXPECT_EQ(all.missing, std::vector<std::string>{});
   for (const fs::path& file : all.files) EXPECT_GT(fs::file_size(file), 0u) << file;
   EXPECT_TRUE(contains(text("verdicts.tex"),
-                       "mpm\\_a\\&b & M2 & L2 $v_{\\mathrm{x}}$ &  & $1.5$\\,\\% & $\\le$ 1.59\\,\\% & "
-                       "literature: Sun et al., table 3~\\cite{sun_comparative} & holds \\\\\n\\bottomrule"))
+                       "\\textit{mpm\\_a\\&b}} \\\\*\nM2 & L2 $v_{\\mathrm{x}}$ & $1.5$ \\% & $\\le$ $1.59$ \\% & "
+                       "literature: Sun et al., table 3~\\cite{sun_comparative} & holds \\\\[1.5pt]\n\\end{longtable}"))
       << text("verdicts.tex");
-  EXPECT_TRUE(contains(text("versions.tex"), "mpm\\_a\\&b & abc\\_1 & ")) << text("versions.tex");
+  EXPECT_TRUE(contains(text("versions.tex"), "methods & mpm\\_a\\&b \\\\[1.5pt]\nrevision & abc\\_1 \\\\[1.5pt]\n"))
+      << text("versions.tex");
   EXPECT_TRUE(contains(text("versions.csv"), "\nmpm_a&b,abc_1,")) << text("versions.csv");
   EXPECT_TRUE(contains(text("values.csv"), "\npoiseuille,mpm_a&b,M2,0.00125,0.5,L2 v_x [%],3.75\n"));
   EXPECT_TRUE(contains(text("verdicts.csv"), "\npoiseuille,mpm_a&b,M2,"));
@@ -126,6 +128,47 @@ TEST_F(Export, DrawsEachFigureAsPdfBesideItsScriptAndData) {
   EXPECT_EQ(text("profile.pdf").substr(0, 5), "%PDF-");
   EXPECT_TRUE(contains(text("profile.gp"), "pdfcairo"));
   EXPECT_FALSE(text("profile.csv").empty());
+}
+
+TEST_F(Export, IsCompiledByLaTeXWithinTheWidthOfItsText) {
+  const auto is_here = [](const std::string& program) {
+    return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+  };
+  if (!is_here("pdflatex") || !is_here("bibtex"))
+    GTEST_SKIP() << "pdflatex or bibtex not found: apt install texlive-latex-recommended";
+  vnv::Record record = sample_record("sph_regularised_float");
+  record.flags = "-O3 -fno-math-errno -fno-trapping-math -march=native";
+  record.machine = "AMD EPYC, 2 processors";
+  for (const char* level : {"20 cells, 1 per cell, 69.2 us", "", "Re 1000, 100 across"}) {
+    vnv::Verdict verdict = sample_verdict(vnv::Outcome::inconclusive, 0);
+    verdict.level = level;
+    verdict.time = 0.0125;
+    verdict.quantity = "order of L2 p - mean(p), per particle over points per cell, cells of 0.025 mm";
+    verdict.unit = "%";
+    verdict.value = -1.2345e-12;
+    verdict.lower = -1.2345e-12;
+    verdict.upper = 2.3456e-12;
+    verdict.author = "literature: Lobovský et al. 2014, ± 10⁻¹ of L, “read” from (38) & figure 12(a)";
+    for (int k = 0; k < 40; ++k) record.verdicts.push_back(verdict);
+  }
+  vnv::write(record, records / "b.json");
+  written();
+  fs::copy_file(literature, paper / "literature.bib");
+  std::string cited;
+  for (const std::string& key : keys_of(read_references(literature))) cited += "\\cite{" + key + "} ";
+  std::ofstream(paper / "document.tex")
+      << "\\documentclass{article}\n\\usepackage{array,booktabs,graphicx,longtable,textcomp}\n"
+         "\\begin{document}\n\\input{verdicts}\n\\input{versions}\n\\noindent\\includegraphics[width=\\linewidth]{profile.pdf}\n"
+      << cited << "\n\\bibliographystyle{plain}\n\\bibliography{literature}\n\\end{document}\n";
+  const programs::Words latex_it{"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document"};
+  for (const programs::Words& words : {latex_it, {"bibtex", "document"}, latex_it, latex_it, latex_it})
+    ASSERT_TRUE(programs::run_limited(words[0], words, paper, paper / "said.txt", {}).well()) << text("said.txt");
+  EXPECT_GT(fs::file_size(paper / "document.pdf"), 0u);
+  std::istringstream log(text("document.log"));
+  for (std::string line; std::getline(log, line);)
+    for (const char* complaint : {"Warning", "Overfull", "Missing character"})
+      EXPECT_FALSE(contains(line, complaint)) << line;
+  EXPECT_FALSE(contains(text("document.blg"), "Warning--")) << text("document.blg");
 }
 
 TEST_F(Export, SaysInOneLineThatItCouldNotDrawAndWritesAllElse) {

@@ -125,7 +125,7 @@ Case vnv::the_case() {
                    in_cavity(least_squares, all_levels,
                              near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
                    mixing(in_cavity(second_order, all_levels, near_ghia(4, {flows.begin(), flows.end()})))},
-       .plots = {kinetic_energy_over_time(0, {flows[0].at(100), flows[1].at(100), flows[2].at(100)}),
+       .plots = {kinetic_energy_over_time(0, {flows[0].at(100), flows[1].at(100), flows[2].at(100)}), work(),
                  snapshots({"speed",
                             "Speed at Re 1000",
                             "10000 particles coloured by speed.",

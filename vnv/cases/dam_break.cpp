@@ -137,16 +137,7 @@ Case vnv::the_case() {
                      {.label = "particle number", .logarithmic = true},
                      {.label = "roughness over rho g h0 [%]", .logarithmic = true}},
                     {}, particle_number(), {{"", error_of(pressure_roughness, 0.32)}}),
-      error_against_run_time(
-          {.id = "work",
-           .title = "Work-precision diagram of the front",
-           .caption = "RMS of L over T in [1, 1.5], without time shift, over the CPU seconds from "
-                      "rest to t = 0.5 s. No method models the gate of the experiment: a difference of "
-                      "a few hundredths remains at any resolution.",
-           .quantity = front.rms,
-           .targets = {0.1, 0.08, 0.07},
-           .ranked_by = 0.1},
-          0.5),
+      error_against_run_time(work, 0.5),
       front.models()};
   return declared;
 }

@@ -241,7 +241,8 @@ void add_subcommands(Session& session) {
       declare_report);
   add(session, "export", "Writes what a paper needs of a judged case: figures, tables, data, versions, citations.",
       "Figures as PDF, with their data and the gnuplot scripts that redraw them; claims and versions as tables for LaTeX\n"
-      "(booktabs); all numbers as CSV; BibTeX of the literature that the case names.\n"
+      "(\\usepackage{array,booktabs,longtable}, \\input{verdicts}); all numbers as CSV; BibTeX of the literature that the\n"
+      "case names.\n"
       "Examples:\n  vnv export poiseuille\n  vnv export poiseuille --records mine --folder paper/poiseuille",
       export_case, declare_export);
   add(session, "accept",

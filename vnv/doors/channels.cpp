@@ -81,14 +81,9 @@ std::vector<Cause> and_force(std::vector<Cause> causes) {
   return causes;
 }
 
-/// Flows of the paper are shown by the means of their rows, too, and their cost is that of these.
+/// Flows of the paper are judged by the means of their rows, too.
 Flow with_row_means(Flow flow, const Altered& altered) {
-  const Truth exact = altered({});
-  const double end = flow.judged.times.back();
-  flow.measured.push_back({{"velocity"}, norms_of("v_x, row means", channel::by_rows, exact)});
-  flow.judged.plots.back() =
-      work_precision(fmt::format("L2 error of row means at t = {:g} s against CPU time; lower left is better.", end),
-                     "error [%]", channel::l2_rows, end);
+  flow.measured.push_back({{"velocity"}, norms_of("v_x, row means", channel::by_rows, altered({}))});
   return flow;
 }
 

@@ -169,6 +169,8 @@ Flow dam_break(Settings& set) {
   flow.judged.times = {0.32 * scale, 0.41 * scale, 0.46 * scale, 0.5 * scale};
   flow.judged.watch = monitored(dam);
   flow.judged.watch.every *= scale;
+  if (is_published)
+    flow.judged.plots = {[](const Results&, Record& record) { record.diagrams.push_back(vnv::dam_break::work); }};
   flow.judged.claims = {
       between(dam.mass_change, -1e-6, 1e-6, theory("masses are constant; files in single precision")),
       between(dam.lost, 0, 0, theory("water does not cross walls")),

@@ -84,13 +84,6 @@ TEST_F(OtherSolvers, CostWallTimesTimesWhatTheySayTheyOccupyAndNoCpuTime) {
     for (const double cpu : {one.cost.cpu, one.cost.cpu_lowest, one.cost.cpu_highest}) EXPECT_TRUE(std::isnan(cpu));
   }
   EXPECT_EQ(record_in(as_json(record), "as written").runs.front().cost.occupied, record.runs.front().cost.occupied);
-  const auto is_of_gpu = [](const Figure& figure) { return figure.id == "cost_GPU"; };
-  const auto figure = std::ranges::find_if(record.figures, is_of_gpu);
-  ASSERT_NE(figure, record.figures.end());
-  EXPECT_EQ(figure->x.label, "GPU time [s]");
-  EXPECT_TRUE(figure->caption.starts_with("The same against GPU time to ")) << figure->caption;
-  EXPECT_EQ(std::ranges::count(record.curves, "cost", &Curve::figure), 0) << "beside CPU times";
-  EXPECT_EQ(std::ranges::count(record.curves, "cost_GPU", &Curve::figure), 1);
   EXPECT_EQ(run(solver(std::string(frozen) + "[resources]\ncores = 3\n")).runs.front().cost.resource, Resource::core);
 }
 

@@ -217,7 +217,7 @@ std::vector<Value> DamFront::against_lobovsky(const Level& level, const Run& run
   add({"relative error of the front speed dL/dT over the same range of T", "%", Kind::deviation},
       100 * (judged.slope / judged.measured_slope - 1));
   add({"impact time at the downstream wall, T"}, arrival(*this, ours));
-  add({"RMS error of L, without time shift, front as 99.5th percentile", "", Kind::error},
+  add(rms_of_percentile,
       compare_fronts(history_of(*this, run, percentile), measured, judged_times, judged_times, shifts).rms);
   add({"RMS error of L, without time shift, front as farthest particle", "", Kind::error},
       compare_fronts(history_of(*this, run, farthest), measured, judged_times, judged_times, shifts).rms);

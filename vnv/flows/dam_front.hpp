@@ -17,6 +17,8 @@ struct DamFront {
 
   // Quantities of the comparison with Lobovský et al. (2014).
   inline static const Quantity rms{"RMS error of L for T in [1, 1.5], without time shift", "", Kind::error};
+  inline static const Quantity rms_of_percentile{"RMS error of L, without time shift, front as 99.5th percentile", "",
+                                                 Kind::error};
   inline static const Quantity slope_error{
       "relative error of the front speed dL/dT from T = 1 to 1.58 or impact (measured 1.34)", "%", Kind::deviation};
 

@@ -4,6 +4,7 @@
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/measures/centrelines.hpp"
 #include "vnv/methods/methods.hpp"
+#include "vnv/plots/along_ladders.hpp"
 
 #include <array>
 
@@ -51,6 +52,9 @@ inline std::vector<Claim> within(double percent, const Author& author) {
           at_most(norm_of("L2", Centreline::horizontal), percent, author)};
 }
 inline const Author ghia = literature("Ghia, Ghia & Shin 1982, tables I and II");
+
+/// What an error costs, by the component along the lid.
+inline Plot work() { return work_precision(norm_of("L2", Centreline::vertical)); }
 
 // The methods that run it, for a scene.
 inline Method affine(const Scene<Newtonian>& scene) { return mpm_affine(scene, output_interval); }

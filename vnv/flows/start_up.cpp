@@ -68,8 +68,7 @@ std::vector<Plot> figures(const PaperFlow& flow) {
           {points_per_cell, spacing_ladder}, particle_number(), {{"", time_per_step()}}),
       beside({published_curve("step_time", "paper MPM", mpm, "T_p [ms]", 1e-3),
               published_curve("step_time", "paper SPH", sph, "T_p [ms]", 1e-3)}),
-      work_precision("L2 error of row means at t = 1 s against CPU time; lower left is better.", "error [%]", l2_rows,
-                     1),
+      work_precision(l2),
       error_against_spacing(
           "convergence", "Error against spacing",
           "L2 error per particle at t = 1 s. More points in the same cell refine the quadrature, not the grid: the "

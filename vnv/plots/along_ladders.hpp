@@ -35,10 +35,6 @@ inline Pick spacing() {
 inline Pick time_per_step() {
   return [](const Record&, const Run& run) { return run.summary.cost.per_step(); };
 }
-/// CPU time, or that of the resource which a run occupied, [s] until a time of the flow; a run may go on after it.
-inline Pick time_spent_until(double time) {
-  return [=](const Record&, const Run& run) { return run.summary.cost.spent() * time / run.summary.end_time; };
-}
 
 /// What is drawn upwards, and what it is called in the key after the method's name.
 struct Ordinate {
@@ -80,23 +76,11 @@ inline Plot error_against_spacing(std::string id, std::string title, std::string
                         {.label = std::move(label), .logarithmic = true}},
                        {}, spacing(), {{"", error_of(error, time)}});
 }
-/// The same over the CPU time until then. A code that occupied another resource has a figure of its own.
-inline Plot work_precision(std::string caption, std::string label, const Quantity& error, double time) {
-  return [=](const Results& results, Record& record) {
-    const Resource of = results.runs.empty() ? Resource::cpu : results.runs.front().summary.cost.resource;
-    Figure frame{"cost",
-                 "Work-precision diagram",
-                 caption,
-                 {.label = heading_of(of), .logarithmic = true},
-                 {.label = label, .logarithmic = true}};
-    if (of != Resource::cpu) {
-      const std::string_view name = words(of).at(static_cast<std::size_t>(of));
-      frame.id += fmt::format("_{}", name);
-      frame.title += fmt::format(", {} time", name);
-      if (const auto at = frame.caption.find("CPU"); at != caption.npos) frame.caption.replace(at, 3, name);
-      frame.caption += " That is the wall time of a run times how many it occupied.";
-    }
-    along_ladders(frame, {}, time_spent_until(time), {{"", error_of(error, time)}})(results, record);
+/// What an error costs: the report draws all methods of the flow in one diagram, whichever of them declares it.
+inline Plot work_precision(const Quantity& error) {
+  return [=](const Results&, Record& record) {
+    record.diagrams.push_back(
+        {.id = "cost", .title = "Work-precision diagram", .caption = "", .quantity = error, .targets = {}});
   };
 }
 /// Both, of a velocity.
@@ -105,8 +89,7 @@ inline std::vector<Plot> errors_of_velocity(std::string id, const std::string& l
   return {error_against_spacing(std::move(id), "Error against spacing",
                                 fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", time), label,
                                 error, time),
-          work_precision(fmt::format("The same against CPU time to t = {:g} s; lower left is better.", time), label,
-                         error, time)};
+          work_precision(error)};
 }
 
 /// The same curves in every record: published values, an experiment, guides to the eye.

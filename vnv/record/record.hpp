@@ -26,13 +26,14 @@ struct HistoryFile {
   bool operator==(const HistoryFile&) const = default;
 };
 
-/// A diagram of error over CPU time, with the errors whose cost is reported.
+/// A diagram of error over CPU time, with the errors whose cost is reported. Its points are those in `work`; of a
+/// record that brings none, another code's too, its runs, by what was measured of this very quantity.
 struct WorkDiagram {
   std::string id;                   // "work"; also the stem of its files
   std::string title;                // "Error against run time"
-  std::string caption;              // which error, at which time
+  std::string caption;              // which error, at which time; empty: the report says it
   Quantity quantity;                // the error; its heading labels the axis
-  std::vector<double> targets;      // in its unit, falling
+  std::vector<double> targets;      // in its unit, falling; none: those between which the methods differ
   double ranked_by = not_a_number;  // the target that ranks the methods
 
   bool operator==(const WorkDiagram&) const = default;
