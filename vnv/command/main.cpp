@@ -70,8 +70,27 @@ void declare_list(CLI::App& command, ListOptions& options) {
 void declare_run(CLI::App& command, RunOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
-  add_at_once(command, options.at_once);
-  command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
+  EngineOptions& where = options.where;
+  command
+      .add_option("-j", where.at_once,
+                  "programs to run at once; default: 1, with parallel the processors of each host, with slurm all that "
+                  "it grants; what judges time runs alone")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--records", where.records, "folder of records; default: BUILD/records/SUITE");
+  command
+      .add_option(
+          "--engine", where.engine,
+          "local: here; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by arrays of jobs. All "
+          "machines see the build folder, the data and the records at the same places")
+      ->check(CLI::IsMember(engines))
+      ->capture_default_str();
+  command.add_option("--hosts", where.hosts,
+                     "of parallel: separated by commas, or a file of them, as its --sshlogin has them: 4/user@host; "
+                     "default: this machine");
+  command
+      .add_option("--engine-option", where.options,
+                  "another option of parallel or sbatch: --partition=long; may repeat")
+      ->allow_extra_args(false);
   command.add_flag("--again", options.again, "run also what would be skipped");
 }
 
