@@ -25,13 +25,31 @@ Points those(const Points& points, const Fits& fits) {
 
 bool is_measured_here(const WorkPoint& p) { return !p.elsewhere; }
 
-/// All points of a diagram; those that several records bring stand once.
-Points points_of(const CaseRecords& records, const WorkDiagram& diagram) {
+/// The machine that ran most of these methods, of equal ones the first; empty if `is_meant` is none.
+std::string usual_machine(const CaseRecords& records, const auto& is_meant) {
+  std::vector<std::string> machines;
+  for (const auto& record : records.records)
+    if (is_meant(record)) machines.push_back(vnv::one_machine(record));
+  const auto most = std::ranges::max_element(
+      machines, {}, [&](const std::string& machine) { return std::ranges::count(machines, machine); });
+  return most == machines.end() ? "" : *most;
+}
+
+/// All points of a diagram; those that several records bring stand once. What another machine ran is elsewhere, and of
+/// no published pair.
+Points points_of(const CaseRecords& records, const WorkDiagram& diagram, const std::string& machine) {
   Points points;
-  for_each(records, &vnv::Record::work, [&](const auto&, const WorkPoint& point) {
-    const bool is_known = std::ranges::any_of(
-        points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
-    if (point.diagram == diagram.id && !is_known) points.push_back(point);
+  for_each(records, &vnv::Record::work, [&](const vnv::Record& record, WorkPoint point) {
+    const bool is_known = point.elsewhere && std::ranges::any_of(points, [&](const WorkPoint& p) {
+                            return p.elsewhere && p.series == point.series && p.run == point.run;
+                          });
+    if (point.diagram != diagram.id || is_known) return;
+    if (!point.elsewhere && vnv::one_machine(record) != machine) {
+      point.elsewhere = true;
+      point.series += " on " + (record.host.empty() ? record.machine : record.host);
+      point.per_step = vnv::not_a_number;
+    }
+    points.push_back(std::move(point));
   });
   return points;
 }
@@ -56,14 +74,15 @@ Points beaten(const Points& points) {
   return left;
 }
 
-vnv::Figure figure(const WorkDiagram& diagram) {
+vnv::Figure figure(const WorkDiagram& diagram, const std::string& machine) {
   return {
       .id = diagram.id,
       .title = diagram.title,
       .caption =
           diagram.caption +
           " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
-          "error. Rings mark the same among all methods here, the Pareto front. Dashed: measured elsewhere, on other machines.",
+          "error. Rings mark the same among all methods here, the Pareto front. Dashed: measured elsewhere, on other machines." +
+          (machine.empty() ? "" : " All else was run on one: " + machine + "."),
       .x = {.label = "CPU time [s]", .logarithmic = true},
       .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
 }
@@ -193,9 +212,13 @@ Points points_of(const vnv::Record& record, const Subject& subject) {
 
 void add_work_precision(CaseRecords& records) {
   for (const WorkDiagram& diagram : each_once(records, &vnv::Record::diagrams)) {
-    const Points points = points_of(records, diagram);
+    const std::string machine = usual_machine(records, [&](const vnv::Record& record) {
+      return std::ranges::any_of(record.work,
+                                 [&](const WorkPoint& p) { return p.diagram == diagram.id && is_measured_here(p); });
+    });
+    const Points points = points_of(records, diagram, machine);
     auto& first = records.records.front();
-    first.figures.push_back(figure(diagram));
+    first.figures.push_back(figure(diagram, machine));
     add_curves(records, diagram, points);
     first.tables.push_back(costs(diagram, points));
     if (auto ratios = cost_ratios(diagram, points); !ratios.rows.empty()) first.tables.push_back(std::move(ratios));
@@ -225,25 +248,24 @@ vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
 }
 
 std::optional<Cheapest> cheapest(const CaseRecords& records, const Subject& subject) {
+  const std::string machine =
+      usual_machine(records, [&](const vnv::Record& record) { return !points_of(record, subject).empty(); });
   Points points;
-  std::set<std::string> machines;
-  for (const auto& record : records.records) {
-    const Points own = points_of(record, subject);
-    points.insert(points.end(), own.begin(), own.end());
-    if (!own.empty()) machines.insert(record.machine);
-  }
+  for (const auto& record : records.records)
+    if (vnv::one_machine(record) == machine)
+      for (WorkPoint& point : points_of(record, subject)) points.push_back(std::move(point));
   std::vector<double> least;  // error of each method
   for (const std::string& method : vnv::ranking(points, 1))
     if (const auto front = vnv::pareto_front(vnv::of_series(points, method), vnv::worthwhile); !front.empty())
       least.push_back(front.back().error);
-  if (least.size() < 2 || machines.size() > 1) return std::nullopt;
+  if (least.size() < 2) return std::nullopt;
   std::ranges::nth_element(least, least.begin() + 1);
   const double error = least[1];
   const std::vector<std::string> methods = vnv::ranking(points, error);
   const auto cost = [&](const std::string& method) {
     return Cheapest::Cost{method, vnv::time_to_error(vnv::of_series(points, method), error)};
   };
-  return Cheapest{error, cost(methods[0]), cost(methods[1])};
+  return Cheapest{error, cost(methods[0]), cost(methods[1]), machine};
 }
 
 }  // namespace touchstone::reports

@@ -254,8 +254,10 @@ void add_subcommands(Session& session) {
       "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
   add(session, "run", "Runs methods and judges them by their claims.",
       "A method is skipped if the folder of records has one of the same program, data and suite.\n"
+      "On other machines it may take five times as long as last time, and is tried again where its machine is lost.\n"
       "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine\n"
-      "  vnv run mine.toml",
+      "  vnv run mine.toml\n  vnv run --suite nightly --engine parallel --hosts a,4/b\n"
+      "  vnv run --suite nightly --engine slurm --engine-option=--partition=long",
       run, declare_run);
   add(session, "report", "Turns records into pages and prints the path of the first.",
       "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,
