@@ -233,10 +233,66 @@ def try_cancelled(vnv, folder, engines, trials, program, record):
             trials.attempt("an element cancelled, slurm", lambda: element(engine))
 
 
+class Watched:
+    """A program run to its end: its own processor time, without what it waited for, and its largest memory."""
+
+    def __init__(self, words):
+        began, before, self.own, self.memory = time.monotonic(), cpu_of_children(), 0.0, 0
+        with tempfile.TemporaryFile("w+") as said:
+            process = subprocess.Popen([str(word) for word in words], stdout=said, stderr=subprocess.STDOUT)
+            place, tick = pathlib.Path("/proc") / str(process.pid), os.sysconf("SC_CLK_TCK")
+            while process.poll() is None:
+                with contextlib.suppress(OSError, IndexError):
+                    used = (place / "stat").read_text().rsplit(")", 1)[1].split()[11:13]
+                    self.own = sum(map(int, used)) / tick or self.own
+                    self.memory = int((re.search(r"VmHWM:\s+(\d+)", (place / "status").read_text()) or [0, self.memory])[1])
+                time.sleep(0.02)
+            said.seek(0)
+            self.status, self.output, self.wall = process.returncode, said.read(), time.monotonic() - began
+            self.others = cpu_of_children() - before - self.own
+
+    def sentence(self):
+        return (f"{self.own:.1f} s of its own, {self.others:.1f} s of what it started, {self.wall:.0f} s by the clock, "
+                f"{self.memory / 1024:.0f} MB")
+
+
+def try_many(vnv, folder, trials, program, record, hosts, seconds):
+    """Many hosts of GNU parallel, all of them this machine: `ssh` is a script that runs what it is given."""
+    folder.mkdir()
+    build = made_up.MadeUp(folder / "build", program, record, 50, hosts * 5 // 50, seconds, 30)
+    ssh = folder / "ssh"
+    ssh.write_text('#!/bin/sh\nshift\n[ "$1" = -- ] && shift\nexec sh -c "$*"\n', encoding="utf-8")
+    ssh.chmod(0o755)
+    (folder / "hosts").write_text("".join(f"1/{ssh} h{k}\n" for k in range(hosts)), encoding="utf-8")
+    records = folder / "records"
+    run_words = ["run", "--build", build.folder, "--records", records, "--engine", "parallel", "--hosts", folder / "hosts"]
+
+    def trial(what, words, expected):
+        watched = Watched(words)
+        require(watched.status == 0 and expected in watched.output,
+                f"ended with status {watched.status}: {watched.output.strip()[-300:]!r}")
+        require(watched.own < 60 and watched.memory < 500 * 1024, watched.sentence() + ", expected less than 60 s and 500 MB")
+        return watched.sentence()
+
+    report = vnv.parent.parent / "reports" / "touchstone_report"
+    for what, words, expected in (
+            ("plan", [vnv, "plan", "--build", build.folder], "tasks, "),
+            ("run", [vnv, *run_words], f"{build.count} of {build.count} methods hold"),
+            ("run again", [vnv, *run_words], f"{build.count} skipped"),
+            ("pages", [report, records, folder / "site"], "")):
+        trials.attempt(f"{what} of {build.count} methods that take {seconds} s on {hosts} hosts", lambda: trial(what, words, expected))
+
+
+def conclude(trials):
+    print(f"{trials.count - trials.failed} of {trials.count} trials passed")
+    return 1 if trials.failed else 0
+
+
 def main(arguments):
     parser = Parser(__doc__)
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--only", nargs="+", choices=PARTS, default=PARTS)
+    parser.add_argument("--hosts", type=int, default=200, help="for `many`")
     parser.add_argument("--methods", nargs="+", default=["shear_wave", "stokes_first", "couette"], help="for `equal`")
     parser.add_argument("--suite", default="acceptance", help="for `equal`")
     options = parser.parse_args(arguments)
@@ -251,6 +307,10 @@ def main(arguments):
         record = folder / "one" / "shear_wave.mpm.json"
         if done.returncode != 0:
             raise BadInput(f"shear_wave.mpm: {done.stdout.strip()[-300:]}")
+        if "many" in options.only and not cluster.missing("parallel"):
+            try_many(vnv, folder / "many", trials, program, record, options.hosts, 5)
+        if options.only == ["many"]:
+            return conclude(trials)
         with engines_here(folder) as engines:
             if "equal" in options.only:
                 try_equal(vnv, folder / "equal", engines, trials, options.methods, options.suite)
@@ -258,8 +318,7 @@ def main(arguments):
                 try_cancelled(vnv, folder / "cancelled", engines, trials, program, record)
             if "killed" in options.only:
                 try_killed(vnv, folder / "killed", engines, trials, program, record)
-    print(f"{trials.count - trials.failed} of {trials.count} trials passed")
-    return 1 if trials.failed else 0
+    return conclude(trials)
 
 
 exit_with(main)
