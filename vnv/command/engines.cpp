@@ -316,6 +316,8 @@ class Slurm : public Elsewhere {
 std::string Fate::sentence() const { return Ran::sentence() + (host.empty() ? "" : " on " + host); }
 
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
+  if (!options.hosts.empty() && options.engine != "parallel")
+    throw std::invalid_argument(fmt::format("--hosts {}: expected with --engine parallel", options.hosts));
   if (options.engine == "parallel") return std::make_unique<Parallel>(options);
   if (options.engine == "slurm") return std::make_unique<Slurm>(options);
   return std::make_unique<Local>(options);

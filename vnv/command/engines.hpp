@@ -59,13 +59,14 @@ class Engine {
 
 struct EngineOptions {
   std::string engine = "local";
-  int at_once = 0;                // programs; with parallel on each host; 0: one here, else as many as the engine will
-  std::string hosts{};            // of parallel: as its --sshlogin has them, or a file of them
-  Words options{};                // more of the engine's own: --partition=long
+  int at_once = 0;      // programs; with parallel on each host; 0: one here, else as many as the engine will
+  std::string hosts{};  // of parallel: as its --sshlogin has them, or a file of them
+  Words options{};      // more of the engine's own: --partition=long
   std::filesystem::path records{};  // absolute
 };
 inline const std::vector<std::string> engines{"local", "parallel", "slurm"};
 
+/// Throws std::invalid_argument for hosts of an engine that has none.
 std::unique_ptr<Engine> make_engine(const EngineOptions& options);
 
 /// How a job ended that ran elsewhere, also for a run that was killed before it heard of it; nothing if it has not.

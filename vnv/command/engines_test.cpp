@@ -93,6 +93,11 @@ TEST_F(AnEngineElsewhere, RunsWhatJudgesTimeAlone) {
   EXPECT_EQ(programs::last_lines(file, 9), "in\nout\nin\nout");
 }
 
+TEST(AnEngine, ThatHasNoHostsRefusesThem) {
+  EXPECT_THROW(make_engine({.engine = "slurm", .hosts = "a,b"}), std::invalid_argument);
+  EXPECT_TRUE(make_engine({.engine = "parallel", .hosts = "a,b"}));
+}
+
 TEST(Elements, AreFilledInOrderByWhatJobsTookLast) {
   const auto of = [](double wall) { return Job{.name = "a.b", .relative_cost = 1000, .last = LastCost{.wall = wall}}; };
   const auto elements = packed({of(500), of(60), of(50), of(20), of(1)}, 120);

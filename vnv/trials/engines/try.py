@@ -28,7 +28,8 @@ import shared  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
 LONGEST = 900  # s, of a program
-PARTS = ("equal", "killed", "cancelled", "many")
+PARTS = ("equal", "killed", "cancelled", "overhead", "many")
+MEAN = 17  # s, of processor time, that a method of a whole night takes: 86 minutes of one core for 300 methods
 
 
 class Failure(Exception):
@@ -233,6 +234,27 @@ def try_cancelled(vnv, folder, engines, trials, program, record):
             trials.attempt("an element cancelled, slurm", lambda: element(engine))
 
 
+def try_overhead(vnv, folder, engines, trials, program, record, processor_time):
+    """What an engine takes for a method, with all its daemons, beyond what local takes."""
+    build = made_up.MadeUp(folder / "build", program, record, 10, 10, 0, 5)
+    local = 0
+
+    def trial(engine):
+        nonlocal local
+        before = processor_time()
+        status, output = run(vnv, folder / engine.name, engine, options=["--build", build.folder])
+        require(status == 0, output.strip()[-300:])
+        each = (processor_time() - before) / build.count
+        if engine.name == "local":
+            local = each
+            return f"{each:.3f} s a method, made up"
+        require(each - local < 0.02 * MEAN, f"{each - local:.3f} s a method, expected less than 2 % of {MEAN} s")
+        return f"{each - local:.3f} s a method more: {100 * (each - local) / MEAN:.2f} % of {MEAN} s"
+
+    for engine in engines:
+        trials.attempt(f"processor time of {engine.name}", lambda: trial(engine))
+
+
 class Watched:
     """A program run to its end: its own processor time, without what it waited for, and its largest memory."""
 
@@ -311,9 +333,14 @@ def main(arguments):
             try_many(vnv, folder / "many", trials, program, record, options.hosts, 5)
         if options.only == ["many"]:
             return conclude(trials)
-        with engines_here(folder) as engines:
+        with cluster.processor_time() as processor_time, engines_here(folder) as engines:
             if "equal" in options.only:
                 try_equal(vnv, folder / "equal", engines, trials, options.methods, options.suite)
+            if "overhead" in options.only:
+                if processor_time:
+                    try_overhead(vnv, folder / "overhead", engines, trials, program, record, processor_time)
+                else:
+                    print("SKIP: overhead: processor time of all that is started is not counted here")
             if "cancelled" in options.only:
                 try_cancelled(vnv, folder / "cancelled", engines, trials, program, record)
             if "killed" in options.only:
