@@ -4,6 +4,8 @@
 #
 # BUILD          folder to build in; build/ in the sources if none is named
 # HISTORY        folder of the summaries of all nights; history/ in BUILD. Outside of it they outlive the build
+# ENGINE         local, parallel or slurm: `vnv run` makes the suite by it, with ENGINE_OPTIONS (--hosts;a,b), and skips what this
+#                revision has done; none: ctest does, here, from nothing
 # LABEL          regular expression of the labels to run; units and the nightly suite
 # DROP_SITE      host of a CDash server that gets the results; none: nothing leaves this machine
 # DROP_LOCATION  where on it, /submit.php?project=Touchstone
@@ -51,8 +53,28 @@ if(NOT failed)
     note("build of ${target}" ${built})
   endforeach()
   set(ENV{TOUCHSTONE_WHOLE_SUITE} 1)  # the pages miss an accepted method that has no record
-  ctest_test(INCLUDE_LABEL "${LABEL}" PARALLEL_LEVEL 2 RETURN_VALUE tested)
-  note(tests ${tested})
+  if(NOT ENGINE)
+    ctest_test(INCLUDE_LABEL "${LABEL}" PARALLEL_LEVEL 2 RETURN_VALUE tested)
+    note(tests ${tested})
+  else()
+    ctest_test(INCLUDE_LABEL "^unit$" PARALLEL_LEVEL 2 RETURN_VALUE tested)
+    note("unit tests" ${tested})
+    set(vnv ${CTEST_BINARY_DIRECTORY}/vnv/vnv)
+    set(records ${CTEST_BINARY_DIRECTORY}/records/nightly)
+    execute_process(COMMAND ${vnv} list --names --suite nightly OUTPUT_VARIABLE methods COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE "\n" ";" methods "${methods}")
+    file(GLOB former RELATIVE ${records} ${records}/*.json)
+    foreach(record IN LISTS former)  # of methods that are gone
+      string(REGEX REPLACE "[.]json$" "" method ${record})
+      if(NOT method IN_LIST methods)
+        file(REMOVE ${records}/${record})
+      endif()
+    endforeach()
+    execute_process(COMMAND ${vnv} run --suite nightly --engine ${ENGINE} ${ENGINE_OPTIONS} RESULT_VARIABLE ran)
+    note("suite by ${ENGINE}" ${ran})
+    ctest_test(INCLUDE "^nightly[.](pages|browser)$" EXCLUDE_FIXTURE_SETUP nightly_records APPEND RETURN_VALUE shown)
+    note(pages ${shown})
+  endif()
 endif()
 if(DROP_SITE)
   set(CTEST_SUBMIT_URL "${DROP_METHOD}://${DROP_SITE}${DROP_LOCATION}")

@@ -55,6 +55,15 @@ void put(Series& series, std::size_t night, double value) {
   point.is_there = true;
 }
 
+/// That ran each method.
+using Machines = std::map<std::pair<std::string, std::string>, std::string>;
+
+Machines machines_in(const Night& night) {
+  Machines machines;
+  for (const NightRun& run : night.runs) machines.try_emplace({run.case_name, run.method}, run.machine);
+  return machines;
+}
+
 void add_run(Collector& all, const NightRun& run, std::size_t night) {
   if (!run.finished) return;
   for (const auto& [quantity, value] :
@@ -162,7 +171,7 @@ bool stays_away(const Level& level, double value, double next) {
 
 std::vector<bool> places_changed(const std::vector<Night>& nights) {
   std::vector<bool> changed(nights.size());
-  const auto place = [](const Night& n) { return std::tie(n.machine, n.compiler, n.flags); };
+  const auto place = [](const Night& n) { return std::tie(n.compiler, n.flags); };
   for (std::size_t n = 1; n < nights.size(); ++n) changed[n] = place(nights[n]) != place(nights[n - 1]);
   return changed;
 }
@@ -212,7 +221,9 @@ void mark_steps(Series& series, const std::vector<bool>& starts_anew) {
     const std::size_t n = there[i];
     const SeriesPoint& point = series.points[n];
     const bool is_cost = series.kind == Kind::cost;
-    if (is_cost && std::any_of(starts_anew.begin() + last + 1, starts_anew.begin() + n + 1, std::identity{}) && i > 0)
+    if (is_cost && i > 0 &&
+        (point.machine != series.points[last].machine ||
+         std::any_of(starts_anew.begin() + last + 1, starts_anew.begin() + n + 1, std::identity{})))
       level.restart();
     const bool flips = level.is_known() && point.fails != series.points[last].fails;
     last = n;
@@ -227,10 +238,23 @@ void mark_steps(Series& series, const std::vector<bool>& starts_anew) {
   }
 }
 
+std::optional<std::size_t> night_on_another_machine(const Series& series, const Step& step) {
+  for (std::size_t n = step.night; n-- > 0;)
+    if (const SeriesPoint& point = series.points[n]; point.is_there)
+      return point.machine == series.points[step.night].machine ? std::nullopt : std::optional(n);
+  return std::nullopt;
+}
+
 std::vector<Series> series_of(const std::vector<Night>& nights) {
   Collector collector(nights.size());
   for (std::size_t n = 0; n < nights.size(); ++n) add(collector, nights[n], n);
   std::vector<Series> all = std::move(collector).sorted();
+  for (std::size_t n = 0; n < nights.size(); ++n) {
+    const Machines machines = machines_in(nights[n]);
+    for (Series& series : all)
+      if (const auto found = machines.find({series.case_name, series.method}); found != machines.end())
+        series.points[n].machine = found->second;
+  }
   const auto starts_anew = places_changed(nights);
   for (Series& series : all) mark_steps(series, starts_anew);
   return all;

@@ -21,7 +21,8 @@ struct Step {
 struct SeriesPoint {
   bool is_there = false;
   double value = vnv::not_a_number;
-  bool fails = false;  // a claim on it fails
+  bool fails = false;     // a claim on it fails
+  std::string machine{};  // that ran its method
 
   bool is_finite() const { return is_there && std::isfinite(value); }
 };
@@ -45,6 +46,10 @@ struct Series {
   std::pair<double, double> range() const;
 };
 
+/// The last night before a step that has a value, if another kind of machine ran it; where its revision is the same,
+/// the value depends on the machine.
+std::optional<std::size_t> night_on_another_machine(const Series& series, const Step& step);
+
 /// Every series of these nights, by case and method. Its steps are marked by one rule:
 ///
 /// A level is the median of the first fifteen nights since the last step, so that a slow drift leaves it too. The next
@@ -53,11 +58,11 @@ struct Series {
 /// the baseline; without one a hundredth of the level, for a cost a tenth. The spread is the standard deviation by the
 /// median difference of neighbouring nights, known from five nights on: nothing where reruns are equal to the bit, and
 /// the machine's noise where they are not. A cost is a step only if the night after stands as far to the same side, so
-/// that one loud night is none; and where machine, compiler or flags change it starts anew.
+/// that one loud night is none; and where its machine, compiler or flags change it starts anew.
 std::vector<Series> series_of(const std::vector<Night>& nights);
 
-/// Marks the steps of a series. `starts_anew` says of each night whether machine, compiler or flags are others than the
-/// night before.
+/// Marks the steps of a series. `starts_anew` says of each night whether compiler or flags are others than the night
+/// before.
 void mark_steps(Series& series, const std::vector<bool>& starts_anew);
 
 /// The few that are drawn of each method: what theory or literature judge, at the last time and the finest spacing of

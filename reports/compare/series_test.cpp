@@ -81,6 +81,34 @@ TEST(Steps, OfACostAreNotMadeByAnotherMachine) {
   EXPECT_EQ(steps_of({1, 1, 2, 2}, Series::Kind::error, std::nullopt, {false, false, true, false}), Nights{2});
 }
 
+TEST(Steps, OfACostAreNotMadeByAnotherMachineThatRanOneMethod) {
+  Series series;
+  series.kind = Series::Kind::cost;
+  series.points = {{true, 10, false, "a"}, {true, 10, false, "a"}, {true, 20, false, "b"}, {true, 20, false, "b"}};
+  mark_steps(series, std::vector<bool>(4));
+  EXPECT_TRUE(series.steps.empty());
+}
+
+TEST(Steps, KnowWhetherTheyAreOfAnotherMachine) {
+  Night night;
+  NightRun& run = night.runs.emplace_back();
+  run.case_name = "poiseuille";
+  run.method = "mpm";
+  run.machine = "a";
+  night.errors = {{"poiseuille", "mpm", "M1", 1, 1, "L2 v_x [%]", 1}};
+  std::vector<Night> nights(3, night);
+  nights[1].runs.clear();
+  nights[1].errors.clear();
+  nights[2].errors[0].value = 2;
+  const auto step_of = [&] {
+    const std::vector<Series> all = series_of(nights);
+    return night_on_another_machine(all.at(0), all[0].steps.at(0));
+  };
+  EXPECT_EQ(step_of(), std::nullopt);
+  nights[2].runs[0].machine = "b";
+  EXPECT_EQ(step_of(), 0u);
+}
+
 TEST(Steps, AreWhereAClaimBeginsToFail) {
   Series series;
   series.points = {{true, 1, false}, {true, 1.001, true}, {true, 1.001, true}};

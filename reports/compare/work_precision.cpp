@@ -31,6 +31,16 @@ Points those(const Points& points, const Fits& fits) {
 
 bool is_measured_here(const WorkPoint& p) { return !p.elsewhere; }
 
+/// The machine that ran most of these methods, of equal ones the first; empty if `is_meant` is none.
+std::string usual_machine(const CaseRecords& records, const auto& is_meant) {
+  std::vector<std::string> machines;
+  for (const auto& record : records.records)
+    if (is_meant(record)) machines.push_back(vnv::one_machine(record));
+  const auto most = std::ranges::max_element(
+      machines, {}, [&](const std::string& machine) { return std::ranges::count(machines, machine); });
+  return most == machines.end() ? "" : *most;
+}
+
 /// Every run of a record whose value of what is asked for was measured, for as long as it took of a resource until
 /// then; what it took is unknown of files that were judged.
 Points runs_of(const vnv::Record& record, Resource resource, const auto& is_asked) {
@@ -80,19 +90,41 @@ double telling_time(const CaseRecords& records, const vnv::Quantity& quantity) {
   return times.empty() ? vnv::not_a_number : *std::ranges::max_element(times, {}, merit);
 }
 
-/// All points of a diagram in one resource; those that several records bring stand once.
-Points points_of(const CaseRecords& records, const WorkDiagram& diagram, double time, Resource resource) {
+/// The points of a diagram that a record brings, in one resource: its own, or those of its runs.
+Points points_of(const vnv::Record& record, const WorkDiagram& diagram, double time, Resource resource) {
+  Points points =
+      those(record.work, [&](const WorkPoint& p) { return p.diagram == diagram.id && resource == Resource::cpu; });
   const auto is_asked = [&](const vnv::Value& v) { return v.quantity == diagram.quantity && same_time(v.time, time); };
+  if (!brings_its_own(record, diagram))
+    std::ranges::copy(runs_of(record, resource, is_asked), std::back_inserter(points));
+  return points;
+}
+
+/// The machine that ran most of the methods of a diagram.
+std::string usual_machine(const CaseRecords& records, const WorkDiagram& diagram, double time, Resource resource) {
+  return usual_machine(records, [&](const vnv::Record& record) {
+    return std::ranges::any_of(points_of(record, diagram, time, resource), is_measured_here);
+  });
+}
+
+/// All points of a diagram in one resource; those that several records bring stand once. What another machine ran is
+/// elsewhere, and of no published pair.
+Points points_of(const CaseRecords& records, const WorkDiagram& diagram, double time, Resource resource,
+                 const std::string& machine) {
   Points points;
-  for (const vnv::Record& record : records.records) {
-    for (const WorkPoint& point : record.work) {
-      const bool is_known = std::ranges::any_of(
-          points, [&](const WorkPoint& p) { return p.elsewhere && p.series == point.series && p.run == point.run; });
-      if (point.diagram == diagram.id && resource == Resource::cpu && !is_known) points.push_back(point);
+  for (const vnv::Record& record : records.records)
+    for (WorkPoint& point : points_of(record, diagram, time, resource)) {
+      const bool is_known = point.elsewhere && std::ranges::any_of(points, [&](const WorkPoint& p) {
+                              return p.elsewhere && p.series == point.series && p.run == point.run;
+                            });
+      if (is_known) continue;
+      if (!point.elsewhere && vnv::one_machine(record) != machine) {
+        point.elsewhere = true;
+        point.series += " on " + (record.host.empty() ? record.machine : record.host);
+        point.per_step = vnv::not_a_number;
+      }
+      points.push_back(std::move(point));
     }
-    if (!brings_its_own(record, diagram))
-      std::ranges::copy(runs_of(record, resource, is_asked), std::back_inserter(points));
-  }
   return points;
 }
 
@@ -169,30 +201,26 @@ Points beaten(const Points& points) {
 }
 
 /// What a reader must know of where and how the times of a diagram were measured.
-std::string about_times(const CaseRecords& records, const Points& points) {
-  std::set<std::string> machines;
-  bool has_other_codes = false;
-  for (const vnv::Record& record : records.records) {
-    if (vnv::of_series(points, record.method).empty()) continue;
-    machines.insert(record.machine);
-    has_other_codes |= record.another_code;
-  }
+std::string about_times(const CaseRecords& records, const Points& points, const std::string& machine) {
   std::string words;
-  if (has_other_codes)
+  if (std::ranges::any_of(records.records, [&](const vnv::Record& record) {
+        return record.another_code && !vnv::of_series(points, record.method).empty();
+      }))
     words += " Of a code from elsewhere all that its program takes counts, its start and its output too.";
   if (std::ranges::any_of(points, &WorkPoint::elsewhere)) words += " Dashed: measured elsewhere, on other machines.";
-  if (machines.size() > 1) words += fmt::format(" Runs were made on {} machines, whose times differ.", machines.size());
+  if (!machine.empty()) words += fmt::format(" All else was run on one: {}.", machine);
   return words;
 }
 
-vnv::Figure figure(const CaseRecords& records, const WorkDiagram& diagram, Resource resource, const Points& points) {
+vnv::Figure figure(const CaseRecords& records, const WorkDiagram& diagram, Resource resource, const Points& points,
+                   const std::string& machine) {
   return {
       .id = diagram.id,
       .title = diagram.title,
       .caption = diagram.caption +
                  " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
                  "error. Rings mark the same among all methods here, the Pareto front." +
-                 about_times(records, points),
+                 about_times(records, points, machine),
       .x = {.label = heading_of(resource), .logarithmic = true},
       .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
 }
@@ -311,12 +339,13 @@ void add_work_precision(CaseRecords& records) {
     const double time = telling_time(records, declared.quantity);
     bool has_points = false;
     for (const Resource resource : {Resource::gpu, Resource::core, Resource::cpu}) {
-      const Points points = points_of(records, declared, time, resource);
+      const std::string machine = usual_machine(records, declared, time, resource);
+      const Points points = points_of(records, declared, time, resource, machine);
       if (points.empty() && (has_points || resource != Resource::cpu)) continue;
       has_points = true;
       const WorkDiagram diagram = told(declared, time, resource, points);
       auto& first = records.records.front();
-      first.figures.push_back(figure(records, diagram, resource, points));
+      first.figures.push_back(figure(records, diagram, resource, points, machine));
       add_curves(records, diagram, points);
       if (points.empty()) continue;
       first.tables.push_back(costs(diagram, resource, points));
@@ -348,22 +377,22 @@ vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
 }
 
 std::optional<Cheapest> cheapest(const CaseRecords& records, const Subject& subject) {
+  const auto own = [&](const vnv::Record& record) {
+    return runs_of(record, Resource::cpu,
+                   [&](const vnv::Value& v) { return subject.is(v.quantity.heading(), v.time); });
+  };
+  const std::string machine = usual_machine(records, [&](const vnv::Record& record) { return !own(record).empty(); });
   Points points;
-  std::set<std::string> machines;
-  for (const auto& record : records.records) {
-    const Points own =
-        runs_of(record, Resource::cpu, [&](const vnv::Value& v) { return subject.is(v.quantity.heading(), v.time); });
-    points.insert(points.end(), own.begin(), own.end());
-    if (!own.empty()) machines.insert(record.machine);
-  }
+  for (const auto& record : records.records)
+    if (vnv::one_machine(record) == machine) std::ranges::move(own(record), std::back_inserter(points));
   const std::vector<double> least = Reach(points).least;
-  if (least.size() < 2 || machines.size() > 1) return std::nullopt;
+  if (least.size() < 2) return std::nullopt;
   const double error = least[1];
   const std::vector<std::string> methods = vnv::ranking(points, error);
   const auto cost = [&](const std::string& method) {
     return Cheapest::Cost{method, vnv::time_to_error(vnv::of_series(points, method), error)};
   };
-  return Cheapest{error, cost(methods[0]), cost(methods[1])};
+  return Cheapest{error, cost(methods[0]), cost(methods[1]), machine};
 }
 
 }  // namespace touchstone::reports

@@ -11,7 +11,8 @@ namespace touchstone::reports {
 /// Adds to the records of a case, for each work-precision diagram that they declare, a figure with every method's
 /// front, the runs that no method beats and what was measured elsewhere; a table of the CPU time to given errors; and
 /// one of `cost_ratios`, if that has rows. A method takes part by having measured the quantity of the diagram at the
-/// same time, whoever declared it; those that occupy another resource than CPU time have a diagram of their own.
+/// same time, whoever declared it; those that occupy another resource than CPU time have a diagram of their own. Where
+/// several machines ran the methods, the one that ran most is compared; those of others are measured elsewhere.
 void add_work_precision(CaseRecords& records);
 
 /// CPU time of SPH over that of the cheapest MPM, once at equal particle number, the way of Sun et al., and once at
@@ -26,11 +27,12 @@ struct Cheapest {
   };
   double error;  // the smallest that two methods reach, in the unit of the quantity
   Cost best, next;
+  std::string machine;  // that ran both
 };
 
 /// By all runs of the case, on ladders or not, each charged for as far as it went when its error was measured. Equal
 /// spacing would be no fair measure: a step of one method costs many times that of another. Nothing if fewer than two
-/// methods have errors and times, or if they were not run on one machine.
+/// methods have errors and times. Where several machines ran them, those that one ran, the most, are compared.
 std::optional<Cheapest> cheapest(const CaseRecords& records, const Subject& subject);
 
 }  // namespace touchstone::reports

@@ -65,6 +65,26 @@ TEST(WorkPrecision, DrawsEachMethodsFrontAndWhatNoRunBeats) {
   EXPECT_EQ(find_curve(records, "paper SPH")->role, vnv::Role::published);
 }
 
+TEST(WorkPrecision, ComparesWhatOneMachineRanAndSaysWhich) {
+  CaseRecords records = two_methods();
+  records.records.push_back(records.records[1]);
+  for (vnv::Record& record : records.records) {
+    record.host = "n1";
+    record.machine = "a machine";
+  }
+  vnv::Record& other = records.records[2];
+  other.host = "n2";
+  other.method = "sph_elsewhere";
+  for (vnv::WorkPoint& p : other.work)
+    if (!p.elsewhere) p.series = other.method;
+  add_work_precision(records);
+  EXPECT_TRUE(each_once(records, &vnv::Record::figures).back().caption.ends_with("run on one: n1, a machine."));
+  EXPECT_FALSE(find_curve(records, "sph_elsewhere"));
+  ASSERT_TRUE(find_curve(records, "sph_elsewhere on n2"));
+  EXPECT_EQ(find_curve(records, "sph_elsewhere on n2")->role, vnv::Role::published);
+  EXPECT_EQ(find_table(records, "work_ratios").columns.size(), 5u) << "no ratio of two machines";
+}
+
 TEST(WorkPrecision, RanksMethodsByTheTimeToAnError) {
   CaseRecords records = two_methods();
   add_work_precision(records);
@@ -267,9 +287,18 @@ TEST(Cheapest, IsNoRunThatOccupiedAnotherResourceThanCpuTime) {
   EXPECT_EQ(answer->next.method, "sph");
 }
 
+TEST(Cheapest, IsAskedForOnTheMachineThatRanMost) {
+  CaseRecords records = three_methods();
+  records.records[2].host = "n2";
+  EXPECT_EQ(found(records)->best.method, "crude") << "sph ran on another machine than the other two";
+  records.records[1].host = "n2";
+  EXPECT_EQ(found(records)->next.method, "sph");
+  EXPECT_EQ(found(records)->machine, vnv::one_machine(records.records[2]));
+}
+
 TEST(Cheapest, IsNotAskedForAcrossMachinesOrOfOneMethod) {
   CaseRecords records = three_methods();
-  records.records[2].machine = "another";
+  for (vnv::Record& record : records.records) record.machine = record.method;
   EXPECT_FALSE(found(records));
   records = three_methods();
   records.records.resize(1);

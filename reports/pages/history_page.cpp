@@ -72,6 +72,17 @@ std::string case_link(const std::string& name, const std::vector<CaseRecords>& t
   return fmt::format("<a href=\"{}/index.html\">{}</a>", name, escape(found->title()));
 }
 
+/// What tells a step of a value by another machine from one by another revision.
+std::string machine_words(const Change& change, const History& history) {
+  const auto before = night_on_another_machine(*change.series, change.step);
+  if (!before) return "";
+  const std::size_t now = change.step.night;
+  const bool is_same_revision = history.nights[*before].revision == history.nights[now].revision;
+  return fmt::format("<br><small>{}: {} before, now {}</small>",
+                     is_same_revision ? "this value depends on the machine" : "run on another machine",
+                     escape(change.series->points[*before].machine), escape(change.series->points[now].machine));
+}
+
 HtmlRow change_row(const Group& group, const History& history) {
   const auto& [series, step] = group.front();
   const std::string more = group.size() == 1 ? "" : fmt::format(" <small>and {} more</small>", group.size() - 1);
@@ -82,7 +93,7 @@ HtmlRow change_row(const Group& group, const History& history) {
           revision(night),
           escape(series->case_name),
           escape(series->method),
-          words_cell(subject(*series) + more),
+          words_cell(subject(*series) + more + machine_words(group.front(), history)),
           number_cell(step.before),
           HtmlCell(printed(step.after), fails ? "number fails" : "number"),
           HtmlCell(std::isfinite(ratio) ? printed(ratio) : "–", "number")};

@@ -97,8 +97,9 @@ std::string cost(const Cheapest::Cost& cost) {
 HtmlCell cheapest_cell(const Flow& flow) {
   const auto found = cheapest(*flow.records, flow.comparison.subject);
   if (!found) return {"–", "best none"};
-  return {fmt::format("<b>{}</b><br>{} to {}<br><small>{} {}</small>", escape(found->best.method), cost(found->best),
-                      rounded(found->error, flow.unit()), escape(found->next.method), cost(found->next)),
+  const std::string where = found->machine.empty() ? "" : fmt::format(" title=\"on {}\"", escape(found->machine));
+  return {fmt::format("<b>{}</b><br>{} to {}<br><small{}>{} {}</small>", escape(found->best.method), cost(found->best),
+                      rounded(found->error, flow.unit()), where, escape(found->next.method), cost(found->next)),
           "best"};
 }
 
@@ -118,11 +119,12 @@ std::string notes_html(const std::set<char>& used) {
 std::string matrix(const std::string& title, Field field, const std::vector<CaseRecords>& cases) {
   const std::vector<Flow> flows = flows_with(field, cases);
   if (flows.empty()) return "";
-  HtmlTable table{title,
-                  "Observed order with its 95\u202f% interval, linked to its figure, and the floor of the errors where "
-                  "one was found. Last row: the fewest CPU seconds to an error, the smallest that two methods reach, "
-                  "and what the next method takes; ≤ if its cheapest run is better already.",
-                  {"method"}};
+  HtmlTable table{
+      title,
+      "Observed order with its 95\u202f% interval, linked to its figure, and the floor of the errors where "
+      "one was found. Last row: the fewest CPU seconds to an error, the smallest that two methods reach, "
+      "and what the next method takes, of those that one machine ran; ≤ if its cheapest run is better already.",
+      {"method"}};
   for (const auto& flow : flows) table.columns.push_back(heading(flow));
   std::set<char> notes;
   for (const auto& method : methods_in(flows)) {

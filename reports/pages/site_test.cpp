@@ -302,6 +302,21 @@ TEST_F(Site, WithAHistoryHasATrendOverItsNights) {
   EXPECT_TRUE(contains(page("trend_steps.csv"), "2026-11-22T04:00:00Z,revision22,poiseuille,mpm,M2"));
 }
 
+TEST_F(Site, TellsWhatChangedWithTheMachineAlone) {
+  vnv::Record record = sample_record();
+  record.suite = "nightly";
+  record.revision = "same";
+  record.runs = {sample_run("M2", 3)};
+  for (const char* machine : {"a", "b"}) {
+    record.machine = machine;
+    record.finished_at = fmt::format("2026-11-21T04:00:0{}Z", machine[0] - 'a');
+    record.verdicts[0].value *= 1.05;
+    put(record);
+    make_site(records, site, {.history = folder / "nights"});
+  }
+  EXPECT_TRUE(contains(page("trend.html"), "this value depends on the machine: a before, now b"));
+}
+
 TEST_F(Site, WithoutAHistoryHasNoTrend) {
   make_site(records, site);
   EXPECT_FALSE(fs::exists(site / "trend.html"));

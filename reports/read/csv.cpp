@@ -35,7 +35,8 @@ std::string cost_line(const vnv::Record& record, const vnv::RunSummary& run) {
   return csv_line({record.case_name, record.method, run.level, std::to_string(c.particles), std::to_string(c.steps),
                    number(c.cpu), number(c.cpu_lowest), number(c.cpu_highest), std::to_string(c.repeats),
                    number(c.wall), number_or_empty(100 * c.harness_share()), number(c.peak_memory / 1e6),
-                   number_or_empty(c.per_particle_step() * 1e9), word(c.resource), number(c.spent())});
+                   number_or_empty(c.per_particle_step() * 1e9), word(c.resource), number(c.spent()),
+                   vnv::one_machine(record)});
 }
 
 /// A heading, and a line of each item of all records.
@@ -64,7 +65,7 @@ std::string orders_csv(const std::vector<CaseRecords>& cases) {
 std::string cost_csv(const std::vector<CaseRecords>& cases) {
   return table(
       cases, &vnv::Record::runs, cost_line,
-      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step,resource,time of resource [s]\n");
+      "case,method,level,particles,steps,cpu [s],lowest cpu [s],highest cpu [s],runs,wall [s],harness [%],peak memory [MB],ns per particle-step,resource,time of resource [s],machine\n");
 }
 
 }  // namespace touchstone::reports

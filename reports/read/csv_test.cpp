@@ -56,8 +56,11 @@ TEST(Csv, ARunIsOneLineInTheUnitsOfTheHeading) {
   run.cost.harness = 0.025;
   run.cost.peak_memory = 5e6;
   record.runs = {run};
+  record.host = "n1";
+  record.machine = "a machine, 2 processors";
   EXPECT_TRUE(
-      contains(cost_csv({{"poiseuille", {record}}}), "\npoiseuille,mpm,M2,1000,2000,2,1.9,2.2,3,2.5,1,5,1000,CPU,2\n"));
+      contains(cost_csv({{"poiseuille", {record}}}),
+               "\npoiseuille,mpm,M2,1000,2000,2,1.9,2.2,3,2.5,1,5,1000,CPU,2,\"n1, a machine, 2 processors\"\n"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TOUCHSTONE_FIELDS(Night, suite, revision, compiler, flags, machine, finished_at)
 void describe(auto& field, vnv::json::A<NightRun> auto& item) {
   field("case", item.case_name);
   TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time_step, finished, outcome, cpu, wall, peak_memory,
-                        particles, steps, particle_steps_per_second)
+                        particles, steps, particle_steps_per_second, machine)
 }
 void describe(auto& field, vnv::json::A<NightValue> auto& item) {
   field("case", item.case_name);
@@ -96,10 +96,11 @@ long read_header(const Json& json, Night& night) {
   return lines;
 }
 
-void read_line(const Json& json, Night& night) {
+void read_line(Json json, Night& night) {
   std::string kind;
   const Reader reader(json);
   reader("kind", kind);
+  if (kind == "run" && !json.contains("machine")) json["machine"] = night.machine;
   bool is_known = false;
   for_each_list(night, [&](const char* known, auto& list) {
     if (kind != known) return;
@@ -139,7 +140,8 @@ NightRun summary(const vnv::Record& record, const vnv::RunSummary& run) {
           c.peak_memory,
           c.particles,
           c.steps,
-          c.particle_steps_per_second()};
+          c.particle_steps_per_second(),
+          record.machine};
 }
 
 // What a claim of convergence speaks of: the order above the floor, if there is one.

@@ -22,6 +22,7 @@ struct NightRun {
   double peak_memory = 0;                // bytes
   long particles = 0, steps = 0;         // fluid particles
   double particle_steps_per_second = 0;  // 1/s
+  std::string machine{};                 // that of the night where nights did not note it yet
 
   bool operator==(const NightRun&) const = default;
 };

@@ -90,6 +90,16 @@ TEST_F(NightFile, WrittenTwiceIsOne) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
+TEST_F(NightFile, OfATimeWithoutMachinesOfMethodsHasItsOwn) {
+  const Night night = sample_night();
+  write_night(night, folder.path());
+  const std::string text = text_of_file(file(night)), key = ",\"machine\":\"a \\\"machine\\\"\"";
+  const std::size_t place = text.rfind(key);
+  ASSERT_GT(place, text.find('\n'));
+  put(night, std::string(text).erase(place, key.size()));
+  EXPECT_EQ(read_night(file(night)).runs, night.runs);
+}
+
 TEST_F(NightFile, ThatIsTornIsRefusedWithItsLine) {
   const Night night = sample_night();
   write_night(night, folder.path());

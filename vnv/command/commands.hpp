@@ -2,6 +2,7 @@
 /// The subcommands of `vnv`: a function each, with what its options say. Each returns an ExitStatus.
 
 #include "vnv/command/catalogue.hpp"
+#include "vnv/command/engines.hpp"
 #include "vnv/gate/gate.hpp"
 
 #include <filesystem>
@@ -27,8 +28,7 @@ int list(const Build& build, const ListOptions& options);
 struct RunOptions {
   Patterns patterns{};
   std::string suite = "acceptance";
-  int at_once = 1;
-  std::filesystem::path records{};  // empty: those of the build
+  EngineOptions where{};  // without a folder of records: that of the build
   bool again = false;
 };
 int run(const Build& build, const RunOptions& options);

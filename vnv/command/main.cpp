@@ -68,8 +68,27 @@ void declare_list(CLI::App& command, ListOptions& options) {
 void declare_run(CLI::App& command, RunOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
-  add_at_once(command, options.at_once);
-  command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
+  EngineOptions& where = options.where;
+  command
+      .add_option("-j", where.at_once,
+                  "programs to run at once; default: 1, with parallel the processors of each host, with slurm all that "
+                  "it grants; what judges time runs alone")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--records", where.records, "folder of records; default: BUILD/records/SUITE");
+  command
+      .add_option(
+          "--engine", where.engine,
+          "local: here; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by arrays of jobs. All "
+          "machines see the build folder, the data and the records at the same places")
+      ->check(CLI::IsMember(engines))
+      ->capture_default_str();
+  command.add_option("--hosts", where.hosts,
+                     "of parallel: separated by commas, or a file of them, as its --sshlogin has them: 4/user@host; "
+                     "default: this machine");
+  command
+      .add_option("--engine-option", where.options,
+                  "another option of parallel or sbatch: --partition=long; may repeat")
+      ->allow_extra_args(false);
   command.add_flag("--again", options.again, "run also what would be skipped");
 }
 
@@ -233,8 +252,10 @@ void add_subcommands(Session& session) {
       "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
   add(session, "run", "Runs methods and judges them by their claims.",
       "A method is skipped if the folder of records has one of the same program, data and suite.\n"
+      "On other machines it may take five times as long as last time, and is tried again where its machine is lost.\n"
       "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine\n"
-      "  vnv run mine.toml",
+      "  vnv run mine.toml\n  vnv run --suite nightly --engine parallel --hosts a,4/b\n"
+      "  vnv run --suite nightly --engine slurm --engine-option=--partition=long",
       run, declare_run);
   add(session, "report", "Turns records into pages and prints the path of the first.",
       "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,

@@ -1,15 +1,13 @@
 #pragma once
 /// What came of a method: by its record, and by how its program ended.
 
-#include "vnv/programs/programs.hpp"
+#include "vnv/command/engines.hpp"
 #include "vnv/record/record.hpp"
 
 #include <string>
 #include <vector>
 
 namespace touchstone::vnv::command {
-
-using programs::Ending;
 
 struct MethodOutcome {
   long held = 0, judged = 0;            // claims
@@ -23,10 +21,10 @@ MethodOutcome outcome_in(const Record& record);
 
 /// Of a program that has just ended, and the record it was to write. A program that did not end by itself, that wrote
 /// no record, or that failed although no claim did, is a failure of its own; `log` is where it said why, and is quoted.
-MethodOutcome outcome_of(const std::string& name, const Ending& ending, const std::filesystem::path& record,
+MethodOutcome outcome_of(const std::string& name, const Fate& fate, const std::filesystem::path& record,
                          const std::filesystem::path& log);
 
 /// Whether another run would give the same: then the method need not run again.
-bool is_conclusive(const MethodOutcome& outcome, const Ending& ending);
+bool is_conclusive(const MethodOutcome& outcome, const Fate& fate);
 
 }  // namespace touchstone::vnv::command

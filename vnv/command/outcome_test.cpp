@@ -28,7 +28,7 @@ class AnOutcome : public testing::Test {
 
   const programs::ScratchFolder scratch_;
   const fs::path folder_ = scratch_.path();
-  const Ending well_{}, failed_{.status = 1}, killed_{.signal = 9};
+  const Fate well_{}, failed_{{.ending = {.status = 1}}}, killed_{{.ending = {.signal = 9}}};
 };
 
 TEST_F(AnOutcome, CountsWhatHoldsAndQuotesWhatDoesNot) {

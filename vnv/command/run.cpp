@@ -1,4 +1,4 @@
-/// vnv run: judges methods by their programs, several at once, and skips what was done before from the same inputs.
+/// vnv run: judges methods by their programs, wherever these run, and skips what was done before from the same inputs.
 
 #include "vnv/command/commands.hpp"
 #include "vnv/command/inputs.hpp"
@@ -10,19 +10,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 namespace touchstone::vnv::command {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-struct Job {
-  Chosen chosen;
-  Inputs inputs;
-};
 
 /// What came of all methods.
 struct Sum {
@@ -50,101 +43,93 @@ void add(Sum& sum, const std::string& name, const MethodOutcome& outcome, bool s
   if (!skipped || !outcome.failures.empty()) print_line(name, outcome, skipped ? ", as before" : "");
 }
 
-/// Runs jobs, the dearest first, and those whose claims are of time alone, last.
-class Runner {
- public:
-  Runner(const Build& build, const RunOptions& options, Sum& sum) : build_(build), options_(options), sum_(sum) {}
+/// Nothing where there is no record, or none that can be read.
+std::optional<LastCost> last_cost(const fs::path& record) try {
+  LastCost last;
+  for (const RunSummary& run : read_record(record).runs) {
+    last.wall += (run.cost.wall + run.cost.harness) * static_cast<double>(run.cost.repeats);
+    last.peak_memory = std::max(last.peak_memory, run.cost.peak_memory);
+  }
+  return last;
+} catch (const std::runtime_error&) {
+  return std::nullopt;
+}
 
-  void run(std::vector<Job> jobs) {
-    std::ranges::sort(jobs, [](const Job& a, const Job& b) {
-      const auto place = [](const Job& job) {
-        return std::pair(job.chosen.of->timed, -job.chosen.method->relative_cost);
-      };
-      return place(a) < place(b);
-    });
-    count_ = jobs.size();
-    auto next = jobs.cbegin();
-    while (next != jobs.cend() || !running_.empty()) {
-      while (next != jobs.cend() && may_start(*next)) begin(*next++);
-      if (const std::optional<programs::Child> child = programs_.wait(between_shows)) end(*child);
-      show_progress();
-    }
+/// The methods of a suite, judged by their programs wherever these run.
+class Judging {
+ public:
+  Judging(const Build& build, const RunOptions& options, Sum& sum)
+      : build_{fs::absolute(build.folder), build.data.empty() ? "" : fs::absolute(build.data)},
+        options_(options),
+        sum_(sum) {}
+
+  void judge(const std::vector<Chosen>& methods) {
+    std::vector<Job> todo;
+    for (const Chosen& one : methods)
+      if (options_.again || !was_done(one)) todo.push_back(job_of(one));
+    make_engine(options_.where)
+        ->run(std::move(todo), {.begins = [&](const Job& job) { begin(job); },
+                                .ended = [&](const Job& job, const Fate& fate) { end(job.name, fate, false); }});
   }
 
  private:
-  static constexpr std::chrono::milliseconds between_shows{200};
+  const fs::path& records() const { return options_.where.records; }
 
-  struct Started {
-    const Job* job;
-    Clock::time_point since;
-  };
-
-  bool may_start(const Job& job) const {
-    const bool one_is_timed =
-        std::ranges::any_of(running_, [](const auto& entry) { return entry.second.job->chosen.of->timed; });
-    return running_.empty() || (!job.chosen.of->timed && !one_is_timed && std::ssize(running_) < options_.at_once);
+  const Inputs& inputs_of(const Chosen& one) {
+    std::string& hash = hashes_[one.of];
+    if (hash.empty()) hash = hash_of_inputs(build_.program(one.of->name), *one.of);
+    return inputs_.insert_or_assign(one.name(), Inputs{hash, options_.suite}).first->second;
   }
 
-  fs::path log(const std::string& name) const { return options_.records / "logs" / (name + ".txt"); }
+  static std::string key_of(const Inputs& inputs) { return inputs.suite + "-" + inputs.hash; }
+
+  /// Then it is added to the sum. What ended elsewhere while nobody listened is heard now.
+  bool was_done(const Chosen& one) {
+    const std::string name = one.name();
+    const Inputs& inputs = inputs_of(one);
+    if (!is_done(records(), name, inputs)) {
+      const std::optional<Fate> fate = ended_elsewhere(records(), name, key_of(inputs));
+      return fate && end(name, *fate, true);
+    }
+    const fs::path record = record_file(records(), name);
+    files::remove_what_the_killed_left(record);
+    add(sum_, name, outcome_in(read_record(record)), true);
+    return true;
+  }
+
+  Job job_of(const Chosen& one) {
+    const std::string name = one.name();
+    Job job{.name = name,
+            .key = key_of(inputs_of(one)),
+            .call = build_.call(one.of->name, {"--method", one.method->name, "--suite", options_.suite, "--records",
+                                               records().string()}),
+            .alone = one.of->timed,
+            .relative_cost = one.method->relative_cost};
+    if (options_.where.engine != "local") job.last = last_cost(record_file(records(), name));
+    return job;
+  }
 
   void begin(const Job& job) {
-    const std::string name = job.chosen.name();
-    forget(options_.records, name);
-    const Words call = build_.call(job.chosen.of->name, {"--method", job.chosen.method->name, "--suite", options_.suite,
-                                                         "--records", options_.records.string()});
-    running_.emplace(programs_.start(name, call, log(name)), Started{&job, Clock::now()});
+    forget(records(), job.name);
+    forget_ended(records(), job.name);
   }
 
-  void end(const programs::Child& child) {
-    const Job& job = *running_.at(child.id).job;
-    running_.erase(child.id);
-    const std::string name = job.chosen.name();
-    const MethodOutcome outcome = outcome_of(name, child.ending, record_file(options_.records, name), log(name));
-    if (is_conclusive(outcome, child.ending)) set_done(options_.records, name, job.inputs);
-    line_.clear();
-    add(sum_, name, outcome, false);
-    ++ended_;
+  /// Whether that is how it ends; a former run's is only if another would give the same.
+  bool end(const std::string& name, const Fate& fate, bool is_former) {
+    const MethodOutcome outcome =
+        outcome_of(name, fate, record_file(records(), name), records() / "logs" / (name + ".txt"));
+    const bool is_final = is_conclusive(outcome, fate);
+    if (is_final) set_done(records(), name, inputs_.at(name));
+    if (is_final || !is_former) add(sum_, name, outcome, is_former);
+    return is_final;
   }
 
-  void show_progress() {
-    if (Clock::now() - shown_ < between_shows) return;
-    shown_ = Clock::now();
-    std::string text = fmt::format("{} of {}:", ended_, count_);
-    for (const auto& [id, one] : running_)
-      text += fmt::format(" {} {:.0f} s", one.job->chosen.name(),
-                          std::chrono::duration<double>(shown_ - one.since).count());
-    line_.show(text);
-  }
-
-  const Build& build_;
+  const Build build_;
   const RunOptions& options_;
   Sum& sum_;
-  ProgressLine line_;
-  programs::Running programs_;
-  std::map<pid_t, Started> running_;
-  std::size_t ended_ = 0, count_ = 0;
-  Clock::time_point shown_{};
+  std::map<const Description*, std::string> hashes_;
+  std::map<std::string, Inputs> inputs_;  // by name of the method
 };
-
-/// The jobs that are still to do; what was done before is added to the sum.
-std::vector<Job> skip_done(const Build& build, const RunOptions& options, const std::vector<Chosen>& methods,
-                           Sum& sum) {
-  std::map<const Description*, std::string> hashes;
-  std::vector<Job> todo;
-  for (const Chosen& one : methods) {
-    std::string& hash = hashes[one.of];
-    if (hash.empty()) hash = hash_of_inputs(build.program(one.of->name), *one.of);
-    const Inputs inputs{hash, options.suite};
-    if (options.again || !is_done(options.records, one.name(), inputs)) {
-      todo.push_back({one, inputs});
-      continue;
-    }
-    const fs::path record = record_file(options.records, one.name());
-    files::remove_what_the_killed_left(record);
-    add(sum, one.name(), outcome_in(read_record(record)), true);
-  }
-  return todo;
-}
 
 /// Another code is run anew each time: of what it is made from nothing is known.
 void run_solver(const doors::Solver& solver, const RunOptions& options, Sum& sum) {
@@ -153,7 +138,7 @@ void run_solver(const doors::Solver& solver, const RunOptions& options, Sum& sum
     ++sum.not_run;
     return;
   }
-  const doors::Judgement judgement = run_and_record(solver, options.suite, options.records);
+  const doors::Judgement judgement = run_and_record(solver, options.suite, options.where.records);
   const std::string name = solver.case_and_method();
   fmt::print("{}\n", name);
   if (const auto& files = judgement.files; !files.empty())
@@ -178,14 +163,14 @@ int conclude(const Sum& sum) {
 int run(const Build& build, const RunOptions& chosen) {
   RunOptions options = chosen;
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
-  if (options.records.empty()) options.records = build.records(options.suite);
-  files::make_folder(options.records / "logs");
+  if (options.where.records.empty()) options.where.records = build.records(options.suite);
+  options.where.records = fs::absolute(options.where.records);
+  files::make_folder(options.where.records / "logs");
   Sum sum;
   if (solvers.empty() || !options.patterns.empty()) {
     const Catalogue catalogue = read_catalogue(build, options.patterns);
     const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
-    const std::vector<Job> todo = skip_done(build, options, methods, sum);
-    Runner(build, options, sum).run(todo);
+    Judging(build, options, sum).judge(methods);
   }
   for (const doors::Solver& solver : solvers) run_solver(solver, options, sum);
   return conclude(sum);

@@ -51,15 +51,6 @@ std::map<std::string, std::string> placeholders(const Solver& solver, double spa
   return all;
 }
 
-/// In single quotes for a shell, wherever that reads it otherwise.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-=:";
-  if (!text.empty() && text.find_first_not_of(plain) == text.npos) return text;
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? "'\\''" : std::string(1, c);
-  return all + "'";
-}
-
 /// A word of the command with its placeholders replaced; "{{" is a brace.
 std::string filled(const Solver& solver, const std::string& word, const std::map<std::string, std::string>& values) {
   std::string text;
@@ -81,7 +72,7 @@ std::string filled(const Solver& solver, const std::string& word, const std::map
           fmt::format("{}: command: '{}' is no placeholder, expected one of: {}; a brace is {{{{", solver.file.string(),
                       word.substr(k, close - k + 1), fmt::join(known, ", ")));
     }
-    text += solver.is_for_shell ? quoted(value->second) : value->second;
+    text += solver.is_for_shell ? programs::quoted(value->second) : value->second;
     k = close;
   }
   return text;
@@ -93,7 +84,7 @@ std::string line_of(const Solver& solver, double spacing, const fs::path& folder
   std::vector<std::string> words;
   for (const std::string& word : solver.command) {
     const std::string text = filled(solver, word, values);
-    words.push_back(solver.is_for_shell ? text : quoted(text));
+    words.push_back(solver.is_for_shell ? text : programs::quoted(text));
   }
   return fmt::format("{}", fmt::join(words, " "));
 }
@@ -227,7 +218,7 @@ void prepare(const Solver& solver, const fs::path& folder) {
     files::write_whole(own / particles_file, particles_as_csv(solver.flow, spacing));
     files::write_whole(own / run_script, fmt::format("#!/bin/sh\ncd {0}\n: > {1}\nbegan=$(date +%s.%N)\n"
                                                      "trap 'echo \"$began $(date +%s.%N)\" > {1}' EXIT\n{2}\n",
-                                                     quoted(own.string()), began_and_ended, line));
+                                                     programs::quoted(own.string()), began_and_ended, line));
     fs::permissions(own / run_script, fs::perms::owner_exec, fs::perm_options::add);
   }
 }

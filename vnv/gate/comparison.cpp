@@ -175,6 +175,14 @@ void compare_claims(const Record& before, const Record& after, std::vector<Diffe
       [](const Claimed& was, const Claimed& is) { return compare_verdicts(*was.verdict, *is.verdict); }, found);
 }
 
+/// Of what differs between two machines, which they are; by one program the value depends on the machine.
+void name_machines(const Record& before, const Record& after, Difference& d) {
+  if (before.machine == after.machine || d.change <= Change::same) return;
+  d.why += fmt::format("; {}: {} before, {} after",
+                       before.revision == after.revision ? "this value depends on the machine" : "on another machine",
+                       before.machine, after.machine);
+}
+
 bool are_of_one_method(const Record& a, const Record& b) { return a.case_name == b.case_name && a.method == b.method; }
 
 void require_one_of_each(const Records& records) {
@@ -213,8 +221,10 @@ std::vector<Difference> compare(const Records& before, const Records& after) {
       found.push_back(concluded(of_method(was, Kind::run, "method"), {Change::worse, gone}));
       continue;
     }
+    const auto first = std::ssize(found);
     for (const auto compare_all : {compare_runs, compare_claims, compare_errors, compare_orders_of})
       compare_all(was, *is, found);
+    std::for_each(found.begin() + first, found.end(), [&](Difference& d) { name_machines(was, *is, d); });
   }
   for (const Record& is : after)
     if (std::ranges::none_of(before, [&](const Record& other) { return are_of_one_method(other, is); }))

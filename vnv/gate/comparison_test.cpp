@@ -251,5 +251,23 @@ TEST(Comparison, OfRepeatedRunsSetsAsideWhatVariedBefore) {
   EXPECT_EQ(find(compare_repeated({{plain()}, {plain()}}, {{other}, {other}})), Change::worse);
 }
 
+TEST(Comparison, NamesTheMachinesOfWhatDiffersBetweenThem) {
+  Record before = plain(), after = plain();
+  before.machine = "a";
+  after.machine = "b";
+  EXPECT_TRUE(
+      std::ranges::none_of(compare({before}, {after}), [](const Difference& d) { return d.why.ends_with("b after"); }));
+  after.values[0].value *= 2;
+  const auto said = [&] {
+    const std::vector<Difference> all = compare({before}, {after});
+    return std::ranges::find(all, Change::worse, &Difference::change)->why;
+  };
+  EXPECT_TRUE(said().ends_with("; this value depends on the machine: a before, b after")) << said();
+  after.revision = "another";
+  EXPECT_TRUE(said().ends_with("; on another machine: a before, b after")) << said();
+  after.machine = "a";
+  EXPECT_EQ(said().find("machine"), std::string::npos) << said();
+}
+
 }  // namespace comparison_test
 }  // namespace touchstone::gate

@@ -4,7 +4,9 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -25,6 +27,14 @@ std::string machine() {
   return fmt::format("{}, {} processors", model, std::thread::hardware_concurrency());
 }
 
+/// Of a node of Slurm its own name, which need not be that of its host.
+std::string host() {
+  if (const char* node = std::getenv("SLURMD_NODENAME")) return node;
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
 }  // namespace
 
 void describe_environment(Record& record) {
@@ -32,6 +42,7 @@ void describe_environment(Record& record) {
   record.compiler = fmt::format("{} {}", TOUCHSTONE_COMPILER, __VERSION__);
   record.flags = TOUCHSTONE_FLAGS;
   record.machine = machine();
+  record.host = host();
   record.finished_at = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 

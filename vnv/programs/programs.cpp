@@ -93,6 +93,14 @@ Ending run_alone(const Words& words, const auto& output) {
 
 }  // namespace
 
+std::string quoted(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-=:";
+  if (!text.empty() && text.find_first_not_of(plain) == text.npos) return text;
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? "'\\''" : std::string(1, c);
+  return all + "'";
+}
+
 std::string Ending::sentence() const {
   if (signal != 0) return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
   return fmt::format("ended with status {}", status);

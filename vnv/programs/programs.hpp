@@ -17,6 +17,9 @@ namespace touchstone::programs {
 
 using Words = std::vector<std::string>;  // a program, found as a shell finds it, and its arguments
 
+/// In single quotes for a shell, wherever that reads it otherwise.
+std::string quoted(const std::string& text);
+
 struct Ending {
   int status = 0;  // exit status
   int signal = 0;  // that killed it, or 0

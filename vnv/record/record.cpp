@@ -35,8 +35,8 @@ TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles,
                   cpu_highest)
 TOUCHSTONE_FIELDS(HistoryFile, level, file)
 TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, another_code, suite,
-                  revision, compiler, flags, machine, finished_at, runs, values, orders, verdicts, diagnoses, figures,
-                  curves, clouds, tables, diagrams, work, histories)
+                  revision, compiler, flags, machine, finished_at, host, runs, values, orders, verdicts, diagnoses,
+                  figures, curves, clouds, tables, diagrams, work, histories)
 
 namespace {
 
@@ -114,6 +114,7 @@ void add_what_is_new(json::Json& json) {
     if (object.is_object() && !object.contains(name)) object[name] = value;
   };
   add(json, "another_code", false);
+  add(json, "host", "");
   add(json, "diagnoses", json::Json::array());
   for (auto& diagnosis : json["diagnoses"]) add(diagnosis, "quantities", json::Json::array());
   if (!json.contains("runs") || !json["runs"].is_array()) return;  // which is refused later
@@ -127,6 +128,10 @@ void add_what_is_new(json::Json& json) {
 std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
 
 }  // namespace
+
+std::string one_machine(const Record& record) {
+  return record.host.empty() ? record.machine : record.host + ", " + record.machine;
+}
 
 std::string contradiction(const Verdict& v, const Record& record) {
   const Outcome judged = outcome_of(v);

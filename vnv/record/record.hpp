@@ -70,6 +70,7 @@ struct Record {
   bool another_code = false;  // by a code from elsewhere, of which nothing was accepted here
   std::string suite;          // "acceptance", "report" or "nightly"
   std::string revision, compiler, flags, machine, finished_at;
+  std::string host{};  // that `machine` is one of, by its name; empty where nobody noted it
   std::vector<RunSummary> runs;
   std::vector<Value> values;
   std::vector<ObservedOrder> orders;
@@ -85,6 +86,9 @@ struct Record {
 
   bool operator==(const Record&) const = default;
 };
+
+/// Which one machine it was: "n1, AMD EPYC, 2 processors". Costs of several are not compared.
+std::string one_machine(const Record& record);
 
 /// What contradicts a verdict in its own record: its numbers come to another outcome, its level was not run, or what
 /// was measured there is another number. Empty if nothing does.

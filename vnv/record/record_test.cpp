@@ -63,6 +63,7 @@ Record full_record() {
   r.flags = "-O3";
   r.machine = "one core";
   r.finished_at = "2024-01-01";
+  r.host = "n1";
   const Cost cost{800, 120, 200000, 5, 92.5, 92.1, 94.2, 93.1, 92.9, 0.3, 1.7e6, Resource::gpu, 186.2};
   r.runs = {{"M1", 2.5e-5, 5e-6, 1.0, true, "finished", cost}};
   r.values = {{"M1", 2.5e-5, 1.0, {"L2 v_x", "%", Kind::norm}, 0.0334}};

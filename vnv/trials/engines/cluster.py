@@ -1,0 +1,188 @@
+"""A Slurm of several nodes and hosts of ssh, all of them this machine, for a while."""
+
+import contextlib
+import os
+import pathlib
+import pwd
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import shared  # noqa: E402
+
+START = 60  # s, that a daemon may take
+
+
+def missing(*programs):
+    """The first of these that is not here."""
+    os.environ["PATH"] += os.pathsep + "/usr/sbin"
+    return next((program for program in programs if not shutil.which(program)), None)
+
+
+def free_ports(count):
+    with contextlib.ExitStack() as stack:
+        sockets = [stack.enter_context(socket.socket()) for _ in range(count)]
+        for one in sockets:
+            one.bind(("127.0.0.1", 0))
+        return [one.getsockname()[1] for one in sockets]
+
+
+def until(holds, what):
+    end = time.monotonic() + START
+    while not holds():
+        if time.monotonic() > end:
+            raise shared.BadInput(f"{what}: not within {START} s")
+        time.sleep(0.1)
+
+
+def processes():
+    """{id: (id of its parent, its name, its environment)}"""
+    found = {}
+    for place in pathlib.Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError, ValueError, IndexError):
+            name, rest = (place / "stat").read_text().split("(", 1)[1].rsplit(")", 1)
+            found[int(place.name)] = int(rest.split()[1]), name, (place / "environ").read_bytes().split(b"\0")
+    return found
+
+
+def kill_all(process, mark):
+    """Kills a process and all that it started, as a machine does that loses its power: its children, and what has the
+    mark in its environment with the daemon of Slurm that started it."""
+    known = processes()
+    marked = [one for one, (_, _, environment) in known.items() if mark in environment]
+    victims = [process.pid, *marked, *(known[one][0] for one in marked if known.get(known[one][0], "  ")[1] == "slurmstepd")]
+    for victim in victims:
+        victims.extend(one for one, (parent, _, _) in known.items() if parent == victim and one not in victims)
+    for kind in (signal.SIGSTOP, signal.SIGKILL):  # none tells of another's end
+        for victim in victims:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(victim, kind)
+    process.wait()
+
+
+@contextlib.contextmanager
+def processor_time():
+    """What all take that is started here, daemons that leave their parent included: a function [s], or None where this
+    may not be counted."""
+    group = pathlib.Path("/sys/fs/cgroup/cpuacct") / f"engines.{os.getpid()}"
+    try:
+        group.mkdir()
+        (group / "cgroup.procs").write_text(str(os.getpid()))
+    except OSError:
+        yield None
+        return
+    try:
+        yield lambda: int((group / "cpuacct.usage").read_text()) * 1e-9
+    finally:
+        (group.parent / "cgroup.procs").write_text(str(os.getpid()))
+        with contextlib.suppress(OSError):  # some daemon is slow to end
+            group.rmdir()
+
+
+class Daemons:
+    """Programs that run until all of this ends, each with what it says in a file."""
+
+    def __init__(self, folder):
+        self.folder, self.running = folder, {}
+        folder.mkdir(parents=True)
+
+    def start(self, name, words, **more):
+        with open(self.folder / f"{name}.txt", "w", encoding="utf-8") as said:
+            self.running[name] = subprocess.Popen([str(word) for word in words], stdout=said, stderr=said,
+                                                  stdin=subprocess.DEVNULL, start_new_session=True, **more)
+
+    def kill(self, name):
+        kill_all(self.running.pop(name), f"SLURMD_NODENAME={name}".encode())
+
+    def end(self):
+        for name in list(self.running):
+            self.kill(name)
+
+
+CONFIGURATION = """ClusterName=trial
+SlurmctldHost={host}(127.0.0.1)
+SlurmUser={user}
+SlurmdUser={user}
+SlurmctldPort={port}
+AuthType=auth/none
+CredType=cred/none
+MpiDefault=none
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SwitchType=switch/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core_Memory
+SchedulerParameters=sched_interval=5,defer_batch
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/spool.%n
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmdPidFile={folder}/slurmd.%n.pid
+SlurmctldLogFile={folder}/slurmctld.log
+SlurmdLogFile={folder}/slurmd.%n.log
+SlurmdTimeout={timeout}
+ReturnToService=2
+KillWait=5
+AuthInfo=cred_expire=10
+NodeName=n[1-{nodes}] NodeHostname={host} NodeAddr=127.0.0.1 Port=[{ports}] CPUs={processors} RealMemory={memory}
+PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+"""
+
+
+@contextlib.contextmanager
+def slurm(folder, nodes=2, processors=1, memory=10000, timeout=15):
+    """Sets SLURM_CONF; `kill("n1")` of what is given ends a node with all that runs there."""
+    port, *ports = free_ports(1 + nodes)
+    daemons = Daemons(folder)
+    (folder / "state").mkdir()
+    (folder / "slurm.conf").write_text(CONFIGURATION.format(
+        host=socket.gethostname(), user=pwd.getpwuid(os.getuid()).pw_name, port=port, folder=folder, nodes=nodes,
+        ports=",".join(map(str, ports)), processors=processors, memory=memory, timeout=timeout), encoding="utf-8")
+    os.environ["SLURM_CONF"] = str(folder / "slurm.conf")
+    try:
+        daemons.start("slurmctld", ["slurmctld", "-D"])
+        for k in range(1, nodes + 1):
+            daemons.start(f"n{k}", ["slurmd", "-D", "-N", f"n{k}"])
+
+        def idle():
+            heard = subprocess.run(["sinfo", "--noheader", "--format=%D %T"], capture_output=True, text=True)
+            return f"{nodes} idle" in heard.stdout
+
+        until(idle, f"{nodes} nodes of Slurm, see {folder}")
+        yield daemons
+    finally:
+        subprocess.run(["scancel", "--me"], capture_output=True)
+        daemons.end()
+        del os.environ["SLURM_CONF"]
+
+
+@contextlib.contextmanager
+def ssh_hosts(folder, count=2):
+    """Hosts as GNU parallel names them, and the daemons by which one is ended."""
+    daemons = Daemons(folder)
+    key = folder / "key"
+    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", key], check=True)
+    shutil.copy(f"{key}.pub", folder / "allowed")
+    pathlib.Path("/run/sshd").mkdir(exist_ok=True)
+    ports = free_ports(count)
+    try:
+        for k, port in enumerate(ports, 1):
+            daemons.start(f"h{k}", [shutil.which("sshd"), "-D", "-e", "-f", "/dev/null", "-p", port, "-h", key,
+                                    "-o", "ListenAddress=127.0.0.1", "-o", f"AuthorizedKeysFile={folder}/allowed",
+                                    "-o", "StrictModes=no", "-o", "UsePAM=no", "-o", "PermitRootLogin=yes",
+                                    "-o", "MaxStartups=100", "-o", f"PidFile={folder}/h{k}.pid"])
+
+        def answers(port):
+            with socket.socket() as one:
+                return one.connect_ex(("127.0.0.1", port)) == 0
+
+        for port in ports:
+            until(lambda: answers(port), f"sshd at port {port}, see {folder}")
+        words = f"ssh -i {key} -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR"
+        yield [f"1/{words} -p {port} 127.0.0.1" for port in ports], daemons
+    finally:
+        daemons.end()
