@@ -15,6 +15,7 @@
 #include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -87,6 +88,8 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
     const Night night = night_of(cases);
     write_night(night, memory.history);
     history = read_history(memory.history, night.suite);
+    if (history->nights.empty())  // not even what was just written
+      throw std::runtime_error(fmt::format("no night can be read: {}", fmt::join(history->refused, "; ")));
   }
   std::ranges::for_each(cases, add_work_precision);
   Staging staging(site);

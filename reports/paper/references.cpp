@@ -1,5 +1,7 @@
 #include "reports/paper/references.hpp"
 
+#include "vnv/files/tables.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
@@ -36,7 +38,7 @@ std::vector<Reference> read_references(const std::filesystem::path& file) {
   std::vector<Reference> all;
   std::string named, oracle_of;
   const auto refuse = [&](const std::string& what) {
-    throw std::runtime_error(fmt::format("{}: {}: {}", file.string(), all.back().key, what));
+    throw vnv::BadData(file, 0, fmt::format("{}: {}", all.back().key, what));
   };
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with('@')) {
@@ -55,6 +57,8 @@ std::vector<Reference> read_references(const std::filesystem::path& file) {
     else if (!line.empty())
       all.back().entry += line + "\n";
     if (line != "}") continue;
+    if (named.size() + oracle_of.size() > 500)
+      refuse("'named' or 'oracle_of' is longer than 500 letters");  // see std::regex
     if (named.empty()) refuse("no field 'named', expected how a record names it");
     try {
       all.back().named = named;

@@ -114,7 +114,11 @@ void read_line(Json json, Night& night) {
 }
 
 Json parsed(const std::string& line) {
-  Json json = Json::parse(line, nullptr, false);
+  Json json;
+  try {
+    json = vnv::json::parsed(line);
+  } catch (const Json::parse_error&) {
+  }
   if (!json.is_object()) throw std::runtime_error("no whole line of JSON");
   vnv::rename_former_keys(json);
   return json;
@@ -222,7 +226,7 @@ Night read_night(const fs::path& file) {
   Night night;
   long number = 0, expected = 0;
   const auto refuse = [&](const std::string& what) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), std::max(number, 1L), what));
+    throw vnv::BadData(file, static_cast<int>(std::max(number, 1L)), what);
   };
   try {
     for (std::string line; std::getline(stream, line);)

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -322,8 +323,8 @@ std::filesystem::path own_build_folder() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
 
-int work(int count, char** arguments) {
-  Session session;
+/// Reads the command line; an exit status where nothing is left to do: help was asked for, or what is wrong was told.
+std::optional<int> parse(Session& session, int count, char** arguments) {
   CLI::App& app = session.app;
   app.name("vnv");
   app.footer(
@@ -349,6 +350,12 @@ int work(int count, char** arguments) {
     fmt::print(stderr, "vnv: {}\n\n{}", error.what(), app.help());  // that of the subcommand, if it got so far
     return bad_usage;
   }
+  return std::nullopt;
+}
+
+int work(int count, char** arguments) {
+  Session session;
+  if (const std::optional<int> status = parse(session, count, arguments)) return *status;
   if (session.build.data.empty() && session.build.is_installed()) session.build.data = session.build.installed_data();
   if (!session.build.data.empty()) set_data_folder(session.build.data);
   return session.work();

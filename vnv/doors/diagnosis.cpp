@@ -587,8 +587,9 @@ class Diagnostician {
       const Phrases words = phrases_of(fit.causes[k], exact_.field == "pressure");
       const double scale = words.unit == "%" ? 100 : words.unit == "s" ? 1 : 1 / spacing_;
       const auto i = static_cast<Index>(k);
-      const FittedCause& one = made.causes.emplace_back(std::string(words.name), std::string(words.unit),
-                                                        scale * fit.value[i], scale * fit.interval * fit.deviation[i]);
+      const FittedCause& one =
+          made.causes.emplace_back(FittedCause{std::string(words.name), std::string(words.unit), scale * fit.value[i],
+                                               scale * fit.interval * fit.deviation[i]});
       const std::string_view phrase =
           one.value >= 0 || words.where_negative.empty() ? words.where_positive : words.where_negative;
       made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one));

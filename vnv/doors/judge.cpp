@@ -18,7 +18,7 @@ namespace {
 GivenLevel& level_of(std::vector<GivenLevel>& levels, double spacing) {
   const auto is_equal = [&](const GivenLevel& level) { return std::abs(level.spacing / spacing - 1) < 0.01; };
   const auto found = std::ranges::find_if(levels, is_equal);
-  return found == levels.end() ? levels.emplace_back(spacing) : *found;
+  return found == levels.end() ? levels.emplace_back(GivenLevel{spacing}) : *found;
 }
 
 bool has(const std::vector<std::string>& fields, const std::string& name) {

@@ -1,6 +1,7 @@
 /// The TOML file of a solver.
 
 #include "vnv/doors/solver.hpp"
+#include "vnv/files/tables.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
@@ -179,9 +180,7 @@ void read_resources(const Keys& keys, Solver& solver) {
   keys.require_no_other();
 }
 
-}  // namespace
-
-Solver read_solver(const fs::path& file) {
+Solver solver_in(const fs::path& file) {
   if (!fs::is_regular_file(file)) throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
   const toml::table table = parsed(file);
   const Keys keys(table, file);
@@ -219,6 +218,13 @@ Solver read_solver(const fs::path& file) {
   solver.tolerance = keys.positive("tolerance", solver.tolerance);
   keys.require_no_other();
   return solver;
+}
+
+}  // namespace
+
+Solver read_solver(const fs::path& file) try { return solver_in(file); } catch (const std::invalid_argument& error) {
+  const std::string what = error.what();
+  throw std::invalid_argument(printable(what.starts_with(file.string()) ? what : file.string() + ": " + what));
 }
 
 }  // namespace touchstone::vnv::doors

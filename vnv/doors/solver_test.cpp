@@ -215,6 +215,7 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
                                   std::pair("units = { lenght = \"mm\" }", "unit of 'lenght' = 'mm'")})
     EXPECT_EQ(refusal("time = 0.1", key).find(fmt::format("mine.toml: read: {}, expected one of: density, ", said)), 0)
         << refusal("time = 0.1", key);
+  EXPECT_EQ(refusal("shear_wave", "shear\\nwave").substr(0, 32), "mine.toml: no flow 'shear?wave',");
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
   EXPECT_EQ(refusal("{particles}", "{particle}"),
             "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "

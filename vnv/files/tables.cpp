@@ -219,9 +219,18 @@ std::set<path>& remembered_tables() {
 
 }  // namespace
 
+std::string printable(std::string text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
+    if (byte(k) < 0x20 || byte(k) == 0x7f) text[k] = '?';
+    if (byte(k) == 0xc2 && byte(k + 1) >= 0x80 && byte(k + 1) < 0xa0) text.replace(k, 2, "?");
+  }
+  return text;
+}
+
 BadData::BadData(const path& file, int line, std::string_view what)
-    : std::runtime_error(line > 0 ? fmt::format("{}:{}: {}", file.string(), line, what)
-                                  : fmt::format("{}: {}", file.string(), what)) {}
+    : std::runtime_error(printable(line > 0 ? fmt::format("{}:{}: {}", file.string(), line, what)
+                                            : fmt::format("{}: {}", file.string(), what))) {}
 
 const Sheet::Key& Sheet::key(std::string_view name) const {
   for (const auto& candidate : keys)

@@ -12,6 +12,10 @@
 
 namespace touchstone::vnv {
 
+/// The text in one line that gives a terminal no orders: what it holds of control characters, ASCII's and UTF-8's, is
+/// '?'. For messages that quote a file.
+std::string printable(std::string text);
+
 /// A file is not what it should be, in one line: `file:line: what; found ..., expected ...`.
 class BadData : public std::runtime_error {
  public:

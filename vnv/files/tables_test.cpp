@@ -67,6 +67,12 @@ TEST(Tables, HoldWhatTheFileSays) {
   EXPECT_EQ(read.provenance().uncertainty.at("T.origin").value, 0.3);
 }
 
+TEST(ARefusal, GivesTheTerminalNoOrders) {
+  EXPECT_EQ(refusal(replaced(table, "1.25", "1\x1b[2J.25")).find('\x1b'), std::string::npos);
+  EXPECT_EQ(printable("two\nlines, \x1b[31m, \x7f and \u009b31m, of µ"), "two?lines, ?[31m, ? and ?31m, of µ");
+  EXPECT_EQ(printable("cut short: \xc2"), "cut short: \xc2");
+}
+
 TEST(Tables, KeepNotesInTheirOrder) {
   EXPECT_EQ(read_text("# note: b\n# note: a: c\n" + table).provenance().notes, (Headings{"b", "a: c"}));
 }

@@ -23,7 +23,7 @@ std::string json_of(const Description& description) { return json::Writer::json(
 
 Description description_in(const std::string& text, const std::string& source) {
   return json::with_clear_errors(source, "not a whole description", [&] {
-    const json::Json found = json::Json::parse(text);
+    const json::Json found = json::parsed(text);
     int schema = 0;
     json::Reader{found}("schema", schema);
     if (schema != Description{}.schema)

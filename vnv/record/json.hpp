@@ -2,6 +2,8 @@
 /// How a struct becomes JSON and is read back, for all that the project writes: TOUCHSTONE_FIELDS names its fields
 /// once, so that writer and reader cannot disagree. What does not fit is refused by its place: "runs[2].cost.cpu".
 
+#include "vnv/files/tables.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -192,15 +194,24 @@ class Reader {
   const Json& object_;
 };
 
+/// Throws Misfit for what is nested deeper than anything of ours: who writes or copies a value calls itself at each level.
+inline Json parsed(const std::string& text) {
+  constexpr int deepest = 64;
+  return Json::parse(text, [=](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest) throw Misfit{"", fmt::format("is nested deeper than {} levels", deepest)};
+    return true;
+  });
+}
+
 /// What reads or writes JSON, with what it throws as std::runtime_error in one line: "FILE: not a whole record: ..."
 auto with_clear_errors(const std::string& file, const std::string& what_else, const auto& work) {
   try {
     return work();
   } catch (const Json::exception& error) {
     const std::string message = error.what();  // opens with "[json.exception.parse_error.101] "
-    throw std::runtime_error(fmt::format("{}: {}: {}", file, what_else, message.substr(message.find("] ") + 2)));
+    throw BadData(file, 0, fmt::format("{}: {}", what_else, message.substr(message.find("] ") + 2)));
   } catch (const Misfit& misfit) {
-    throw std::runtime_error(fmt::format("{}: {}", file, misfit.sentence()));
+    throw BadData(file, 0, misfit.sentence());
   }
 }
 

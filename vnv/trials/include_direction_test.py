@@ -40,7 +40,8 @@ def allowed_includes():
     for name in REPORTS:
         allowed[f"reports/{name}"] = below
         below = below | {f"reports/{name}"}
-    return allowed | {"reports/browser": below, "reports": below, "vnv/trials/verdicts": below}
+    return allowed | {"reports/browser": below, "reports": below, "vnv/trials/verdicts": below,
+                      "vnv/trials/inputs": below | {"reports", "vnv/command", "vnv/doors", "vnv/harness", "vnv/judge"}}
 
 
 def folder_of(file, folders):

@@ -8,7 +8,10 @@ import sys
 
 
 class BadInput(Exception):
-    """Where, what, and what was expected, in one line."""
+    """Where, what, and what was expected, in one line that gives a terminal no orders."""
+
+    def __str__(self):
+        return "".join(letter if letter.isprintable() else "?" for letter in super().__str__())
 
 
 class Parser(argparse.ArgumentParser):

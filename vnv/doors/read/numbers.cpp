@@ -1,16 +1,13 @@
 #include "vnv/doors/read/numbers.hpp"
 
+#include "vnv/files/tables.hpp"
+
 #include <fmt/format.h>
 #include <sys/mman.h>
 
 namespace touchstone::vnv::doors {
 
-void refuse(const std::string& where, const std::string& what) {
-  std::string line = where + ": " + what;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-  throw Unreadable(line);
-}
+void refuse(const std::string& where, const std::string& what) { throw Unreadable(printable(where + ": " + what)); }
 
 std::size_t whole_number(std::string_view text, const std::string& where) {
   std::size_t number = 0;

@@ -1,6 +1,7 @@
 """Files of faults are read or refused in one line; what is tried is undone; survivors stand first."""
 
 import pathlib
+import random
 import signal
 import tempfile
 import time
@@ -73,6 +74,26 @@ class AFaultFile(InAFolder):
                             ("A\nnoticed by (\nin b\n- c\n", "expected a regular expression"),
                             ("A\nnoticed by x\nconfigure -DA=B\n", ":3: 'configure")):
             self.assert_refused(words, lambda text=text: self.fault(text))
+
+
+    def test_names_files_of_the_sources_only(self):
+        for file in ("../law.hpp", "/etc/hosts", "a/../../b"):
+            self.assert_refused(f":4: in {file}", lambda file=file: self.fault(TEXT.replace("law.hpp", file)))
+
+    def test_of_any_bytes_is_read_or_refused_in_one_line(self):
+        chosen, taken = random.Random(1), 0
+        samples = [file.read_bytes() for file in sorted(pathlib.Path(__file__).parent.rglob("*.fault"))]
+        pieces = (b"\xff", b"\x1b[2J", b"(" * 5000, b"a{99999999999999}", b"\n- ", b"\n+ ", b"\nin ../", b"\nnoticed by (", b"\r", b"\0", b"")
+        for sample in samples * 10:
+            at, until = sorted(chosen.randrange(len(sample) + 1) for _ in range(2))
+            file = self.folder / "any.fault"
+            file.write_bytes(sample[:at] + chosen.choice(pieces) + sample[chosen.choice((at, at + 1, until)):])
+            try:
+                seeded.read(file)
+                taken += 1
+            except shared.BadInput as refusal:
+                self.assertTrue(str(refusal).startswith(str(file)) and str(refusal).isprintable(), str(refusal))
+        self.assertGreater(taken, 100)
 
 
 class AChange(InAFolder):

@@ -56,7 +56,7 @@ class Fault:
 def require_pattern(where, pattern):
     try:
         re.compile(pattern)
-    except re.error as error:
+    except (re.error, OverflowError, RecursionError) as error:
         raise BadInput(f"{where} '{pattern}': {error}, expected a regular expression") from error
 
 
@@ -71,7 +71,10 @@ def lines_of_change(lines, k, sign):
 
 def read(file):
     where, harmless = str(file), file.parent.name == "harmless"
-    text = file.read_text(encoding="utf-8")
+    try:
+        text = file.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise BadInput(f"{where}: {error}, expected text in UTF-8") from error
     lines = text.splitlines()
     if not lines or not lines[0].strip():
         raise BadInput(f"{where}:1: no title, expected what is wrong in one line")
@@ -85,6 +88,8 @@ def read(file):
             k += 1
         elif line.startswith("in "):
             source, k = line[3:].strip(), k + 1
+            if pathlib.PurePath(source).is_absolute() or ".." in pathlib.PurePath(source).parts:
+                raise BadInput(f"{at}: in {source}, expected a file of the sources")
         elif line.startswith("-"):
             if source is None:
                 raise BadInput(f"{at}: text to find and no file, expected 'in FILE' above it")
