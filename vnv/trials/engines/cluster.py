@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import shared  # noqa: E402
 
-START = 60  # s, that a daemon may take
+START = 120  # s, that a daemon may take
 
 
 def missing(*programs):

@@ -29,6 +29,7 @@ from shared import BadInput, Parser, exit_with  # noqa: E402
 
 LONGEST = 900  # s, of a program
 PARTS = ("equal", "killed", "cancelled", "overhead", "many")
+SLURM = ("sbatch", "slurmctld", "slurmd")
 MEAN = 17  # s, of processor time, that a method of a whole night takes: 86 minutes of one core for 300 methods
 
 
@@ -74,7 +75,7 @@ def engines_here(folder):
             hosts, daemons = stack.enter_context(cluster.ssh_hosts(folder / "ssh"))
             (folder / "hosts").write_text("\n".join(hosts) + "\n", encoding="utf-8")
             found.append(Engine("parallel", ["--engine", "parallel", "--hosts", folder / "hosts"], daemons, ["h1", "h2"]))
-        if program := cluster.missing("sbatch", "slurmctld", "slurmd"):
+        if program := cluster.missing(*SLURM):
             print(f"SKIP: slurm: no {program}")
         else:
             daemons = stack.enter_context(cluster.slurm(folder / "slurm"))
@@ -279,7 +280,7 @@ class Watched:
 
 
 def try_many(vnv, folder, trials, program, record, hosts, seconds):
-    """Many hosts of GNU parallel, all of them this machine: `ssh` is a script that runs what it is given."""
+    """Many hosts of GNU parallel, all of them this machine: `ssh` is a script that runs what it is given. Then as many nodes of Slurm."""
     folder.mkdir()
     build = made_up.MadeUp(folder / "build", program, record, 50, hosts * 5 // 50, seconds, 30)
     ssh = folder / "ssh"
@@ -288,8 +289,9 @@ def try_many(vnv, folder, trials, program, record, hosts, seconds):
     (folder / "hosts").write_text("".join(f"1/{ssh} h{k}\n" for k in range(hosts)), encoding="utf-8")
     records = folder / "records"
     run_words = ["run", "--build", build.folder, "--records", records, "--engine", "parallel", "--hosts", folder / "hosts"]
+    by_slurm = ["run", "--build", build.folder, "--records", folder / "of_slurm", "--engine", "slurm"]
 
-    def trial(what, words, expected):
+    def trial(words, expected):
         watched = Watched(words)
         require(watched.status == 0 and expected in watched.output,
                 f"ended with status {watched.status}: {watched.output.strip()[-300:]!r}")
@@ -302,7 +304,11 @@ def try_many(vnv, folder, trials, program, record, hosts, seconds):
             ("run", [vnv, *run_words], f"{build.count} of {build.count} methods hold"),
             ("run again", [vnv, *run_words], f"{build.count} skipped"),
             ("pages", [report, records, folder / "site"], "")):
-        trials.attempt(f"{what} of {build.count} methods that take {seconds} s on {hosts} hosts", lambda: trial(what, words, expected))
+        trials.attempt(f"{what} of {build.count} methods that take {seconds} s on {hosts} hosts", lambda: trial(words, expected))
+    if not cluster.missing(*SLURM):
+        with cluster.slurm(folder / "slurm", nodes=hosts, timeout=300):
+            trials.attempt(f"run of {build.count} methods that take {seconds} s on {hosts} nodes of Slurm",
+                           lambda: trial([vnv, *by_slurm], f"{build.count} of {build.count} methods hold"))
 
 
 def conclude(trials):
