@@ -159,6 +159,8 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
           diagram.targets.push_back(target);
     if (diagram.targets.size() >= 3) break;
   }
+  constexpr std::size_t most = 4;
+  if (diagram.targets.size() > most) diagram.targets.erase(diagram.targets.begin(), diagram.targets.end() - most);
   for (const double target : diagram.targets)
     if (target >= of_half) diagram.ranked_by = target;
 }
@@ -167,8 +169,9 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
 WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Points& points) {
   const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
   if (diagram.caption.empty())
-    diagram.caption = fmt::format("{}, at t = {:g} s, against {} time until then; lower left is better.",
-                                  diagram.quantity.name, time, name);
+    diagram.caption =
+        fmt::format("{}, at t = {:g} s, against {} time until then, of a longer run its share; lower left is better.",
+                    diagram.quantity.name, time, name);
   if (resource != Resource::cpu) {
     diagram.id += "_" + name;
     diagram.title += fmt::format(", {} time", name);
