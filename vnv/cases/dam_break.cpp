@@ -146,7 +146,7 @@ Case vnv::the_case() {
            .quantity = front.rms,
            .targets = {0.1, 0.08, 0.07},
            .ranked_by = 0.1},
-          0.5),
+          {0.5}),
       front.models()};
   return declared;
 }
