@@ -137,7 +137,7 @@ Case vnv::the_case() {
                      {.label = "particle number", .logarithmic = true},
                      {.label = "roughness over rho g h0 [%]", .logarithmic = true}},
                     {}, particle_number(), {{"", error_of(pressure_roughness, 0.32)}}),
-      error_against_run_time(work, 0.5),
+      error_against_run_time(work, {0.5}),
       front.models()};
   return declared;
 }

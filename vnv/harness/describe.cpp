@@ -9,8 +9,6 @@
 namespace touchstone::vnv {
 namespace {
 
-constexpr Suite suites[] = {Suite::acceptance, Suite::report, Suite::nightly};
-
 std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 std::optional<double> if_finite(const std::optional<double>& value) { return value ? if_finite(*value) : value; }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace touchstone::vnv {
@@ -99,14 +101,30 @@ bool is_accepted(const Method& method, const Level& level) try {
   return false;
 }
 
+/// Particles times steps, relative to other levels of its method that name their step.
+double work_of(const Level& level) { return level.work / (level.spacing * level.spacing * level.time_step); }
+
+/// Those of a suite; in that of error against run time, which ends when its budget is spent, the cheapest first.
+std::vector<Level> levels_of(const Method& method, Suite suite) {
+  std::vector<Level> levels;
+  std::ranges::copy_if(method.levels, std::back_inserter(levels), [&](const Level& l) { return l.until(suite) > 0; });
+  if (suite == Suite::work) std::ranges::stable_sort(levels, {}, work_of);
+  return levels;
+}
+
 }  // namespace
 
 std::vector<Run> run_levels(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
   std::vector<Attempt> attempts;
-  for (const Level& level : method.levels) {
-    if (!(level.until(suite) > 0)) continue;
+  double left = suite == Suite::work ? declared.work_budget : std::numeric_limits<double>::infinity();  // s
+  double rate = 0;  // s  user time of a unit of work; that of the smallest runs is mostly their process
+  for (const Level& level : levels_of(method, suite)) {
+    if (rate * work_of(level) > left) break;
+    if (suite == Suite::work && !is_accepted(method, level)) continue;  // of all combinations a method may refuse some
     const std::string name = fmt::format("{}.{} {}", case_name, method.name, level.name);
     attempts.push_back(first_attempt(method, level, schedule_for(declared, name, level.until(suite))));
+    left -= attempts.back().first.user_time;
+    if (suite == Suite::work) rate = std::max(attempts.back().first.user_time / work_of(level), rate / 2);
   }
   if (suite != Suite::acceptance) repeat_in_turn(method, declared.repeats, attempts);
   std::vector<Run> runs;
