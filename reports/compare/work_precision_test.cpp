@@ -168,15 +168,17 @@ TEST(WorkPrecision, SetsWhatOccupiesAnotherResourceInADiagramOfItsOwn) {
 }
 
 TEST(WorkPrecision, SaysWhatDoesNotCompareInItsTimes) {
-  CaseRecords records = one_declares(), others = records;
-  others.records[1].machine = "another";
-  others.records[1].another_code = true;
-  add_work_precision(records);
-  add_work_precision(others);
-  for (const char* words : {"on 2 machines", "its start and its output"}) {
-    EXPECT_FALSE(contains(each_once(records, &vnv::Record::figures).back().caption, words));
-    EXPECT_TRUE(contains(each_once(others, &vnv::Record::figures).back().caption, words));
-  }
+  CaseRecords records = one_declares(), of_another_code = records, on_another_machine = records;
+  of_another_code.records[1].another_code = true;
+  on_another_machine.records[1].machine = "another";
+  for (CaseRecords* each : {&records, &of_another_code, &on_another_machine}) add_work_precision(*each);
+  const auto says = [](const CaseRecords& of, const char* words) {
+    return contains(each_once(of, &vnv::Record::figures).back().caption, words);
+  };
+  EXPECT_FALSE(says(records, "its start and its output"));
+  EXPECT_TRUE(says(of_another_code, "its start and its output"));
+  EXPECT_FALSE(says(records, "measured elsewhere, on other machines"));
+  EXPECT_TRUE(says(on_another_machine, "measured elsewhere, on other machines"));
 }
 
 TEST(CostRatios, SetEqualParticleNumberBesideEqualError) {

@@ -125,8 +125,10 @@ class Elsewhere : public Engine {
       cancel();
       throw;
     }
-    for (const Clock::time_point until = Clock::now() + until_all_see; !waiting_.empty() && Clock::now() < until;)
-      if (programs_.wait(between_looks); true) look(listener);
+    for (const Clock::time_point until = Clock::now() + until_all_see; !waiting_.empty() && Clock::now() < until;) {
+      programs_.wait(between_looks);
+      look(listener);
+    }
     for (const auto& [name, job] : waiting_) listener.ended(*job, {{.stopped = why_lost(*job)}, ""});
   }
 

@@ -194,7 +194,8 @@ Solver solver_in(const fs::path& file) {
   keys.require("flow");
   solver.flow = flow_named(keys.text("flow"), Settings(keys.table("set").pairs<double>("a number")));
   solver.spacings = spacings_of(keys, solver.flow);
-  solver.times = keys.has("times") ? keys.numbers("times") : solver.flow.judged.times;
+  if (keys.has("times")) solver.flow.judged.times = keys.numbers("times");  // as its scene says them
+  solver.times = solver.flow.judged.times;
   if (!std::ranges::is_sorted(solver.times) || !(solver.times.front() > 0))
     throw std::invalid_argument(
         fmt::format("{}: times = {}, expected rising ones above 0", file.string(), solver.times));

@@ -197,6 +197,13 @@ TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {
   EXPECT_EQ(fmt::format("{}", longer.times[3]), "0.3") << "not what 3 times 0.1 is in binary";
 }
 
+TEST_F(OtherSolvers, ReadInTheirSceneTheTimesThatTheyAreAskedFor) {
+  prepare(solver(std::string(frozen), "times = [0.1]", "times = [0.25, 0.75]"), folder / "runs");
+  std::string scene = files::read_whole(folder / "runs" / "10_across" / "scene.json");
+  std::erase_if(scene, [](char letter) { return std::isspace(static_cast<unsigned char>(letter)); });
+  EXPECT_NE(scene.find("\"times[s]\":[0.25,0.75]"), scene.npos) << scene;
+}
+
 TEST_F(OtherSolvers, SayWhatTheyNeedAndIsNotHere) {
   const std::string needs =
       "needs = { sh = \"any shell\", no_such_program = \"package none\", \"/no/such/file\" = \"by hand\" }\n";

@@ -50,9 +50,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
  public:
   /// Throws std::invalid_argument for settings that are not positive, or water that does not fill the domain.
   SecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Base(scene, settings, drift_fields),
-        sound_speed_(scene.fluid.sound_speed()),
-        per_spacing_(1 / settings.spacing) {
+      : Base(scene, settings, drift_fields), sound_speed_(scene.fluid.sound_speed()) {
     require_filled("sph", scene.filled, scene.domain.box);
     mean_density_ = near_.all.rho.mean();
   }
@@ -153,17 +151,16 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   void move(Index i, const std::array<double, made>& fit) {
     Particles& all = near_.all;
     const double *const vx = fit.data(), *const vy = vx + 6, *const p = vx + 12;
-    const double rho = all.rho[i], per_rho = 1 / rho, per_c2 = 1 / scene_.fluid.pressure_slope(rho);
-    const double c = sound_speed_, of_rho = damping_of_rho * c * per_spacing_,
+    const double rho = all.rho[i], per_c2 = 1 / scene_.fluid.pressure_slope(rho);
+    const double c = sound_speed_, of_rho = damping_of_rho * c / settings_.spacing,
                  of_v = std::min(damping_of_v * strain_rate_, of_rho);
     all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + of_rho * per_c2 * p[rest];
-    all.ax[i] = -p[along_x] * per_rho + of_v * vx[rest];
-    all.ay[i] = -p[along_y] * per_rho + of_v * vy[rest];
+    all.ax[i] = -p[along_x] / rho + of_v * vx[rest];
+    all.ay[i] = -p[along_y] / rho + of_v * vy[rest];
     if constexpr (Viscous<FluidLaw>) {
-      constexpr double third = 1.0 / 3;
-      const double nu = scene_.fluid.viscosity * per_rho;
-      all.ax[i] += nu * (vx[xx] + vx[yy] + third * (vx[xx] + vy[xy]));
-      all.ay[i] += nu * (vy[xx] + vy[yy] + third * (vx[xy] + vy[yy]));
+      const double nu = scene_.fluid.viscosity / rho;
+      all.ax[i] += nu * (vx[xx] + vx[yy] + (vx[xx] + vy[xy]) / 3);
+      all.ay[i] += nu * (vy[xx] + vy[yy] + (vx[xy] + vy[yy]) / 3);
     }
     const std::array<double, drift_fields> next{-spreading * c * fit[centre],
                                                 -spreading * c * fit[centre + 1],
@@ -176,9 +173,9 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     for (std::size_t k = 0; k < drift_fields; ++k) all.carried[k][i] = next[k];
   }
 
-  double sound_speed_, per_spacing_;  // m/s, 1/m
-  double mean_density_ = 0;           // kg/m³
-  double strain_rate_ = 0;            // 1/s  the largest slope of a velocity
+  double sound_speed_;       // m/s
+  double mean_density_ = 0;  // kg/m³
+  double strain_rate_ = 0;   // 1/s  the largest slope of a velocity
 };
 
 /// sph::second_order<sph::WendlandC2>(scene, {.spacing = ..., .smoothing_length = 1.3 spacings, ...}), sums in `Real`.

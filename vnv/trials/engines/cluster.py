@@ -50,11 +50,11 @@ def processes():
     return found
 
 
-def kill_all(process, mark):
-    """Kills a process and all that it started, as a machine does that loses its power: its children, and what has the
-    mark in its environment with the daemon of Slurm that started it."""
+def kill_all(process, marks):
+    """Kills a process and all that it started, as a machine does that loses its power: its children, and what has
+    these marks in its environment, with the daemon of Slurm that started it."""
     known = processes()
-    marked = [one for one, (_, _, environment) in known.items() if mark in environment]
+    marked = [one for one, (_, _, environment) in known.items() if marks <= set(environment)]
     victims = [process.pid, *marked, *(known[one][0] for one in marked if known.get(known[one][0], "  ")[1] == "slurmstepd")]
     for victim in victims:
         victims.extend(one for one, (parent, _, _) in known.items() if parent == victim and one not in victims)
@@ -97,7 +97,7 @@ class Daemons:
                                                   stdin=subprocess.DEVNULL, start_new_session=True, **more)
 
     def kill(self, name):
-        kill_all(self.running.pop(name), f"SLURMD_NODENAME={name}".encode())
+        kill_all(self.running.pop(name), {f"SLURMD_NODENAME={name}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()})
 
     def end(self):
         for name in list(self.running):
