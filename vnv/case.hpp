@@ -32,6 +32,7 @@ struct Level {
   double report = 0;                       // s
   double nightly = 0;                      // s
   double work = 0;                         // s
+  std::string combination{};               // in the suite `work`: of all but the spacing
   bool may_diverge = false;                // a run that is made to see whether it does
 
   double smoothing_or(double of_method) const { return std::isnan(smoothing_length) ? of_method : smoothing_length; }
@@ -124,15 +125,17 @@ struct Case {
   Watch watch{};
   std::vector<Measurement> measurements;
   std::vector<Finding> findings{};
-  Repeats repeats{};                    // in the suites that show cost: report and nightly
-  std::vector<Claim> claims{};          // of any method
-  std::vector<Claim> claims_of_work{};  // likewise, judged in the suite `work` alone
-  double work_budget = 60;              // s  user time of the levels of a method in the suite `work`, cheapest first
+  Repeats repeats{};                                                // in the suites that show cost: report and nightly
+  std::vector<Claim> claims{};                                      // of any method
+  std::vector<Claim> claims_of_work{};                              // likewise, judged in the suite `work` alone
+  std::function<double(const Level&, const Run&)> error_of_work{};  // by which that suite chooses what to refine
+  double work_budget = 60;  // s  user time of the levels of a method in the suite `work`, cheapest first
   std::vector<Method> methods;
   std::vector<Plot> plots{};
-  bool ensemble = false;  // levels differ by chance: baselines are of what all of them are together
-  bool timed = false;     // what it judges is time: no other test runs beside it
-  std::string label{};    // besides that of the suite, for ctest -L; of what acceptance runs
+  bool ensemble = false;    // levels differ by chance: baselines are of what all of them are together
+  bool timed = false;       // what it judges is time: no other test runs beside it
+  std::string label{};      // besides that of the suite, for ctest -L; of what acceptance runs
+  std::string priced_as{};  // the case by whose error against run time the default method is chosen; empty: its own
 };
 
 /// The case with more plots.

@@ -59,5 +59,5 @@ Case vnv::the_case() {
                                          .length = square::side,
                                          .largest_speed = U,
                                          .stiffness = {80, 40, 20, 10},
-                                         .budget = 60});
+                                         .budget = 30});
 }

@@ -67,6 +67,7 @@ Description describe(const std::string& case_name, const Case& declared, const s
       .times = declared.times,
       .timed = declared.timed,
       .label = declared.label,
+      .priced_as = declared.priced_as.empty() ? case_name : declared.priced_as,
       .claims = of(declared.claims),
       .methods = {},
       .data_folder = data.string(),

@@ -23,32 +23,37 @@ std::string family_of(const Method& method) {
 
 /// Not a number where a run has not got the quantity at one of the times.
 double largest_error(const Quantity& quantity, const std::vector<double>& times, const Record& record, const Run& run) {
+  if (!run.summary.finished) return not_a_number;
   double largest = 0;
   for (const double time : times)
     largest = norms::larger_magnitude(largest, error_of(quantity, time)(record, run).value_or(not_a_number));
   return largest;
 }
 
-/// Spacings with points per cell, or with smoothing lengths, and their names.
-std::vector<std::pair<std::string, Level>> resolutions(const WorkStudy& study, Family family) {
-  std::vector<std::pair<std::string, Level>> all;
+/// Spacings with points per cell, or with smoothing lengths.
+std::vector<Level> resolutions(const WorkStudy& study, Family family) {
+  std::vector<Level> all;
   if (family == Family::mpm)
     for (const int n : study.cells)
       for (const int side : study.points)
-        all.push_back({fmt::format("{} cells, {} per cell", n, side * side),
-                       {.spacing = study.length / (n * side), .cell = study.length / n}});
+        all.push_back({.name = fmt::format("{} cells, {} per cell", n, side * side),
+                       .spacing = study.length / (n * side),
+                       .cell = study.length / n,
+                       .combination = fmt::format("{} per cell", side * side)});
   else
     for (const int n : study.particles)
       for (const double h : study.kernels)
-        all.push_back({fmt::format("{} across, h {:g}", n, h),
-                       {.spacing = study.length / n, .smoothing_length = h * study.length / n}});
+        all.push_back({.name = fmt::format("{} across, h {:g}", n, h),
+                       .spacing = study.length / n,
+                       .smoothing_length = h * study.length / n,
+                       .combination = fmt::format("h {:g}", h)});
   return all;
 }
 
 std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
   std::vector<Level> levels;
   std::set<std::string> known;
-  for (const auto& [name, resolution] : resolutions(study, method.family))
+  for (const Level& resolution : resolutions(study, method.family))
     for (const double stiffness : study.stiffness)
       for (const double step : study.steps) {
         Level level = resolution;
@@ -57,7 +62,8 @@ std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
         level.time_step = first / std::ceil(first / longest * (1 - 1e-9));
         level.work = study.times.back();
         level.may_diverge = true;
-        level.name = fmt::format("{}, {:.4g} s", name, level.time_step);
+        level.name += fmt::format(", {:.4g} s", level.time_step);
+        level.combination += fmt::format(", step {:g}, c/U {:g}", step, stiffness);
         if (!std::isnan(stiffness)) level.name += fmt::format(", c {:g} m/s", level.sound_speed);
         if (known.insert(level.name).second) levels.push_back(level);
       }
@@ -215,6 +221,12 @@ Case with_work(Case declared, const WorkStudy& study, std::vector<WorkPoint> els
     }
   const WorkDiagram diagram = study.diagram();
   declared.work_budget = study.budget;
+  declared.error_of_work = [=, measurements = declared.measurements](const Level& level, const Run& run) {
+    Record measured;
+    for (const Measurement& measure : measurements)
+      for (const Value& value : measure(level, run)) measured.values.push_back(value);
+    return largest_error(study.error, study.times, measured, run);
+  };
   declared.plots.push_back(in_work(error_against_run_time(diagram, study.times, std::move(elsewhere))));
   if (study.stiffness.size() > 1) declared.plots.push_back(in_work(error_against_stiffness(study)));
   declared.findings.push_back(prices(diagram, study.times));

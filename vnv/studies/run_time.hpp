@@ -24,8 +24,9 @@ Quantity price_of(const WorkDiagram& diagram, double target);
 /// The CPU times to the diagram's targets; not a number where none of the method's runs is good enough.
 Finding prices(WorkDiagram diagram, std::vector<double> times);
 
-/// Over what the methods of a flow are run to see what an error costs. Each is run over all combinations, cheapest
-/// first, until the budget of the case is spent.
+/// Over what the methods of a flow are run to see what an error costs: all combinations, cheapest first, until the
+/// budget is spent. Of those that differ in the spacing alone a finer one is not run where another of that sound speed
+/// had two thirds of the error of the next coarser one at no more cost.
 struct WorkStudy {
   Quantity error;
   std::vector<double> times;  // s  the largest error at these counts; a whole number of the first is each other
@@ -38,7 +39,7 @@ struct WorkStudy {
   std::vector<double> stiffness{not_a_number};  // sound speed over that; not a number: that of the scene
   std::vector<double> targets{3, 1, 0.3, 0.1, 0.03, 0.01};
   double ranked_by = 1;
-  double budget = 20;  // s  user time of a method
+  double budget = 15;  // s  user time of a method
 
   WorkDiagram diagram() const;
 };
