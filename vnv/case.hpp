@@ -5,6 +5,7 @@
 #include "vnv/judge/claims.hpp"
 #include "vnv/run/run.hpp"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@ namespace touchstone::vnv {
 
 struct Record;
 
-enum class Suite { acceptance, report, nightly };
+enum class Suite { acceptance, report, nightly, work };
+inline constexpr std::array suites{Suite::acceptance, Suite::report, Suite::nightly, Suite::work};
 inline std::string_view name_of(Suite suite) {
-  return suite == Suite::acceptance ? "acceptance" : suite == Suite::report ? "report" : "nightly";
+  return std::array{"acceptance", "report", "nightly", "work"}[static_cast<std::size_t>(suite)];
 }
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
@@ -25,15 +27,18 @@ struct Level {
   double cell = not_a_number;              // m  of the background grid; none in SPH
   double smoothing_length = not_a_number;  // m  of the kernel, else that of the method; none in MPM
   double time_step = not_a_number;         // s  else that of the method
+  double sound_speed = not_a_number;       // m/s  else that of the scene
   double acceptance = 0;                   // s
   double report = 0;                       // s
   double nightly = 0;                      // s
+  double work = 0;                         // s
+  std::string combination{};               // in the suite `work`: of all but the spacing
   bool may_diverge = false;                // a run that is made to see whether it does
 
   double smoothing_or(double of_method) const { return std::isnan(smoothing_length) ? of_method : smoothing_length; }
   double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {
-    return suite == Suite::acceptance ? acceptance : suite == Suite::report ? report : nightly;
+    return std::array{acceptance, report, nightly, work}[static_cast<std::size_t>(suite)];
   }
 };
 
@@ -66,6 +71,7 @@ struct Method {
   std::vector<Claim> claims{};
   Tolerance tolerance{};
   double relative_cost = 1;  // of all its runs; ctest starts the dearest first
+  bool as_printed = false;   // one of the two methods of Sun et al., beside which others are shown
 };
 
 /// A method whose runs are simulations of a scene: `solver(level, time step [s])` makes one, `time_step(level)` says
@@ -119,13 +125,17 @@ struct Case {
   Watch watch{};
   std::vector<Measurement> measurements;
   std::vector<Finding> findings{};
-  Repeats repeats{};            // in the suites that show cost: report and nightly
-  std::vector<Claim> claims{};  // of any method
+  Repeats repeats{};                                                // in the suites that show cost: report and nightly
+  std::vector<Claim> claims{};                                      // of any method
+  std::vector<Claim> claims_of_work{};                              // likewise, judged in the suite `work` alone
+  std::function<double(const Level&, const Run&)> error_of_work{};  // by which that suite chooses what to refine
+  double work_budget = 60;  // s  user time of the levels of a method in the suite `work`, cheapest first
   std::vector<Method> methods;
   std::vector<Plot> plots{};
-  bool ensemble = false;  // levels differ by chance: baselines are of what all of them are together
-  bool timed = false;     // what it judges is time: no other test runs beside it
-  std::string label{};    // besides that of the suite, for ctest -L; of what acceptance runs
+  bool ensemble = false;    // levels differ by chance: baselines are of what all of them are together
+  bool timed = false;       // what it judges is time: no other test runs beside it
+  std::string label{};      // besides that of the suite, for ctest -L; of what acceptance runs
+  std::string priced_as{};  // the case by whose error against run time the default method is chosen; empty: its own
 };
 
 /// The case with more plots.

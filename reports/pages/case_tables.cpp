@@ -112,21 +112,24 @@ std::string time_with_span(const vnv::Cost& c) {
 
 HtmlRow cost_row(const vnv::Record& record, const vnv::RunSummary& run) {
   const vnv::Cost& c = run.cost;
+  const auto of_steps = [&](double value) {  // of which another code says nothing
+    return number_or_blank_cell(c.steps > 0 ? value : vnv::not_a_number);
+  };
   return {escape(record.method),
           level_cell(run.level),
           number_cell(run.spacing * 1e3),
-          number_cell(run.time_step * 1e6),
+          of_steps(run.time_step * 1e6),
           number_cell(run.end_time),
           number_cell(c.particles),
-          number_cell(c.boundary_particles),
-          number_cell(c.steps),
+          of_steps(static_cast<double>(c.boundary_particles)),
+          of_steps(static_cast<double>(c.steps)),
           HtmlCell(time_with_span(c), "number"),
           number_cell(c.repeats),
           number_cell(c.wall),
           number_or_blank_cell(100 * c.harness_share()),
           number_cell(c.peak_memory / 1e6),
-          number_or_blank_cell(c.per_particle_step() * 1e9),
-          number_or_blank_cell(c.particle_steps_per_second() / 1e6),
+          of_steps(c.per_particle_step() * 1e9),
+          of_steps(c.particle_steps_per_second() / 1e6),
           HtmlCell(escape(run.outcome), fails_at(record, run.level) && !run.finished ? "words fails" : "words")};
 }
 

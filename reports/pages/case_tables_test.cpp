@@ -120,6 +120,15 @@ TEST(TableOfCost, NamesTheResourceThatIsNoCpuTime) {
   EXPECT_EQ(last_row(cost_html(records)).at("CPU [s]"), "12.5\u202fGPU\u202fs");
 }
 
+TEST(TableOfCost, IsBlankWhereAnotherCodeSaysNothingOfItsSteps) {
+  const CaseRecords records = records_with([](vnv::Record& record) { record.runs = {sample_run("M2", 0.5)}; });
+  const Row row = last_row(cost_html(records));
+  for (const char* column :
+       {"step [µs]", "steps completed", "boundary particles", "ns per particle-step", "million particle-steps/s"})
+    EXPECT_EQ(row.at(column), "") << column;
+  EXPECT_EQ(row.at("CPU [s]"), "0.5");
+}
+
 TEST(TableOfClaims, HasValueLimitAndMarginOfEach) {
   vnv::Verdict verdict = sample_verdict(vnv::Outcome::holds, 0.25);
   verdict.spacing = 2.5e-3;

@@ -2,6 +2,7 @@
 
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
+#include "reports/pages/work_page.hpp"
 #include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
@@ -107,6 +108,12 @@ std::string orders_link(const std::vector<CaseRecords>& cases) {
          "convergence</a>.</p>\n";
 }
 
+std::string work_link(const std::vector<CaseRecords>& cases) {
+  if (std::ranges::none_of(cases, is_priced)) return "";
+  return "<p>What an error costs in each flow, and which method is cheapest: <a href=\"work.html\">error against run "
+         "time</a>.</p>\n";
+}
+
 /// Red and amber, with ids and expiry dates; empty if nothing fails and nothing is known.
 std::string standing_html(const Standing& s) {
   std::string red, amber;
@@ -153,7 +160,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
       list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, standing),
-      verdicts_link + orders_link(cases) + (has_trend ? trend_link : "") + faults_link(faults), environment(cases));
+      verdicts_link + orders_link(cases) + work_link(cases) + (has_trend ? trend_link : "") + faults_link(faults),
+      environment(cases));
   return html_page("Touchstone", "", body);
 }
 

@@ -11,6 +11,7 @@
 #include "reports/pages/staging.hpp"
 #include "reports/pages/style_and_script.hpp"
 #include "reports/pages/verdicts.hpp"
+#include "reports/pages/work_page.hpp"
 #include "reports/read/csv.hpp"
 #include "vnv/files/whole_file.hpp"
 
@@ -109,6 +110,10 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
   write_whole(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
   write_whole(staging.folder() / "verdicts.html", verdicts_page(cases));
   if (std::ranges::any_of(cases, is_in_matrix)) write_whole(staging.folder() / "orders.html", order_matrix_page(cases));
+  if (std::ranges::any_of(cases, is_priced)) {
+    write_whole(staging.folder() / "work.html", work_page(cases));
+    write_whole(staging.folder() / "work.csv", work_csv(cases));
+  }
   if (history) write_trend(staging.folder(), *history, cases);
   if (faults) write_faults(staging.folder(), *faults, memory.faults);
   staging.publish();

@@ -174,6 +174,26 @@ TEST_F(Site, WithoutOrdersHasNoMatrixOfThem) {
   EXPECT_FALSE(contains(page("poiseuille/index.html"), "orders.html"));
 }
 
+TEST_F(Site, SaysWhichMethodIsCheapestToEachErrorAndByHowMuch) {
+  vnv::Record mpm = sample_record("mpm"), sph = sample_record("sph");
+  mpm.as_printed = true;
+  for (vnv::Record* record : {&mpm, &sph}) {
+    record->diagrams = {{"work", "Work", "", {"L2 v_x", "%"}, {1, 0.1, 0.01}, 1}};
+    record->work = {{.diagram = "work", .series = record->method, .run = "M1", .error = 1, .cpu = 2}};
+  }
+  sph.work[0].cpu = 6;
+  sph.work.push_back({.diagram = "work", .series = "sph", .run = "M2", .error = 0.1, .cpu = 50});
+  put(mpm);
+  put(sph);
+  make_site(records, site);
+  const std::string html = page("work.html");
+  for (const char* words : {"<b>mpm</b>", "sph ×\u202f3", "<b>sph</b>", "mpm not reached", "none; sph 0.1",
+                            "2 CPU s to 1 %, the next, sph, 3 times as much"})
+    EXPECT_TRUE(contains(html, words)) << words << html;
+  EXPECT_TRUE(contains(page("index.html"), "href=\"work.html\""));
+  EXPECT_TRUE(contains(page("work.csv"), "\npoiseuille,L2 v_x [%],0.1,1,sph,no,50,0.1\n")) << page("work.csv");
+}
+
 TEST_F(Site, ShowsEqualRowsOfATableOnce) {
   const vnv::Table table{"norms", "Norms", "", {"level", "L2 [%]"}, {{std::string("paper M1"), 3.34}}};
   for (const char* method : {"mpm", "sph"}) {

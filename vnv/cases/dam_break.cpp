@@ -110,6 +110,7 @@ Case vnv::the_case() {
       between(front.mass_change, -1e-12, 1e-12, theory("particle masses are constant; rounding of the sum")),
       between(front.lost, 0, 0, theory("water does not cross walls"))};
   declared.methods = {printed_mpm(), printed_sph(), smooth()};
+  declared.priced_as = "elliptic_drop";
   declared.plots = {
       snapshots({"snapshots",
                  "Particles at t = 0.32, 0.41 and 0.46 s, coloured by pressure",
@@ -137,7 +138,7 @@ Case vnv::the_case() {
                      {.label = "particle number", .logarithmic = true},
                      {.label = "roughness over rho g h0 [%]", .logarithmic = true}},
                     {}, particle_number(), {{"", error_of(pressure_roughness, 0.32)}}),
-      error_against_run_time(work, 0.5),
+      error_against_run_time(work, {0.5}),
       front.models()};
   return declared;
 }

@@ -3,6 +3,7 @@
 #include "vnv/flows/drop.hpp"
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
+#include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -27,7 +28,7 @@ std::map<std::string, std::vector<Claim>> claims() {
 
 Case vnv::the_case() {
   const auto length = [](double t) { return exact.at(t).a; };
-  return {
+  Case declared{
       .title = "Stretching elliptic drop",
       .description =
           "A circular drop of an inviscid fluid, 1 m in radius, starts with a strain rate of 1/s, extension along x; no force acts on "
@@ -43,4 +44,10 @@ Case vnv::the_case() {
                 error_against_spacing("order", "Error against particle spacing",
                                       fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", end),
                                       "L2 v [%]", l2_velocity, end)}};
+  return with_work(std::move(declared), {.error = l2_velocity,
+                                         .times = {end},
+                                         .length = 2 * R,
+                                         .cells = {10, 20, 30, 40, 60, 80},
+                                         .particles = {20, 30, 40, 60, 80, 120},
+                                         .kernels = {1.2, 1.5, 2}});
 }

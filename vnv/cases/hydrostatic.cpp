@@ -4,6 +4,7 @@
 #include "vnv/plots/along_ladders.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/profiles.hpp"
+#include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -35,7 +36,7 @@ Claim rearranges() { return at_most(kinetic, 2e-5, baseline("1.5 times the first
 }  // namespace
 
 Case vnv::the_case() {
-  return {
+  Case declared{
       .title = "Hydrostatic equilibrium",
       .description =
           "Water 1 m deep rests under gravity for 10 s between a bottom wall and a free surface, periodic along x. The oracle is "
@@ -58,4 +59,10 @@ Case vnv::the_case() {
                     {.label = "kinetic / potential energy", .logarithmic = true}, 0, {"40 across"}),
           error_against_spacing("order", "Error against spacing",
                                 "L2 error of the pressure, particle by particle, after 10 s.", "L2 p [%]", l2_p, end)}};
+  return with_work(std::move(declared), {.error = l2_p,
+                                         .times = {2},
+                                         .length = depth,
+                                         .cells = {10, 20, 30, 40, 60, 80},
+                                         .particles = {10, 20, 30, 40, 60, 80},
+                                         .kernels = {1.2, 1.5, 2}});
 }

@@ -69,21 +69,22 @@ Case vnv::the_case() {
                   turned_by(delta, {keeps_momentum(),
                                     at_most(torque, 1e-9, theory("forces act along the line between two particles"))}),
                   shifted_and_turned()},
-      .plots = {
-          snapshots({"patch",
-                     "Patch, coloured by pressure",
-                     "40 particles across; pressures beyond the colour scale are clipped.",
-                     {"x [m]"},
-                     {"y [m]"},
-                     {"p [Pa]", 1, false, -200, 50}},
-                    {"40 across"}, {0.5, end}),
-          over_time("energy", "Kinetic energy over time",
-                    fmt::format("Initially {:.2f} J per metre of depth.", exact.kinetic_energy()),
-                    {"kinetic energy [J/m]"}, energy, {"40 across"}),
-          exact_over_time(
-              "energy", [](double) { return exact.kinetic_energy(); }, end),
-          over_time("middle", "Central pressure", "Mean within a tenth of a side. Exact is the pressure at the start.",
-                    {"p [Pa]"}, middle, {"40 across"}),
-          exact_over_time(
-              "middle", [](double) { return exact.p(0, 0); }, 0.05)}};
+      .plots = {snapshots({"patch",
+                           "Patch, coloured by pressure",
+                           "40 particles across; pressures beyond the colour scale are clipped.",
+                           {"x [m]"},
+                           {"y [m]"},
+                           {"p [Pa]", 1, false, -200, 50}},
+                          {"40 across"}, {0.5, end}),
+                over_time("energy", "Kinetic energy over time",
+                          fmt::format("Initially {:.2f} J per metre of depth.", exact.kinetic_energy()),
+                          {"kinetic energy [J/m]"}, energy, {"40 across"}),
+                exact_over_time(
+                    "energy", [](double) { return exact.kinetic_energy(); }, end),
+                over_time("middle", "Central pressure",
+                          "Mean within a tenth of a side. Exact is the pressure at the start.", {"p [Pa]"}, middle,
+                          {"40 across"}),
+                exact_over_time(
+                    "middle", [](double) { return exact.p(0, 0); }, 0.05)},
+      .priced_as = "elliptic_drop"};
 }

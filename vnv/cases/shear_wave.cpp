@@ -3,6 +3,7 @@
 #include "vnv/flows/shear_wave.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/plots/over_time.hpp"
+#include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -29,7 +30,7 @@ Claim of_second_order(const std::string& words) {
 }  // namespace
 
 Case vnv::the_case() {
-  return with_plots(
+  Case declared = with_plots(
       {.title = "Decaying shear wave",
        .description =
            "In a periodic square of 1 m the initial velocity along x is sin(2 pi y / m) m/s; Reynolds number 100, Mach "
@@ -56,4 +57,6 @@ Case vnv::the_case() {
                                                                  },
                                                                  end)}},
       figures(early, l2_velocity, 10));
+  return with_work(std::move(declared),
+                   {.error = l2_velocity, .times = {end}, .length = side, .largest_speed = U, .stiffness = {10, 5, 3}});
 }

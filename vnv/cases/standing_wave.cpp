@@ -56,5 +56,6 @@ Case vnv::the_case() {
       .methods = methods_up_levels(),
       .plots = {over_time("swing", "First moment of the particle heights",
                           "Mass times height times the cosine of the wave, summed over all particles.",
-                          {"moment [kg m / m]"}, 0, {"100 across"})}};
+                          {"moment [kg m / m]"}, 0, {"100 across"})},
+      .priced_as = "elliptic_drop"};
 }

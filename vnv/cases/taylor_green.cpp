@@ -2,6 +2,7 @@
 /// particles within a tenth of their lifetime: the hardest of the smooth flows for a particle method.
 
 #include "vnv/flows/taylor_green.hpp"
+#include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -53,5 +54,10 @@ Case vnv::the_case() {
       "Four vortices in a periodic square of 1 m decay; maximum initial speed 1 m/s, Reynolds number 100, Mach number 1/80. "
       "The oracle is Taylor's solution for an incompressible fluid. Within half a second the flow stretches the fluid near the "
       "corners of the vortices ten times.";
-  return declared;
+  return with_work(std::move(declared), {.error = l2_velocity,
+                                         .times = {end},
+                                         .length = square::side,
+                                         .largest_speed = U,
+                                         .stiffness = {80, 40, 20, 10},
+                                         .budget = 30});
 }

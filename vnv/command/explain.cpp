@@ -3,9 +3,12 @@
 #include "vnv/command/commands.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/files/tables.hpp"
+#include "vnv/record/prices.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 
 namespace touchstone::vnv::command {
@@ -87,11 +90,27 @@ void print_data(const Description& one) {
                 4);
 }
 
+/// The default among the methods of a case, by what errors cost in it or in the flow that stands for it.
+void print_default(const Description& one) {
+  const std::filesystem::path file = std::filesystem::path(one.data_folder) / "work.csv";
+  if (!std::filesystem::exists(file)) return;
+  std::vector<Price> prices = read_prices(file);
+  std::erase_if(prices, [&](const Price& p) {
+    return p.case_name != one.priced_as ||
+           std::ranges::find(one.methods, p.method, &MethodDescription::name) == one.methods.end();
+  });
+  const auto chosen = default_method(prices);
+  if (!chosen) return;
+  print_heading("Default method");
+  print_wrapped(fmt::format("{}: {} in {} ({})", chosen->method, chosen->reason, one.priced_as, file.string()), 2);
+}
+
 void explain_case(const Description& one, const std::vector<Chosen>& methods, bool whole) {
   fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", one.name, one.title)));
   print_wrapped(one.description, 0);
   if (!one.claims.empty()) print_heading("Claimed of any method");
   for (const ClaimDescription& claim : one.claims) print_wrapped(sentence(claim), 2);
+  print_default(one);
   print_heading("Methods");
   for (const Chosen& chosen : methods)
     if (chosen.of == &one) print_method(*chosen.method, whole);

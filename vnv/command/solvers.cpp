@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace touchstone::vnv::command {
 
 namespace fs = std::filesystem;
@@ -31,7 +33,7 @@ void print_solvers(const std::vector<doors::Solver>& solvers) {
 }
 
 Suite suite_named(const std::string& name) {
-  return name == "acceptance" ? Suite::acceptance : name == "report" ? Suite::report : Suite::nightly;
+  return *std::ranges::find_if(vnv::suites, [&](Suite suite) { return name_of(suite) == name; });
 }
 
 doors::Judgement run_and_record(const doors::Solver& solver, const std::string& suite, const fs::path& records) {

@@ -63,6 +63,7 @@ inline Case forty_across(const Scene<Newtonian, Uniform>& scene, const std::vect
       .plots = {profiles(
           {"profile", "Velocity profiles", "Row means at 800 particles.", {"y [mm]", 1e3}, {"v_x [mm/s]", 1e3}},
           by_rows, exact, H, {"M1", "S1"})},
+      .priced_as = "poiseuille_run_time",
   };
 }
 

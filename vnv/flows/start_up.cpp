@@ -149,7 +149,7 @@ Case start_up_case(const PaperFlow& flow, const Truth& exact, std::function<doub
     if (const auto of_it = claims.find(method.name); of_it != claims.end())
       method.claims.insert(method.claims.begin(), of_it->second.begin(), of_it->second.end());
   const Axis velocity{"v_x [mm/s]", 1e3};
-  return with_plots(
+  Case declared = with_plots(
       {.times = {0.05, 0.1, 0.2, 1, 10},
        .watch = {.every = 0.02,
                  .see = [=](const Samples& s) { return std::vector{follow(s)}; },
@@ -170,6 +170,8 @@ Case start_up_case(const PaperFlow& flow, const Truth& exact, std::function<doub
                  exact_over_time(
                      "history", [=](double t) { return exact(H / 2, t); }, 2)}},
       figures(flow));
+  declared.priced_as = flow.name + "_run_time";
+  return declared;
 }
 
 }  // namespace touchstone::vnv::channel

@@ -51,7 +51,8 @@ inline Case declared(const Flow& flow, const std::vector<Across>& of_second_orde
                                   square::methods_on(flow.scene()), claims),
            .plots = {kinetic_energy_over_time(0, {"50 across"}),
                      exact_over_time(
-                         "energy", [exact](double t) { return exact.energy(t); }, end)}};
+                         "energy", [exact](double t) { return exact.energy(t); }, end)},
+           .priced_as = "taylor_green"};
   for (Method& method : all.methods)
     if (method.name == "mpm_least_squares" || method.name == "sph_second_order")
       method = with_ladder(levels_across(square::side, of_second_order), method, method.claims);

@@ -234,6 +234,7 @@ Record record_of(const std::string& case_name, const Case& declared, const Metho
   record.description = declared.description;
   record.method = method.name;
   record.method_description = method.description;
+  record.as_printed = method.as_printed;
   record.suite = name_of(suite);
   return record;
 }
@@ -255,6 +256,8 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
   const std::vector<Value> values = all_values(declared, results, record);
   for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
   for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
+  if (suite == Suite::work)
+    for (const Claim& claim : declared.claims_of_work) judge_claim(claim, method, suite, values, record);
   if (baselines) {
     (declared.ensemble ? judge_ensemble : judge_baselines)(*baselines, suite, record);
     miss_lost_values(*baselines, record);

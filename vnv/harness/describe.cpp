@@ -9,8 +9,6 @@
 namespace touchstone::vnv {
 namespace {
 
-constexpr Suite suites[] = {Suite::acceptance, Suite::report, Suite::nightly};
-
 std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 std::optional<double> if_finite(const std::optional<double>& value) { return value ? if_finite(*value) : value; }
 
@@ -69,6 +67,7 @@ Description describe(const std::string& case_name, const Case& declared, const s
       .times = declared.times,
       .timed = declared.timed,
       .label = declared.label,
+      .priced_as = declared.priced_as.empty() ? case_name : declared.priced_as,
       .claims = of(declared.claims),
       .methods = {},
       .data_folder = data.string(),

@@ -210,7 +210,7 @@ int mutate(const Case& declared) {
 void write_ctest_file(const Case& declared, const char* program, const std::string& file, const std::string& records) {
   std::string text;
   for (const Method& method : declared.methods)
-    for (const Suite suite : {Suite::acceptance, Suite::report, Suite::nightly}) {
+    for (const Suite suite : suites) {
       if (!runs_in(suite, method)) continue;
       const std::string prefix = suite == Suite::acceptance ? "" : std::string(name_of(suite)) + ".";
       const std::string test = fmt::format("{}{}.{}", prefix, case_name, method.name);

@@ -14,11 +14,11 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
       fmt::format("{}: runs each method of the case, compares it with the oracle and judges it by its claims.\n"
                   "Example: {} --method mpm --suite acceptance --records build/records",
                   case_name, case_name)};
-  const std::map<std::string, Suite> suites = {
-      {"acceptance", Suite::acceptance}, {"report", Suite::report}, {"nightly", Suite::nightly}};
+  std::map<std::string, Suite> named;
+  for (const Suite one : suites) named.emplace(name_of(one), one);
   app.add_option("--method", method, "only this method");
-  app.add_option("--suite", suite, "how many levels and how long: acceptance, report or nightly")
-      ->transform(CLI::CheckedTransformer(suites));
+  app.add_option("--suite", suite, "how many levels and how long: acceptance, report, nightly or work")
+      ->transform(CLI::CheckedTransformer(named));
   app.add_option_function<std::string>(
       "--records", [this](const std::string& folder) { records = folder; }, "folder to write a record per method into");
   app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");

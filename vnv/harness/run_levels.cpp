@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace touchstone::vnv {
@@ -99,14 +101,54 @@ bool is_accepted(const Method& method, const Level& level) try {
   return false;
 }
 
+/// Particles times steps, relative to other levels of its method that name their step.
+double work_of(const Level& level) { return level.work / (level.spacing * level.spacing * level.time_step); }
+
+/// A run of the suite of error against run time.
+struct Tried {
+  const Level* level;
+  double error, cpu;
+};
+
+/// Whether refining a combination may gain something: unless another one of that sound speed had two thirds of the error
+/// of its next coarser run at no more cost.
+bool is_promising(const Level& level, const std::vector<Tried>& tried) {
+  const auto same = [&](const Tried& one) { return one.level->combination == level.combination; };
+  const auto coarser = std::find_if(tried.rbegin(), tried.rend(), same);
+  if (coarser == tried.rend()) return true;
+  return std::ranges::none_of(tried, [&](const Tried& other) {
+    const bool differ = other.level->sound_speed < level.sound_speed || other.level->sound_speed > level.sound_speed;
+    return !differ && other.cpu <= coarser->cpu && other.error < coarser->error / 1.5;
+  });
+}
+
+/// Those of a suite; in that of error against run time, which ends when its budget is spent, the cheapest first.
+std::vector<Level> levels_of(const Method& method, Suite suite) {
+  std::vector<Level> levels;
+  std::ranges::copy_if(method.levels, std::back_inserter(levels), [&](const Level& l) { return l.until(suite) > 0; });
+  if (suite == Suite::work) std::ranges::stable_sort(levels, {}, work_of);
+  return levels;
+}
+
 }  // namespace
 
 std::vector<Run> run_levels(const std::string& case_name, const Case& declared, const Method& method, Suite suite) {
+  const std::vector<Level> levels = levels_of(method, suite);
   std::vector<Attempt> attempts;
-  for (const Level& level : method.levels) {
-    if (!(level.until(suite) > 0)) continue;
+  std::vector<Tried> tried;
+  double left = suite == Suite::work ? declared.work_budget : std::numeric_limits<double>::infinity();  // s
+  double rate = 0;  // s  user time of a unit of work; that of the smallest runs is mostly their process
+  for (const Level& level : levels) {
+    if (rate * work_of(level) > left) break;
+    if (suite == Suite::work && !(is_promising(level, tried) && is_accepted(method, level))) continue;
     const std::string name = fmt::format("{}.{} {}", case_name, method.name, level.name);
     attempts.push_back(first_attempt(method, level, schedule_for(declared, name, level.until(suite))));
+    if (suite != Suite::work) continue;
+    const double user_time = attempts.back().first.user_time;
+    left -= user_time;
+    rate = std::max(user_time / work_of(level), rate / 2);
+    if (declared.error_of_work)
+      tried.push_back({&level, declared.error_of_work(level, run_of(attempts.back())), user_time});
   }
   if (suite != Suite::acceptance) repeat_in_turn(method, declared.repeats, attempts);
   std::vector<Run> runs;

@@ -1,5 +1,6 @@
 #include "vnv/harness/run_levels.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -68,6 +69,58 @@ TEST(RunLevels, LeavesARunThatDidNotFinishWhereOneDied) {
 TEST(RunLevels, PassesOnThatInputIsRefused) {
   const Method method = doing([](const Level&, const Schedule&) -> ARun { throw std::invalid_argument("spacing"); });
   EXPECT_THROW(run_levels("case", in_half_a_second, method, Suite::report), std::invalid_argument);
+}
+
+/// A method of error against run time whose runs take as long as they have particles and steps.
+Method taking_its_time() {
+  Method method = doing([](const Level& level, const Schedule& when) {
+    const CostMeter meter;
+    while (meter.read().cpu < 0.003 / (level.spacing * level.spacing * level.time_step)) {
+    }
+    return ended(when);
+  });
+  method.levels.clear();
+  for (const double spacing : {0.1, 0.5, 0.25, 1.0})
+    method.levels.push_back({.name = fmt::format("{:g}", spacing), .spacing = spacing, .time_step = 1, .work = 1});
+  return method;
+}
+
+TEST(RunLevels, OfErrorAgainstRunTimeTakesTheCheapestFirstAndEndsWithinItsBudget) {
+  Case declared = in_half_a_second;
+  declared.work_budget = 0.15;
+  declared.repeats.budget = 0;
+  std::vector<std::string> names;
+  for (const ARun& run : run_levels("case", declared, taking_its_time(), Suite::work))
+    names.push_back(run.summary.level);
+  EXPECT_EQ(names, (std::vector<std::string>{"1", "0.5", "0.25"})) << "the next would take 0.3 s";
+}
+
+TEST(RunLevels, OfErrorAgainstRunTimeRefinesWhatIsNotClearlyBeatenAtItsCost) {
+  Method method = taking_its_time();
+  method.levels.clear();
+  for (const double spacing : {1.0, 0.5})
+    for (const char* combination : {"good", "fair", "poor"})
+      method.levels.push_back({.name = fmt::format("{} {:g}", combination, spacing),
+                               .spacing = spacing,
+                               .time_step = combination == std::string("good") ? 3.0 : 1.0,
+                               .work = 1,
+                               .combination = combination});
+  Case declared = in_half_a_second;
+  declared.repeats.budget = 0;
+  declared.error_of_work = [](const Level& level, const ARun&) {
+    return level.combination == "good" ? 1 : level.combination == "fair" ? 1.4 : 1.6;
+  };
+  std::vector<std::string> fine;
+  for (const ARun& run : run_levels("case", declared, method, Suite::work))
+    if (run.summary.spacing == 0.5) fine.push_back(run.summary.level);
+  EXPECT_EQ(fine, (std::vector<std::string>{"good 0.5", "fair 0.5"}));
+}
+
+TEST(RunLevels, OfErrorAgainstRunTimeLeavesOutWhatAMethodRefuses) {
+  Method method = taking_its_time();
+  method.time_step = [](const Level& level) { return level.time_step; };
+  method.solver = [](const Level& level, double) -> Simulation { throw std::invalid_argument(level.name); };
+  EXPECT_TRUE(run_levels("case", in_half_a_second, method, Suite::work).empty());
 }
 
 TEST(ALevelOfAnySpacing, HasCellsAsTheLevelOfNearestSpacing) {

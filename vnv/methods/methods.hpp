@@ -13,6 +13,15 @@ namespace touchstone::vnv {
 /// Flow that stretches its fluid, or whose rows slip past each other, doubles a rounding error every so often.
 inline const Tolerance stretched{0.02, "tuned and portable builds differ by less"};
 
+/// The scene with the sound speed that a level names. Only the fluid changes: for scenes whose start and force do not
+/// follow from it.
+template <class AnyScene>
+AnyScene scene_at(const Level& level, AnyScene scene) {
+  if (!std::isnan(level.sound_speed))
+    scene.fluid.bulk_modulus = scene.fluid.density * level.sound_speed * level.sound_speed / Tait::gamma;
+  return scene;
+}
+
 /// The step of a level with an acoustic Courant number c dt / cell, or c dt / spacing.
 template <class AnyScene>
 auto by_cells(const AnyScene& scene, double courant, double output_interval) {

@@ -20,7 +20,8 @@ Method mpm_as_printed(const AnyScene& scene, double output_interval, double cour
        .family = Family::mpm,
        .description =
            "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, FLIP, "
-           "MUSL; four particles per cell."});
+           "MUSL; four particles per cell.",
+       .as_printed = true});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                                    \

@@ -22,8 +22,9 @@ Method keeping_courant_number(double courant, double Level::*length, double outp
       fmt::format(" Acoustic Courant number {:g}, by the {}.", courant, length == &Level::cell ? "cell" : "spacing");
   method.tolerance = stretched;
   return simulating(
-      std::move(method), [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
-      [=](const Level& level) { return step_for(scene, courant, level.*length, output_interval); });
+      std::move(method),
+      [=](const Level& level, double time_step) { return solver(scene_at(level, scene), level, time_step); },
+      [=](const Level& level) { return step_for(scene_at(level, scene), courant, level.*length, output_interval); });
 }
 
 }  // namespace touchstone::vnv

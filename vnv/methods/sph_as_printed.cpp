@@ -36,7 +36,8 @@ Method sph_as_printed(const AnyScene& scene, double output_interval, double cour
        .description =
            "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2, with the conservative pressure "
            "term and an artificial viscosity of 0.01.",
-       .relative_cost = 2});
+       .relative_cost = 2,
+       .as_printed = true});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                                    \

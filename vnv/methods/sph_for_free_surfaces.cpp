@@ -43,13 +43,14 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
        .relative_cost = 4},
       [=](const Level& level, double time_step) {
         const double h = level.smoothing_or(choice.ratio * level.spacing);
+        const auto fluid = scene_at(level, scene).fluid;
         return sph::free_surface<sph::WendlandC2>(
-            scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
-            viscosity_of(scene.fluid, choice.alpha, h), parts(scene.fluid, h, level.spacing));
+            scene_at(level, scene), {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
+            viscosity_of(fluid, choice.alpha, h), parts(fluid, h, level.spacing));
       },
       [=](const Level& level) {
         const double h = level.smoothing_or(choice.ratio * level.spacing);
-        return step_for(scene, choice.courant * h / level.spacing, level.spacing, output_interval);
+        return step_for(scene_at(level, scene), choice.courant * h / level.spacing, level.spacing, output_interval);
       });
 }
 }  // namespace

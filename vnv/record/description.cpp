@@ -11,8 +11,8 @@ TOUCHSTONE_FIELDS(ClaimDescription, quantity, lower, upper, author, level, time,
 TOUCHSTONE_FIELDS(ToleranceDescription, relative, absolute, basis)
 TOUCHSTONE_FIELDS(MethodDescription, name, description, levels, ladders, claims, tolerance, relative_cost, baselines)
 TOUCHSTONE_FIELDS(AcceptanceDescription, revision, date, reason)
-TOUCHSTONE_FIELDS(Description, schema, name, title, description, suites, times, timed, label, claims, methods,
-                  data_folder, tables, baseline_file, acceptance)
+TOUCHSTONE_FIELDS(Description, schema, name, title, description, suites, times, timed, label, priced_as, claims,
+                  methods, data_folder, tables, baseline_file, acceptance)
 
 bool MethodDescription::is_run_in(std::string_view suite) const {
   return std::ranges::any_of(levels,

@@ -79,6 +79,7 @@ struct Description {
   std::vector<double> times;        // s
   bool timed = false;               // what it judges is time: nothing else should run beside it
   std::string label;
+  std::string priced_as;                 // the case whose prices choose its default method
   std::vector<ClaimDescription> claims;  // of any method
   std::vector<MethodDescription> methods;
   std::string data_folder;

@@ -34,9 +34,9 @@ TOUCHSTONE_FIELDS(WorkDiagram, id, title, caption, quantity, targets, ranked_by)
 TOUCHSTONE_FIELDS(WorkPoint, diagram, series, family, run, elsewhere, particles, per_step, error, cpu, cpu_lowest,
                   cpu_highest)
 TOUCHSTONE_FIELDS(HistoryFile, level, file)
-TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, another_code, suite,
-                  revision, compiler, flags, machine, finished_at, host, runs, values, orders, verdicts, diagnoses,
-                  figures, curves, clouds, tables, diagrams, work, histories)
+TOUCHSTONE_FIELDS(Record, schema, case_name, title, description, method, method_description, another_code, as_printed,
+                  suite, revision, compiler, flags, machine, finished_at, host, runs, values, orders, verdicts,
+                  diagnoses, figures, curves, clouds, tables, diagrams, work, histories)
 
 namespace {
 
@@ -115,6 +115,7 @@ void add_what_is_new(json::Json& json) {
   };
   add(json, "another_code", false);
   add(json, "host", "");
+  add(json, "as_printed", false);
   add(json, "diagnoses", json::Json::array());
   for (auto& diagnosis : json["diagnoses"]) add(diagnosis, "quantities", json::Json::array());
   if (!json.contains("runs") || !json["runs"].is_array()) return;  // which is refused later

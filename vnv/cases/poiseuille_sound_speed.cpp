@@ -1,0 +1,22 @@
+/// How stiff a fluid has to be: plane Poiseuille flow at sound speeds from a thousand times the largest velocity, which
+/// is that of Sun et al., down to the ten times that are usual.
+
+#include "vnv/flows/channel_run_time.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::channel;
+
+Case vnv::the_case() {
+  WorkStudy study = start_up_study(1 * mm);
+  study.stiffness = stiff_to_soft;
+  study.budget = 30;
+  Case declared = error_against_run_time_in(poiseuille::scene, poiseuille::exact, study);
+  declared.title = "Poiseuille flow: how stiff must the fluid be?";
+  declared.description =
+      "The start-up of plane Poiseuille flow from rest to 1 s in fluids of several sound speeds c. With the bulk modulus of "
+      "Sun et al., 143 Pa, c is 1000 times the largest velocity U; ten times is usual, for which the longest acoustic step is a "
+      "hundred times as long and the fluid ten thousand times as soft. Each method runs over resolutions, points per cell or "
+      "smoothing lengths, and time steps at each c; the larger error of 0.1 and 1 s counts.";
+  return declared;
+}
