@@ -210,8 +210,10 @@ std::string about_times(const CaseRecords& records, const Points& points, const 
         return record.another_code && !vnv::of_series(points, record.method).empty();
       }))
     words += " Of a code from elsewhere all that its program takes counts, its start and its output too.";
-  if (std::ranges::any_of(points, &WorkPoint::elsewhere)) words += " Dashed: measured elsewhere, on other machines.";
-  if (!machine.empty()) words += fmt::format(" All else was run on one: {}.", machine);
+  const bool some_elsewhere = std::ranges::any_of(points, &WorkPoint::elsewhere);
+  if (some_elsewhere) words += " Dashed: measured elsewhere, on other machines.";
+  if (!machine.empty())
+    words += fmt::format(" {}: {}.", some_elsewhere ? "All else was run on one" : "Run on one machine", machine);
   return words;
 }
 
