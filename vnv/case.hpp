@@ -69,6 +69,7 @@ struct Method {
   std::vector<Level> levels{};
   std::vector<Ladder> ladders{};
   std::vector<Claim> claims{};
+  std::vector<Claim> claims_of_work{};  // judged in the suite `work`, which judges no others
   Tolerance tolerance{};
   double relative_cost = 1;  // of all its runs; ctest starts the dearest first
   bool as_printed = false;   // one of the two methods of Sun et al., beside which others are shown
@@ -127,7 +128,6 @@ struct Case {
   std::vector<Finding> findings{};
   Repeats repeats{};                                                // in the suites that show cost: report and nightly
   std::vector<Claim> claims{};                                      // of any method
-  std::vector<Claim> claims_of_work{};                              // likewise, judged in the suite `work` alone
   std::function<double(const Level&, const Run&)> error_of_work{};  // by which that suite chooses what to refine
   double work_budget = 60;  // s  user time of the levels of a method in the suite `work`, cheapest first
   std::vector<Method> methods;

@@ -16,7 +16,8 @@ std::string section(const std::string& title, const std::string& body) {
   return body.empty() ? "" : fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", title, body);
 }
 
-// In the colour of a failure only where a claim on that run fails: others were made to see whether they diverge.
+// In the colour of a failure only where a claim on that run fails: others were made to see whether they diverge, and
+// are folded where they are many.
 std::string unfinished_runs(const CaseRecords& records) {
   std::string failed, declared;
   for_each(records, &vnv::Record::runs, [&](const auto& record, const auto& run) {
@@ -24,7 +25,12 @@ std::string unfinished_runs(const CaseRecords& records) {
       (fails_at(record, run.level) ? failed : declared) += fmt::format(
           "<li>{} {} did not finish: {}</li>\n", escape(record.method), escape(run.level), escape(run.outcome));
   });
-  return html_list("fails", failed) + html_list("declared", declared);
+  std::string others = html_list("declared", declared);
+  if (const auto count = std::ranges::count(declared, '\n'); count > 10)
+    others =
+        fmt::format("<details>\n<summary>{} runs that were made to see whether they diverge</summary>\n{}</details>\n",
+                    count, others);
+  return html_list("fails", failed) + others;
 }
 
 std::string head(const CaseRecords& records) {

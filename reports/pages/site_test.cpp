@@ -91,6 +91,18 @@ TEST_F(Site, SaysThatARunDidNotFinish) {
   EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
 }
 
+TEST_F(Site, FoldsManyRunsThatWereMadeToSeeWhetherTheyDiverge) {
+  vnv::Record record = sample_record();
+  for (int k = 0; k < 11; ++k) record.runs.push_back({.level = fmt::format("W{}", k), .outcome = "diverged"});
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<summary>11 runs that were made to see whether they diverge"));
+  record.runs.resize(10);
+  put(record);
+  make_site(records, site);
+  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<summary>"));
+}
+
 TEST_F(Site, ColoursARunThatDivergedOnlyWhereAClaimOnItFails) {
   vnv::Record record = sample_record();
   record.runs = {{.level = "M2", .outcome = "diverged at step 7"}};
@@ -178,7 +190,7 @@ TEST_F(Site, SaysWhichMethodIsCheapestToEachErrorAndByHowMuch) {
   vnv::Record mpm = sample_record("mpm"), sph = sample_record("sph");
   mpm.as_printed = true;
   for (vnv::Record* record : {&mpm, &sph}) {
-    record->diagrams = {{"work", "Work", "", {"L2 v_x", "%"}, {1, 0.1, 0.01}, 1}};
+    record->diagrams = {{"work", "Work", "", {"L2 v_x", "%"}, {1, 0.1, 0.01, 0.001}, 1}};
     record->work = {{.diagram = "work", .series = record->method, .run = "M1", .error = 1, .cpu = 2}};
   }
   sph.work[0].cpu = 6;

@@ -43,8 +43,8 @@ HtmlRow cost_row(const std::string& flow, double target, const std::string& unit
 std::string table_of_costs(const std::vector<CaseRecords>& cases) {
   HtmlTable table{"Cheapest method to a given error.",
                   "CPU seconds of one core, interpolated along the Pareto front of each method; × is how many times as "
-                  "much another method takes, the next cheapest and those that Sun et al. print. Where no method "
-                  "reaches an error, the smallest that one reaches.",
+                  "much another method takes, the next cheapest and those that Sun et al. print. Last, the "
+                  "largest of the errors that no method reaches, and the smallest that one reaches.",
                   {"flow", "error", "cheapest", "CPU [s]", "next", "as printed"}};
   for (const CaseRecords& records : cases)
     for (const vnv::WorkDiagram& diagram : each_once(records, &vnv::Record::diagrams)) {
@@ -52,9 +52,11 @@ std::string table_of_costs(const std::vector<CaseRecords>& cases) {
       std::erase_if(prices, [&](const Price& p) { return p.quantity != diagram.quantity.heading(); });
       std::string flow = fmt::format("<a href=\"{}/index.html#{}\">{}</a><br><small>{}</small>", records.name,
                                      diagram.id, escape(records.title()), typeset(diagram.quantity.name));
-      for (const double target : diagram.targets)
-        table.rows.push_back(
-            cost_row(std::exchange(flow, ""), target, diagram.quantity.unit, vnv::ranked(prices, target)));
+      for (const double target : diagram.targets) {
+        const std::vector<Price> methods = vnv::ranked(prices, target);
+        table.rows.push_back(cost_row(std::exchange(flow, ""), target, diagram.quantity.unit, methods));
+        if (!(methods.front().cpu > 0)) break;  // nor any smaller one
+      }
     }
   return to_html(table);
 }

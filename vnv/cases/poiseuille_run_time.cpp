@@ -11,7 +11,11 @@ using namespace touchstone::vnv::channel;
 
 namespace {
 
-const WorkStudy study = start_up_study(1 * mm);
+const WorkStudy study = [] {
+  WorkStudy varied = start_up_study(1 * mm);
+  varied.budget = 40;
+  return varied;
+}();
 
 Claim price_at_most(double target, double seconds, Author author) {
   return at_most(price_of(study.diagram(), target), seconds, std::move(author));

@@ -41,7 +41,7 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
              sph_regularised_solver<AdamsBashforth, double, SceneOfChannel>),
       vnv::sph_second_order(scene, interval)};
   for (Method& one : all)
-    if (const auto of_it = claims.find(one.name); of_it != claims.end()) one.claims = of_it->second;
+    if (const auto of_it = claims.find(one.name); of_it != claims.end()) one.claims_of_work = of_it->second;
   return all;
 }
 

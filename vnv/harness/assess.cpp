@@ -254,10 +254,15 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
   observe_orders(method, record);
   judge_ends(method, record);
   const std::vector<Value> values = all_values(declared, results, record);
-  for (const Claim& claim : declared.claims) judge_claim(claim, method, suite, values, record);
-  for (const Claim& claim : method.claims) judge_claim(claim, method, suite, values, record);
-  if (suite == Suite::work)
-    for (const Claim& claim : declared.claims_of_work) judge_claim(claim, method, suite, values, record);
+  const auto judge_all = [&](const std::vector<Claim>& claims) {
+    for (const Claim& claim : claims) judge_claim(claim, method, suite, values, record);
+  };
+  if (suite == Suite::work) {
+    judge_all(method.claims_of_work);
+  } else {
+    judge_all(declared.claims);
+    judge_all(method.claims);
+  }
   if (baselines) {
     (declared.ensemble ? judge_ensemble : judge_baselines)(*baselines, suite, record);
     miss_lost_values(*baselines, record);

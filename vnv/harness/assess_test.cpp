@@ -57,6 +57,17 @@ TEST(Assess, JudgesEachLevelAndTheOrderAlongALadder) {
   EXPECT_EQ(count(record, Outcome::inconclusive), 1);  // two levels leave the order without an interval
 }
 
+TEST(Assess, JudgesInTheSuiteOfErrorAgainstRunTimeWhatIsClaimedThereAlone) {
+  Case declared = second_order();
+  Method& method = declared.methods[0];
+  method.claims = declared.claims = {at_most(l2, 1e-9, theory("not on all levels of a study"))};
+  method.claims_of_work = {at_most(l2, 1, theory(""))};
+  for (Level& level : method.levels) level.work = 1, level.time_step = 1;
+  const Record record = assess("made_up_case", declared, method, Suite::work, std::nullopt);
+  EXPECT_EQ(count(record, Outcome::fails), 0);
+  EXPECT_TRUE(claims_more_than_ends(record));
+}
+
 TEST(Assess, FailsARunThatDidNotEndAndWhatWasClaimedOfIt) {
   Case declared = second_order();
   declared.methods[0].run = [](const Level&, const Schedule&) {

@@ -49,6 +49,7 @@ MethodDescription of(const Method& method, const Baselines& baselines) {
                          .tolerance = {method.tolerance.relative, method.tolerance.absolute, method.tolerance.basis},
                          .relative_cost = method.relative_cost,
                          .baselines = std::ranges::count(baselines.rows, method.name, &Baseline::method)};
+  for (const ClaimDescription& claim : of(method.claims_of_work)) said.claims.push_back(claim);
   for (const Level& level : method.levels) said.levels.push_back(of(method, level));
   for (const Ladder& ladder : method.ladders) said.ladders.push_back({ladder.name, ladder.levels});
   return said;

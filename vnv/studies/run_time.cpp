@@ -121,15 +121,16 @@ Plot error_against_stiffness(const WorkStudy& study) {
     Table table{"stiffness",
                 "How stiff a fluid has to be for an error",
                 fmt::format("Sound speed over the largest speed of the flow, c/U. For each error: the softest fluid in "
-                            "which a method reaches it, the least CPU time and in which fluid, and the CPU time at "
-                            "c/U = {:g} over it.",
+                            "which a method reaches it, and the least CPU time, with its c/U and how many times as "
+                            "much is needed at c/U = {:g}.",
                             study.stiffness.front()),
                 {"method"},
                 {}};
     std::vector<Cell> row{results.method.name};
     for (const double target : study.targets) {
-      table.columns.insert(table.columns.end(), {fmt::format("softest c/U to {:g} {}", target, study.error.unit),
-                                                 "CPU [s]", "at c/U", "stiffest over it"});
+      if (target > study.ranked_by || std::fmod(std::log10(study.ranked_by / target) + 1e-9, 1) > 1e-6) continue;
+      const std::string error = fmt::format("{:g} {}", target, study.error.unit);
+      table.columns.insert(table.columns.end(), {"softest c/U to " + error, "least CPU to " + error + " [s]"});
       double softest = not_a_number, at = not_a_number, least = not_a_number, stiffest = not_a_number;
       for (const double ratio : study.stiffness) {
         const TimeToError time =
@@ -139,11 +140,30 @@ Plot error_against_stiffness(const WorkStudy& study) {
         if (!(time.cpu >= least)) least = time.cpu, at = ratio;
         if (ratio == study.stiffness.front()) stiffest = time.cpu;
       }
-      row.insert(row.end(), {softest, least, at, stiffest / least});
+      const bool is_reached = least > 0;
+      row.push_back(is_reached ? fmt::format("{:g}", softest) : "not reached");
+      row.push_back(
+          !is_reached ? ""
+                      : fmt::format("{:.2g} at {:g}, {}", least, at,
+                                    stiffest > 0 ? fmt::format("× {:.2g}", stiffest / least) : "stiffest not reached"));
     }
     table.rows.push_back(std::move(row));
     record.tables.push_back(std::move(table));
   };
+}
+
+/// The next finer run of the same combination, or null.
+const Run* refined(const Run& run, const Results& results) {
+  const auto level_of = [&](const Run& one) {
+    return *std::ranges::find(results.method.levels, one.summary.level, &Level::name);
+  };
+  const Run* found = nullptr;
+  const std::string combination = level_of(run).combination;
+  for (const Run& other : results.runs)
+    if (!combination.empty() && level_of(other).combination == combination &&
+        other.summary.spacing < run.summary.spacing && !(found && other.summary.spacing < found->summary.spacing))
+      found = &other;
+  return found;
 }
 
 }  // namespace
@@ -154,7 +174,9 @@ std::vector<WorkPoint> work_points(const WorkDiagram& diagram, const std::vector
   for (const Run& run : results.runs) {
     if (!run.summary.finished) continue;
     const Cost& cost = run.summary.cost;
-    const double error = largest_error(diagram.quantity, times, record, run);
+    double error = largest_error(diagram.quantity, times, record, run);
+    if (const Run* finer = refined(run, results); finer && finer->summary.finished)
+      error = norms::larger_magnitude(error, largest_error(diagram.quantity, times, record, *finer));
     const double fraction =
         std::isnan(error) ? error : times.back() / run.summary.end_time;  // a shorter run tells the cost of a step
     points.push_back({.diagram = diagram.id,
@@ -218,6 +240,7 @@ Case with_work(Case declared, const WorkStudy& study, std::vector<WorkPoint> els
     if (method.time_step) {
       const std::vector<Level> levels = levels_of(study, method);
       method.levels.insert(method.levels.end(), levels.begin(), levels.end());
+      method.claims_of_work.push_back(at_least(worth_making, 1, theory("a method that is stable has an error")));
     }
   const WorkDiagram diagram = study.diagram();
   declared.work_budget = study.budget;
@@ -234,7 +257,6 @@ Case with_work(Case declared, const WorkStudy& study, std::vector<WorkPoint> els
     const auto front = pareto_front(work_points(diagram, study.times, results, record), worthwhile);
     return {{"", not_a_number, study.times.back(), worth_making, static_cast<double>(front.size())}};
   });
-  declared.claims_of_work.push_back(at_least(worth_making, 1, theory("a method that is stable has an error")));
   return declared;
 }
 

@@ -11,7 +11,8 @@
 namespace touchstone::vnv {
 
 /// The finished runs of a method as points of a diagram: the largest magnitude of its quantity at these times [s], and
-/// the CPU time until the last.
+/// the CPU time until the last. Errors of opposite signs may cancel: a run of a study counts with that of the next
+/// finer run of its combination where that is larger.
 std::vector<WorkPoint> work_points(const WorkDiagram& diagram, const std::vector<double>& times, const Results& results,
                                    const Record& record);
 

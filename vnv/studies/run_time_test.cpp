@@ -68,6 +68,24 @@ TEST(WorkStudy, CountsTheLargestErrorOfItsTimesByMagnitude) {
   EXPECT_EQ(points[0].cpu, 7);
 }
 
+TEST(WorkStudy, CountsARunByTheLargerErrorOfItsOwnAndTheNextFinerOne) {
+  const Method method = studied(Family::mpm);
+  Results results{method, Suite::work, {}};
+  Record record;
+  const auto level = [&](const std::string& start, const std::string& combination) {
+    return *std::ranges::find_if(
+        method.levels, [&](const Level& l) { return l.name.starts_with(start) && l.combination == combination; });
+  };
+  const std::string same = "1 per cell, step 1, c/U 5";
+  add_run(results, record, level("4 cells", same), 0.01, 0.01, 1);
+  add_run(results, record, level("8 cells", same), 0.5, 0.5, 8);
+  add_run(results, record, level("8 cells", "4 per cell, step 1, c/U 5"), 2, 2, 32);
+  std::vector<double> errors;
+  for (const WorkPoint& point : work_points(study.diagram(), study.times, results, record))
+    errors.push_back(point.error);
+  EXPECT_EQ(errors, (std::vector<double>{0.5, 0.5, 2}));
+}
+
 TEST(WorkStudy, SaysHowSoftAFluidMayBeForAnErrorAndWhatThatSaves) {
   const Case declared = with_work({.times = {1}, .measurements = {}, .methods = {made_up(Family::mpm)}}, study);
   const Method& method = declared.methods[0];
@@ -81,7 +99,7 @@ TEST(WorkStudy, SaysHowSoftAFluidMayBeForAnErrorAndWhatThatSaves) {
   for (const Plot& plot : declared.plots) plot(results, record);
   ASSERT_EQ(record.tables.size(), 1u);
   EXPECT_EQ(record.tables[0].rows,
-            (std::vector<std::vector<Cell>>{{"made_up", 5.0, 2.0, 5.0, 4.0, 50.0, 8.0, 50.0, 1.0}}));
+            (std::vector<std::vector<Cell>>{{"made_up", "5", "2 at 5, × 4", "50", "8 at 50, × 1"}}));
   Record of_another_suite;
   Results in_acceptance{method, Suite::acceptance, {}};
   for (const Plot& plot : declared.plots) plot(in_acceptance, of_another_suite);
