@@ -206,6 +206,7 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
             "mine.toml:4: times = 'soon', expected an array of numbers");
   EXPECT_EQ(refusal("across", "levels"), "mine.toml: no key 'across', which is needed");
   EXPECT_EQ(refusal("time = 0.1", "tine = 0.1").substr(0, 47), "mine.toml:9: unknown key 'tine' of read, expect");
+  EXPECT_EQ(refusal("times =", "set = { nu = 0 }\ntimes =").substr(0, 11), "mine.toml: ");
   EXPECT_EQ(refusal("shear_wave", "shear\\nwave").substr(0, 32), "mine.toml: no flow 'shear?wave',");
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
   EXPECT_EQ(refusal("{particles}", "{particle}"),
