@@ -223,7 +223,9 @@ Solver solver_in(const fs::path& file) {
 
 }  // namespace
 
-Solver read_solver(const fs::path& file) try { return solver_in(file); } catch (const std::invalid_argument& error) {
+Solver read_solver(const fs::path& file) try {
+  return solver_in(file);
+} catch (const std::logic_error& error) {  // of the file, or of an oracle, which knows none
   const std::string what = error.what();
   throw std::invalid_argument(printable(what.starts_with(file.string()) ? what : file.string() + ": " + what));
 }

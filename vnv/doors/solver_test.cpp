@@ -222,6 +222,7 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
                                   std::pair("units = { lenght = \"mm\" }", "unit of 'lenght' = 'mm'")})
     EXPECT_EQ(refusal("time = 0.1", key).find(fmt::format("mine.toml: read: {}, expected one of: density, ", said)), 0)
         << refusal("time = 0.1", key);
+  EXPECT_EQ(refusal("times =", "set = { nu = 0 }\ntimes =").substr(0, 11), "mine.toml: ");
   EXPECT_EQ(refusal("shear_wave", "shear\\nwave").substr(0, 32), "mine.toml: no flow 'shear?wave',");
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
   EXPECT_EQ(refusal("{particles}", "{particle}"),

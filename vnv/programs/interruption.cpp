@@ -36,6 +36,10 @@ bool tells_to_end(int signal) { return std::ranges::find(to_end, signal) != std:
 
 void end_by(int signal) {
   std::fflush(nullptr);
+  die_by(signal);
+}
+
+void die_by(int signal) {
   std::signal(signal, SIG_DFL);
   const sigset_t one = set_of(signal);
   sigprocmask(SIG_UNBLOCK, &one, nullptr);

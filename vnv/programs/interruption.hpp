@@ -22,6 +22,8 @@ bool tells_to_end(int signal);
 
 /// Ends this program as the signal does that nobody holds: its caller sees which it was.
 [[noreturn]] void end_by(int signal);
+/// The same, without printing what waits to be printed: in a process that was split off.
+[[noreturn]] void die_by(int signal);
 
 /// While this lives, signals that tell this program to end, or from the keyboard to pause, wait until they are asked
 /// for, but for those that it was started to ignore, as by nohup(1). Then they do again what they did. These may be

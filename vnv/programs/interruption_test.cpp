@@ -28,7 +28,8 @@ class Starter {
     std::fflush(nullptr);  // else what waits to be printed is printed twice
     id_ = fork();
     if (id_ == 0) {
-      for (const int one : {SIGTERM, SIGINT, SIGHUP}) signal(one, SIG_DFL);  // who runs the tests may ignore them: nohup
+      for (const int one : {SIGTERM, SIGINT, SIGHUP})
+        signal(one, SIG_DFL);  // who runs the tests may ignore them: nohup
       close(ends[0]);
       _exit(done(work, {.output = ends[1], .errors = ends[1]}));
     }
@@ -195,6 +196,21 @@ TEST(AProcessThatIsKilled, TakesItsProgramAlong) {
   EXPECT_EQ(starter.line(), "begun");
   starter.tell(SIGKILL);
   EXPECT_EQ(starter.line(), "");
+}
+
+TEST(AProcessThatIsKilled, TakesAlongWhatItsProgramStartedInSessionsOfTheirOwnAndWhatDoesNotListen) {
+  Starter starter(
+      runs("trap '' TERM; setsid sh -c 'trap \"\" TERM; echo begun; sleep 60' & while :; do sleep 1; done", 100ms));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGKILL);
+  EXPECT_EQ(starter.line(), "");
+}
+
+TEST(AProcessThatIsKilled, LetsItsProgramTidyUp) {
+  Starter starter(runs("trap 'echo tidied; exit 1' TERM; echo begun; sleep 60 & wait"));
+  EXPECT_EQ(starter.line(), "begun");
+  starter.tell(SIGKILL);
+  EXPECT_EQ(starter.line(), "tidied");
 }
 
 TEST(AProcessThatThrows, EndsItsProgram) {

@@ -29,9 +29,6 @@ struct Ran {
   std::string sentence() const;
 };
 
-/// What a file of /proc says of a process; nothing where that has ended since the file was opened.
-std::string said_by_process(std::ifstream& file);
-
 /// Runs a program in a folder to its end or to a limit; it writes into `log`. What it started and left is killed, also
 /// where that left its process group. `name` is what it is called where this program is interrupted. It must be the
 /// only program that is run at the time. Throws std::runtime_error if it cannot be started.

@@ -1,9 +1,11 @@
 #include "vnv/programs/limited.hpp"
 
+#include "vnv/programs/processes.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +47,29 @@ TEST_F(ALimitedProgram, LeavesNothingThatItStarted) {
   const Ran ran = shell("setsid sh -c 'echo $$ > id; exec sleep 60' & while [ ! -s id ]; do sleep 0.01; done");
   EXPECT_TRUE(ran.well()) << ran.sentence();
   EXPECT_NE(kill(written("id"), 0), 0) << "still runs";
+}
+
+TEST_F(ALimitedProgram, IsEndedBeforeTheDiskOfItsFolderIsFull) {
+  const std::filesystem::path disk = folder / "disk";
+  std::filesystem::create_directory(disk);
+  if (mount("none", disk.c_str(), "tmpfs", 0, "size=50m") != 0) GTEST_SKIP() << "only root mounts a disk";
+  const Ran ran = run_limited("writer", {"sh", "-c", "while head -c 200000 /dev/zero; do sleep 0.02; done > big"}, disk,
+                              folder / "log", {.wall = 60, .grace = std::chrono::milliseconds(50)});
+  EXPECT_EQ(ran.stopped, "left hardly any space on the disk of " + disk.string());
+  umount(disk.c_str());
+}
+
+TEST_F(ALimitedProgram, IsNotMeasuredWithWhoWatchesIt) {
+  const std::string ballast(200'000'000, '.');  // of this process, which splits off the one that waits for the program
+  EXPECT_LT(shell("sleep 0.2").peak_memory, 0.3 * static_cast<double>(ballast.size()));
+}
+
+TEST_F(ALimitedProgram, IsEndedWithAllItsForksAndSessions) {
+  const Ran ran =
+      shell("f() { while :; do setsid sh -c 'trap \"\" TERM; sleep 61.25' & sleep 0.01; done; }; f & f & f & wait",
+            {.wall = 0.5, .grace = std::chrono::milliseconds(50)});
+  EXPECT_EQ(ran.stopped, "took longer than 0.5 s");
+  EXPECT_EQ(run_and_hear({"pgrep", "-f", "^sleep 61.25"}).output, "");
 }
 
 TEST(AProcess, ThatEndsBetweenLookingAndReadingSaysNothing) {

@@ -1,8 +1,11 @@
 #include "vnv/programs/programs.hpp"
 
+#include "vnv/programs/processes.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -24,11 +27,15 @@ Ending ending_of(int status) {
   return {.status = WEXITSTATUS(status), .signal = 0};
 }
 
+/// This process gets the signal when its parent dies.
+void hear_of_the_end_of(pid_t parent, int signal) {
+  prctl(PR_SET_PDEATHSIG, signal);
+  if (getppid() != parent) _exit(0);  // it died before it could be known
+}
+
 /// Turns this process, split off the parent, into a program; returns only if that cannot be, with the cause in errno.
 void become(char* const* words, const Streams& streams, pid_t parent, const HeldSignals& held) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) _exit(0);  // it died before it could be known
+  hear_of_the_end_of(parent, SIGTERM);
   held.let_go();
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) return;
@@ -36,9 +43,40 @@ void become(char* const* words, const Streams& streams, pid_t parent, const Held
   execvp(words[0], words);
 }
 
+/// Ends this process as another has ended.
+[[noreturn]] void end_as(int status) {
+  if (!WIFSIGNALED(status)) _exit(WEXITSTATUS(status));
+  const rlimit no_core{};
+  setrlimit(RLIMIT_CORE, &no_core);
+  die_by(WTERMSIG(status));
+}
+
+/// Stands between the starter and its program, and ends as that does. Where the starter is killed first, so that nobody
+/// else is told, it ends the program with all that this started, also in groups and sessions of their own.
+[[noreturn]] void keep(pid_t program, pid_t starter, const HeldSignals& held, std::chrono::milliseconds grace) {
+  constexpr std::chrono::seconds between_looks{1};
+  const auto has_ended = [program](int& status) {
+    pid_t found = 0;
+    while ((found = waitpid(-1, &status, WNOHANG)) > 0 && found != program) continue;  // others were left behind
+    return found == program;
+  };
+  int status = 0;
+  while (getppid() == starter) {
+    if (has_ended(status)) end_as(status);
+    held.next(between_looks);
+  }
+  kill(0, SIGTERM);
+  kill(0, SIGCONT);
+  const Clock::time_point until = Clock::now() + grace;
+  while (Clock::now() < until && !has_ended(status)) held.next(until - Clock::now());
+  leave_nothing();
+  _exit(0);
+}
+
 /// Returns when the program runs. What it died of before, its process writes into a pipe, which a program that runs
 /// does not have.
-pid_t split_off(const Words& command, const Streams& streams, const HeldSignals& held) {
+pid_t split_off(const Words& command, const Streams& streams, const HeldSignals& held,
+                std::chrono::milliseconds grace) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -47,11 +85,21 @@ pid_t split_off(const Words& command, const Streams& streams, const HeldSignals&
   };
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) refuse(errno);
-  const pid_t parent = getpid(), child = fork();
-  if (child == 0) {
-    become(words.data(), streams, parent, held);
+  const auto give_up = [&ends] {
     const int cause = errno;
     _exit(write(ends[1], &cause, sizeof cause) < 0 ? 126 : 127);
+  };
+  const pid_t starter = getpid(), child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    hear_of_the_end_of(starter, SIGCHLD);  // it is held, and wakes it
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    const pid_t keeper = getpid(), program = fork();
+    if (program == 0) become(words.data(), streams, keeper, held);
+    if (program <= 0) give_up();
+    close(ends[0]);
+    close(ends[1]);
+    keep(program, starter, held, grace);
   }
   int cause = child < 0 ? errno : 0;
   close(ends[1]);
@@ -114,7 +162,7 @@ Running::Running(std::chrono::milliseconds grace) : grace_(grace) {
 Running::~Running() { end_all(SIGTERM); }
 
 pid_t Running::start(const std::string& name, const Words& words, const Streams& streams) {
-  const pid_t id = split_off(words, streams, held_);
+  const pid_t id = split_off(words, streams, held_, grace_);
   names_.emplace(id, name);
   return id;
 }

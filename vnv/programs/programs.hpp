@@ -44,8 +44,8 @@ struct Streams {
 ///
 /// Each leads a process group of its own, so that what it starts is ended with it. Signals that tell this program to
 /// end or to pause are held, and passed on by who waits: the programs are given the signal, and after the grace time,
-/// or at once if this one is told again, they are killed. Where this program is itself killed, the system tells them to
-/// end.
+/// or at once if this one is told again, they are killed. Where this program is itself killed, each is ended likewise,
+/// with all that it started, by a process that stands between the two and ends as its program does.
 class Running {
  public:
   explicit Running(std::chrono::milliseconds grace = std::chrono::seconds(5));

@@ -44,6 +44,13 @@ void require_equal(std::size_t found, std::size_t expected, const std::string& w
   if (found != expected) throw json::Misfit{what, fmt::format("has {} entries, expected {}", found, expected)};
 }
 
+/// They become names of files, of which none leads out of the folder that it is meant for.
+void check_names(const Record& record) {
+  for (const auto& [what, name] : {std::pair("case_name", record.case_name), std::pair("method", record.method)})
+    if (name.starts_with('.') || name.find('/') != name.npos)
+      throw json::Misfit{what, fmt::format("is '{}', expected a name that begins with no '.' and has no '/'", name)};
+}
+
 void check_lengths(const Record& record) {
   for (const auto& c : record.curves) require_equal(c.y.size(), c.x.size(), fmt::format("y of curve '{}'", c.label));
   for (const auto& c : record.clouds) {
@@ -184,6 +191,7 @@ Record record_from(json::Json json) {
   Record record;
   const json::Reader reader(json);
   describe(reader, record);
+  check_names(record);
   check_lengths(record);
   judge_again(record);
   return record;

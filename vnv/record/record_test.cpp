@@ -248,6 +248,19 @@ TEST_F(RecordFile, OfAnUnknownSchemaIsRefused) {
   EXPECT_TRUE(refusal().ends_with(".json: schema is 0, expected 1 to 5, those known here")) << refusal();
 }
 
+TEST_F(RecordFile, WhoseNamesLeadOutOfAFolderIsRefused) {
+  for (const char* name : {"../poiseuille", "/etc/poiseuille", "a/../../b", ".."}) {
+    Record record = full_record();
+    record.case_name = name;
+    write(record, file());
+    EXPECT_NE(refusal().find(fmt::format("case_name is '{}', expected a name", name)), std::string::npos) << refusal();
+    record = full_record();
+    record.method = name;
+    write(record, file());
+    EXPECT_NE(refusal().find(fmt::format("method is '{}', expected a name", name)), std::string::npos) << refusal();
+  }
+}
+
 TEST_F(RecordFile, WithAWordForANumberIsRefusedByPlace) {
   write(full_record(), file());
   change("92.5", "\"fast\"");

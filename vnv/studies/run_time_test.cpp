@@ -50,7 +50,7 @@ TEST(WorkStudy, TakesWholeNumbersOfStepsToEachTime) {
 /// A run of a level with errors at 0.1 and 1 s, and its CPU time.
 void add_run(Results& results, Record& record, const Level& level, double early, double late, double cpu) {
   Run run;
-  run.summary = {.level = level.name, .end_time = 1, .finished = true, .outcome = "finished"};
+  run.summary = {.level = level.name, .spacing = level.spacing, .end_time = 1, .finished = true, .outcome = "finished"};
   run.summary.cost.cpu = run.summary.cost.cpu_lowest = run.summary.cost.cpu_highest = cpu;
   record.values.push_back({level.name, level.spacing, 0.1, error, early});
   record.values.push_back({level.name, level.spacing, 1, error, late});

@@ -3,8 +3,8 @@
 
 With the touchstone_inputs of a build each sample and 200 mutations of it; with --runs, with the fuzz_inputs that Clang
 builds, so many inputs that libFuzzer finds, under the address and undefined-behaviour sanitizers, none of which may
-take longer than a second. A reader is a line. Exit status: 0 all inputs were taken or refused in one line; 1 one was
-not: it is kept; 3 bad input.
+take longer than a second, or than --timeout on a machine with other work. A reader is a line. Exit status: 0 all inputs
+were taken or refused in one line; 1 one was not: it is kept; 3 bad input.
 
 Example: vnv/trials/inputs/try.py build-fuzz --runs 1000000 --corpora ~/corpora
 """
@@ -56,10 +56,10 @@ def fuzz(program, reader, folder, options):
     for seed in seeds_of(reader):
         shutil.copy(seed, corpus)
     write_dictionary(folder / "words")
-    done = run([program, reader, corpus, f"-runs={options.runs}", f"-seed={options.seed}", f"-dict={folder / 'words'}", "-timeout=1", "-max_len=4096",
+    done = run([program, reader, corpus, f"-runs={options.runs}", f"-seed={options.seed}", f"-dict={folder / 'words'}", f"-timeout={options.timeout}", "-max_len=1024",
                 "-rss_limit_mb=1024", "-close_fd_mask=1", f"-artifact_prefix={(options.corpora or pathlib.Path.cwd()).resolve()}/{reader}-"])
     found = re.findall(r"#(\d+)\s+(?:DONE|NEW|REDUCE|pulse).*?cov: (\d+)", done.stdout)
-    return done.returncode, f"{found[-1][0]} inputs, {found[-1][1]} edges" if done.returncode == 0 and found else done.stdout[-2000:]
+    return done.returncode, f"{found[-1][0]} inputs, {found[-1][1]} edges" if done.returncode == 0 and found else "; ".join(re.findall(r"what\(\):.*|ERROR:.*|SUMMARY:.*|runtime error:.*|.*Test unit written to.*", done.stdout))
 
 
 def main(arguments):
@@ -68,6 +68,7 @@ def main(arguments):
     parser.add_argument("--only", nargs="+", choices=SEEDS, default=SEEDS, metavar="READER", help=", ".join(SEEDS))
     parser.add_argument("--runs", type=int, default=0, help="inputs by libFuzzer of each reader")
     parser.add_argument("--seed", type=int, default=1, help="of libFuzzer")
+    parser.add_argument("--timeout", type=int, default=1, help="longest time of an input [s]")
     parser.add_argument("--corpora", type=pathlib.Path, help="folder that keeps what was found; else nothing is kept but what fails")
     options = parser.parse_args(arguments)
     program = options.build.resolve() / "reports" / ("fuzz_inputs" if options.runs else "touchstone_inputs")
