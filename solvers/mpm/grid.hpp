@@ -51,8 +51,12 @@ class Grid {
     return box.low + cell.cwiseProduct(Vec2(node % node_columns(), node / node_columns()));
   }
 
-  /// The grid line of a wall, counted from the low edge. Throws std::invalid_argument if it stands off the grid.
+  /// The grid line of a wall, counted from the low edge. Throws std::invalid_argument if it stands off the grid, or
+  /// only along a part of it.
   int line_of(const Wall& wall) const {
+    if (wall.is_partial())
+      throw std::invalid_argument(fmt::format("mpm: wall at {} = {:g} m has an extent, expected one across the domain",
+                                              wall.axis == 0 ? "x" : "y", wall.position));
     const double line = (wall.position - box.low[wall.axis]) / cell[wall.axis];
     const int lines = wall.axis == 0 ? columns : rows;
     const double off = std::abs(line - std::round(line));

@@ -20,16 +20,32 @@ struct NearWall {
   double distance;
 };
 
+/// A stretch of a line [m].
+struct Range {
+  double low, high;
+};
+
 /// Velocity of the fluid at the wall [m/s].
 using WallVelocity = std::function<Vec2(const NearWall&)>;
 
-/// A straight wall across the whole domain, along x or along y.
+/// The part of a wall's line where the wall is [m along it], at a time [s].
+using WallExtent = std::function<Range(double time)>;
+
+/// A straight wall along x or along y: across the whole domain, or where its extent says, as a gate that is drawn up.
 struct Wall {
   int axis;         // 0: the wall is a line of constant x; 1: of constant y
   double position;  // m  on that axis
   double inward;    // +1 or -1: the side on that axis where the fluid is
   WallVelocity velocity;
+  WallExtent extent{};  // nothing: all of the line
 
+  bool is_partial() const { return static_cast<bool>(extent); }
+  /// Whether the wall is beside a place, at a time [s].
+  bool is_beside(const Vec2& x, double time) const {
+    if (!extent) return true;
+    const Range part = extent(time);
+    return x[1 - axis] >= part.low && x[1 - axis] <= part.high;
+  }
   Vec2 normal() const { return inward * Vec2::Unit(axis); }
   /// Distance into the fluid [m]; negative behind the wall.
   double distance(const Vec2& x) const { return inward * (x[axis] - position); }
@@ -43,9 +59,9 @@ struct Wall {
   }
 };
 
-inline Wall floor_at(double y, WallVelocity velocity) { return {1, y, +1, std::move(velocity)}; }
-inline Wall ceiling_at(double y, WallVelocity velocity) { return {1, y, -1, std::move(velocity)}; }
-inline Wall left_at(double x, WallVelocity velocity) { return {0, x, +1, std::move(velocity)}; }
-inline Wall right_at(double x, WallVelocity velocity) { return {0, x, -1, std::move(velocity)}; }
+inline Wall floor_at(double y, WallVelocity velocity) { return {1, y, +1, std::move(velocity), {}}; }
+inline Wall ceiling_at(double y, WallVelocity velocity) { return {1, y, -1, std::move(velocity), {}}; }
+inline Wall left_at(double x, WallVelocity velocity) { return {0, x, +1, std::move(velocity), {}}; }
+inline Wall right_at(double x, WallVelocity velocity) { return {0, x, -1, std::move(velocity), {}}; }
 
 }  // namespace touchstone

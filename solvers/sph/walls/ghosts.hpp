@@ -25,6 +25,9 @@ inline BoundaryLayout lay_out_ghosts(const Domain& domain, const std::vector<Wal
   const Lattice cells = lattice(domain.box, spacing);
   std::array<long, 2> before = {0, 0}, beyond = {0, 0};
   for (const Wall& wall : walls) {
+    if (wall.is_partial())
+      throw std::invalid_argument(fmt::format("sph: wall at {} = {} m has an extent, expected one across the domain",
+                                              "xy"[wall.axis], wall.position));
     const double face = (wall.inward > 0 ? domain.box.low : domain.box.high)[wall.axis];
     if (std::abs(wall.position - face) > 1e-9 * domain.box.size()[wall.axis])
       throw std::invalid_argument(fmt::format("sph: wall at {} = {} m, expected on the face of the domain at {} m",
