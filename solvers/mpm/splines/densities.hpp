@@ -88,6 +88,7 @@ struct DensityInCells<AffineDensity> {
                      std::vector<LaneBits>& calm) {
     give(transfer, nodes, step, particles);
     nodes.find_mean(0, nodes.expansion, step.threads);
+    nodes.bound_expansion(step.threads);
     nodes.edges.unfold(nodes.expansion);
     for_blocks(
         particles, nodes, step.threads, calm, [&](const auto& block, int node) __attribute__((flatten)) {

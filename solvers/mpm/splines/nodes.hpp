@@ -2,8 +2,8 @@
 /// The nodes of the method with quadratic B-splines, where splines are cut off, repeated or held at edges.
 
 #include "solvers/mpm/centre_nodes.hpp"
+#include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
-#include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {
 
@@ -120,6 +120,14 @@ class SplineNodes : public CentreNodes {
       store(load<Lanes>(&one.y[node]) + times * load<Lanes>(&other.y[node]), &sum.y[node]);
     });
   }
+  /// As `AffineDensity` does.
+  void bound_expansion(int threads) {
+    const Lanes most = fill<Lanes>(AffineDensity::most_expansion);
+    for_near(near(), threads, [&](int node) {
+      const Lanes e = load<Lanes>(&expansion[node]);
+      store(e > most ? most : e, &expansion[node]);
+    });
+  }
   /// Adds the same to all nodes that move.
   void push(const Vec2& dv, NodeVectors& velocity_of, int threads) const {
     for_near(near(), threads, [&](int node) {
@@ -134,73 +142,6 @@ class SplineNodes : public CentreNodes {
     for_near(near(), threads, [&](int node) { store(given(field, node), &sum[node]); });
     edges.fold(sum);
   }
-};
-
-/// The nodes on walls, each with its walls in the order of the scene.
-class SplineWalls {
- public:
-  /// Throws std::invalid_argument for a wall anywhere but at an edge of the domain that is not periodic.
-  SplineWalls(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const SplineNodes& nodes)
-      : walls_(walls) {
-    for (std::size_t wall = 0; wall < walls.size(); ++wall) {
-      const int axis = walls[wall].axis, line = grid.line_of(walls[wall]), cells = axis == 0 ? grid.columns : grid.rows;
-      if ((axis == 0 ? grid.periodic_x : grid.periodic_y) || (line > 0 && line < cells))
-        throw std::invalid_argument(fmt::format(
-            "mpm: wall at {} = {:g} m, expected at an edge of the domain that is not periodic: this shape has no node "
-            "of its own elsewhere",
-            axis == 0 ? "x" : "y", walls[wall].position));
-      const int at = line == 0 ? 0 : cells + 1;
-      const bool other_periodic = axis == 0 ? grid.periodic_y : grid.periodic_x;
-      const int others = axis == 0 ? grid.rows : grid.columns;
-      for (int k = other_periodic; k < others + 2 - other_periodic; ++k) {
-        const int column = axis == 0 ? at : k, row = axis == 0 ? k : at;
-        const Vec2 along(place(column, grid.columns, grid.periodic_x), place(row, grid.rows, grid.periodic_y));
-        all_.push_back(
-            {row * nodes.stride + column, wall, start.velocity_at(grid.box.low + grid.cell.cwiseProduct(along))});
-      }
-    }
-    std::stable_sort(all_.begin(), all_.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
-  }
-
-  void list_near(const CentreNodes& nodes) {
-    held_.clear();
-    for (int first : nodes.near()) {
-      auto held =
-          std::lower_bound(all_.begin(), all_.end(), first, [](const Held& h, int node) { return h.node < node; });
-      for (; held < all_.end() && held->node < first + lanes; ++held) held_.push_back(*held);
-    }
-  }
-
-  /// Makes velocities those of the walls, at a time [s].
-  void hold(const SplineNodes& nodes, double time, NodeVectors& velocity) const {
-    for (const Held& held : held_)
-      if (nodes.moves(held.node)) velocity.set(held.node, walls_[held.wall].at_wall(velocity[held.node], time));
-  }
-  /// Has the motion of each wall node follow its walls, over the step from `start` [s].
-  void hold_motion(SplineNodes& nodes, double start, double dt, bool first_step) const {
-    for (auto held = held_.begin(); held < held_.end();) {
-      const int node = held->node;
-      NodeAtWall at_wall{nodes.start[node], nodes.velocity[node], start, start + dt, first_step, held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held) PrescribedMotion::hold(walls_[held->wall], at_wall);
-      if (!nodes.moves(node)) continue;
-      nodes.start.set(node, at_wall.before);
-      nodes.velocity.set(node, at_wall.after);
-    }
-  }
-
- private:
-  struct Held {
-    int node;
-    std::size_t wall;
-    Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
-  };
-  /// Of a column or row of nodes [cells from the low edge].
-  static double place(int node, int cells, bool periodic) {
-    return periodic ? node % cells - 0.5 : std::clamp(node - 0.5, 0.0, static_cast<double>(cells));
-  }
-
-  std::vector<Wall> walls_;
-  std::vector<Held> all_, held_;
 };
 
 }  // namespace touchstone::mpm

@@ -117,5 +117,68 @@ TEST(Splines, DoWithAnyPartsWhatPlainLoopsDo) {
   expect_as_composed<Xpic<5>, AffineDensity>(water, gravity);
 }
 
+/// Water 0.3 m long and 0.2 m high at rest at the left end of a tank, behind a gate between two rows of nodes.
+Scene<Tait, Uniform> behind_a_gate(const WallExtent& extent) {
+  constexpr double g = 1;  // m/s²
+  return {.domain = {.box = {.high = {0.8, 0.4}}},
+          .fluid = water,
+          .filled = {.high = {0.3, 0.2}},
+          .walls = {floor_at(0, free_slip()),
+                    left_at(0, free_slip()),
+                    right_at(0.8, free_slip()),
+                    {0, 0.3, -1, free_slip(), extent}},
+          .body_force = {{0, -g}},
+          .start = {.pressure = [](const Vec2& x) { return water.density * g * (0.2 - x.y()); }}};
+}
+auto run_behind_a_gate(const WallExtent& extent, int steps) {
+  auto tank =
+      on_splines<Apic, AffineDensity>(behind_a_gate(extent), {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  for (int step = 0; step < steps; ++step) tank.step();
+  return tank.samples();
+}
+
+TEST(AGate, HoldsWaterWhileItIsDown) {
+  const Samples s = run_behind_a_gate([](double) { return Range{0, 1}; }, 500);
+  EXPECT_LT(s.x.row(0).maxCoeff(), 0.3);
+  EXPECT_LT(s.v.cwiseAbs().maxCoeff(), 0.02);  // of sqrt(g H), 0.45
+  for (Index p = 0; p < s.size(); ++p) EXPECT_NEAR(s.pressure[p], 1000 * (0.2 - s.x(1, p)), 20) << s.x.col(p);
+}
+
+TEST(AGate, LetsWaterThroughBelowItsEdgeAlone) {
+  const Samples s = run_behind_a_gate([](double time) { return Range{0.4 * time, 1}; }, 75);  // its edge is at 0.12 m
+  ASSERT_GT(s.x.row(0).maxCoeff(), 0.32);
+  for (Index p = 0; p < s.size(); ++p) EXPECT_TRUE(s.x(0, p) < 0.305 || s.x(1, p) < 0.12) << s.x.col(p);
+}
+
+TEST(AGate, DoesNotHoldBackWaterThatLeavesIt) {
+  auto scene = behind_a_gate([](double) { return Range{0, 1}; });
+  scene.body_force = {{-1, 0}};
+  scene.start = {};
+  auto tank = on_splines<Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  scene.walls.pop_back();
+  auto open = on_splines<Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  for (int step = 0; step < 20; ++step) tank.step(), open.step();
+  EXPECT_EQ(tank.samples().x, open.samples().x);
+}
+
+TEST(AGate, IsRefusedCloserThanACellToAnEdgeAndByMethodsWithoutPartialWalls) {
+  auto scene = behind_a_gate([](double) { return Range{0, 1}; });
+  EXPECT_THROW((composed<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
+               std::invalid_argument);
+  scene.walls.back().position = 0.78;
+  EXPECT_THROW((on_splines<Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})), std::invalid_argument);
+}
+
+TEST(AffineDensity, ForgetsHowFarLoneParticlesWereTorn) {
+  Scene<Tait> scene{.domain = {.box = {.high = {1, 1}}}, .fluid = water, .filled = {.high = {1, 1}}};
+  scene.walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip()),
+                 ceiling_at(1, free_slip())};
+  scene.start.places = [](const Vectors&) -> Vectors { return (Vectors(2, 1) << 0.47, 0.52).finished(); };
+  scene.start.velocity = [](const Vec2& x) -> Vec2 { return x; };  // m/s  it expands
+  auto drop = on_splines<Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
+  for (int step = 0; step < 200; ++step) drop.step();
+  EXPECT_GE(drop.samples().density[0], water.density / 1.011);
+}
+
 }  // namespace
 }  // namespace touchstone::mpm

@@ -3,8 +3,8 @@
 /// anew.
 
 #include "solvers/mpm/printed/transfer.hpp"
-#include "solvers/mpm/splines/nodes.hpp"
 #include "solvers/mpm/splines/particles.hpp"
+#include "solvers/mpm/splines/walls.hpp"
 #include "solvers/mpm/splines/within.hpp"
 #include "solvers/stepping/clock.hpp"
 
