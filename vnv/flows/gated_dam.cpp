@@ -1,0 +1,360 @@
+#include "vnv/flows/gated_dam.hpp"
+
+#include "solvers/walls/free_slip.hpp"
+#include "vnv/files/tables.hpp"
+#include "vnv/flows/front_comparison.hpp"
+#include "vnv/judge/validation.hpp"
+#include "vnv/measures/decay.hpp"
+#include "vnv/measures/front.hpp"
+#include "vnv/measures/impact.hpp"
+#include "vnv/measures/wall_pressure.hpp"
+#include "vnv/measures/water_level.hpp"
+#include "vnv/record/record.hpp"
+
+namespace touchstone::vnv::gated_dam {
+namespace {
+
+constexpr double until_return_wave = 5;  // of T_H, until which two runs of the experiment agree
+
+/// The particles within a strip of x, which is all that a gauge or a sensor sees.
+Samples within(const Samples& samples, double low, double high) {
+  std::vector<Eigen::Index> inside;
+  for (Eigen::Index p = 0; p < samples.size(); ++p)
+    if (samples.x(0, p) > low && samples.x(0, p) < high) inside.push_back(p);
+  return {samples.time,         samples.x(Eigen::all, inside), samples.v(Eigen::all, inside),
+          samples.mass(inside), samples.density(inside),       samples.pressure(inside)};
+}
+
+/// What compression holds [J/kg]: the integral of p / rho² over the density, by Tait's law.
+double elastic_energy(const Samples& samples) {
+  const Scalars z = samples.density / filled_300.density;
+  return filled_300.bulk_modulus / filled_300.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum();
+}
+
+std::vector<double> see(const Samples& samples) {
+  const double spacing = std::sqrt(samples.mass.maxCoeff() / filled_300.density);
+  std::vector<double> seen(column::count);
+  seen[column::kinetic] = kinetic_energy(samples);
+  seen[column::potential] = filled_300.gravity * (samples.mass * samples.x.row(1).transpose().array()).sum();
+  seen[column::elastic] = elastic_energy(samples);
+  seen[column::front_slab] = half_full_slab(samples, 2 * spacing);
+  seen[column::front_percentile] = percentile_front(samples) + spacing / 2;
+  constexpr std::array sides{0.0, -1.0, 1.0};
+  const double gauge = std::max(5e-3, spacing), wall_strip = sensor_diameter + 4 * spacing;
+  for (std::size_t k = 0; k < gauges.size(); ++k) {
+    const Samples near = within(samples, gauges[k] - 2 * gauge - spacing, gauges[k] + 2 * gauge + spacing);
+    for (std::size_t side = 0; side < sides.size(); ++side)
+      seen[column::level + 3 * k + side] =
+          near.size() == 0 ? 0 : water_level(near, gauges[k] + sides[side] * gauge_doubt, gauge, spacing).volume;
+  }
+  const Samples near = within(samples, tank_length - wall_strip, tank_length + spacing);
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      const WallSensor sensor{tank_length, sensors[k] + sides[side] * sensor_doubt, sensor_diameter};
+      seen[column::patch + 3 * k + side] = near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing);
+      seen[column::fit + 3 * k + side] = near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing);
+    }
+  return seen;
+}
+
+std::vector<Quantity> names() {
+  std::vector<Quantity> all{{"kinetic energy", "J/m"},
+                            {"potential energy", "J/m"},
+                            {"elastic energy", "J/m"},
+                            {"front, half-full slab of two spacings", "m"},
+                            {"front, 99.5th percentile", "m"}};
+  constexpr std::array at{"", ", 1 mm before", ", 1 mm behind"}, height{"", ", 0.5 mm lower", ", 0.5 mm higher"};
+  for (std::size_t k = 0; k < gauges.size(); ++k)
+    for (const char* where : at) all.push_back({fmt::format("level H{}{}", k + 1, where), "m"});
+  for (const char* by : {"mean over a patch", "affine fit"})
+    for (std::size_t k = 0; k < sensors.size(); ++k)
+      for (const char* where : height) all.push_back({fmt::format("pressure P{}{}, {}", k + 1, where, by), "Pa"});
+  return all;
+}
+
+DataTable experiment(const std::string& name, const std::vector<std::string>& headings) {
+  DataTable table = read_table(data_folder() / "experiments" / name, headings);
+  require_geometry(table, "column_height", filled_300.height, 1e-6);
+  require_geometry(table, "tank_length", tank_length, 1e-6);
+  return table;
+}
+DataTable front_table() {
+  return experiment("lobovsky_2014_front_300.csv", {"T [-]", "L [-]", "t [s]", "x_gate [m]", "T_H [-]", "X_H [-]"});
+}
+DataTable level_table() {
+  return experiment("lobovsky_2014_levels_300.csv", {"T_H [-]", "H1_run_1 [-]", "H2_run_1 [-]", "H2_run_2 [-]",
+                                                     "H3_run_1 [-]", "H3_run_2 [-]", "H4_run_1 [-]", "H4_run_2 [-]"});
+}
+DataTable event_table() {
+  return experiment("lobovsky_2014_pressure_event_300.csv",
+                    {"T_H [-]", "P1 [-]", "P2 [-]", "P2L [-]", "P3 [-]", "P4 [-]"});
+}
+DataTable band_table() {
+  return experiment("lobovsky_2014_pressure_band_300.csv", {"T_H [-]", "p2_5 [-]", "median [-]", "p97_5 [-]"});
+}
+
+/// In the numbers of the experiment: 100 ms are 0.572 of T_H. An impact is above a tenth of the weight of the column.
+Impact impact_on(const Series& pressure) {
+  return impact_of(pressure, {.threshold = 0.1,
+                              .peak_within = 1,
+                              .plateau_from = 1,
+                              .plateau_to = 2,
+                              .arrival_fraction = 0.2,
+                              .impulse_over = 0.1 / filled_300.unit_of_time()});
+}
+
+/// The first time at which a front is past a place.
+double passing(const Series& front, double place) {
+  for (std::size_t k = 1; k < front.time.size(); ++k)
+    if (front.value[k] >= place)
+      return std::lerp(front.time[k - 1], front.time[k],
+                       (place - front.value[k - 1]) / (front.value[k] - front.value[k - 1]));
+  return not_a_number;
+}
+
+double root_mean_square(const std::vector<double>& differences) {
+  double sum = 0;
+  for (const double d : differences) sum += d * d;
+  return std::sqrt(sum / static_cast<double>(differences.size()));
+}
+
+/// RMS difference of two series at the times of the measured one, within a range of T_H.
+double rms_between(const Series& ours, const Series& measured, double from, double to) {
+  std::vector<double> differences;
+  for (std::size_t k = 0; k < measured.time.size(); ++k)
+    if (measured.time[k] >= from && measured.time[k] <= to)
+      differences.push_back(value_at(ours, measured.time[k]) - measured.value[k]);
+  return differences.empty() ? not_a_number : root_mean_square(differences);
+}
+
+/// dx/dT_H by a straight line.
+double speed(const Series& front, double from, double to) {
+  return slope_of("a front", {front.time, front.value}, {from, to});
+}
+
+Series scaled(Series series, double time, double offset, double value) {
+  for (double& t : series.time) t /= time;
+  for (double& v : series.value) v = (v - offset) / value;
+  return series;
+}
+
+/// T_H until which the measured front is judged: then it nears the wall.
+constexpr double front_until = 2.4;
+
+}  // namespace
+
+const Watch monitored{.every = 1e-3, .see = see, .quantities = names()};
+
+Scene<Tait, Uniform> collapse(const Inputs& inputs) {
+  const Tait water{.density = inputs.density, .bulk_modulus = inputs.bulk_modulus};
+  Wall gate = right_at(column_length, free_slip());
+  gate.extent = [v = inputs.gate_speed](double time) { return Range{v * time, 1e3}; };
+  return {
+      .domain = {.box = {.high = {tank_length, 5 * inputs.height}}},
+      .fluid = water,
+      .filled = {.high = {column_length, inputs.height}},
+      .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank_length, free_slip()), gate},
+      .body_force = {{0, -inputs.gravity}},
+      .start = {.pressure = [=](const Vec2& x) { return inputs.density * inputs.gravity * (inputs.height - x.y()); }}};
+}
+
+Series followed(const Run& run, std::size_t column) {
+  Series series{run.history.time, {}};
+  for (const std::vector<double>& seen : run.history.seen) series.value.push_back(seen[column]);
+  return series;
+}
+
+Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading) {
+  const double unit = inputs.unit_of_time();
+  Seen seen{.front = scaled(followed(run, reading.front), unit, column_length, inputs.height)};
+  for (std::size_t k = 0; k < gauges.size(); ++k)
+    seen.levels[k] = scaled(followed(run, column::level + 3 * k + reading.place), unit, 0, inputs.height);
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    seen.pressures[k] =
+        scaled(followed(run, reading.pressures + 3 * k + reading.place), unit, 0, inputs.unit_of_pressure());
+  return seen;
+}
+
+Seen measured_300(int run) {
+  const DataTable levels = level_table(), event = event_table();
+  Seen seen{.front = series_of(front_table(), "T_H [-]", "X_H [-]")};
+  for (std::size_t k = 0; k < gauges.size(); ++k)
+    seen.levels[k] = series_of(levels, "T_H [-]", fmt::format("H{}_run_{} [-]", k + 1, k == 0 ? 1 : run));
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    seen.pressures[k] = series_of(event, "T_H [-]", fmt::format("P{} [-]", k + 1));
+  return seen;
+}
+
+std::vector<std::pair<std::string, Series>> band_of_P2() {
+  const DataTable band = band_table();
+  return {{"100 repeats, 2.5 %", series_of(band, "T_H [-]", "p2_5 [-]")},
+          {"100 repeats, median", series_of(band, "T_H [-]", "median [-]")},
+          {"100 repeats, 97.5 %", series_of(band, "T_H [-]", "p97_5 [-]")}};
+}
+
+std::vector<Observable> observables_300() {
+  using Clock = Observable::Clock;
+  const Seen first = measured_300(1), second = measured_300(2);
+  const DataTable band = band_table(), front = front_table();
+  std::vector<Observable> all;
+
+  // One curve of the front: its repeatability is that between fillings, its frames are half of 1/300 s apart.
+  const double front_repeat = 2 * front.provenance().uncertainty.at("L.repeat").value;  // x/H is 2 L
+  for (const double T : {1.0, 1.5, 2.0, 2.4}) {
+    const auto of = [T](const Seen& seen) { return value_at(seen.front, T); };
+    all.push_back({{fmt::format("front x/H at T_H = {:g}", T)},
+                   of,
+                   of(first),
+                   front_repeat,
+                   "RMS difference between fillings of 300 and 600 mm",
+                   0.1,
+                   Clock::of_front});
+  }
+  const auto front_speed = [](const Seen& seen) { return speed(seen.front, 1, 1.58); };
+  all.push_back({{"front speed dx/dT_H over T_H 1 to 1.58, by H"},
+                 front_speed,
+                 front_speed(first),
+                 not_a_number,
+                 "one curve",
+                 0.1});
+  for (std::size_t k = 1; k < gauges.size(); ++k) {
+    const double station = (gauges[k] - column_length) / filled_300.height;
+    const auto of = [station](const Seen& seen) { return passing(seen.front, station); };
+    all.push_back({{fmt::format("passing time T_H of the front at H{}", k + 1)},
+                   of,
+                   of(first),
+                   front_repeat / front_speed(first),
+                   "repeatability of the front by its speed",
+                   0.1,
+                   Clock::of_front});
+  }
+
+  // Of two runs the difference by sqrt(2) is the standard deviation of one; D, their mean, has it by sqrt(2) again.
+  for (std::size_t k = 0; k < gauges.size(); ++k)
+    for (const auto& [from, to] : std::vector<std::pair<double, double>>{{2.5, 3.5}, {3.5, 4.5}, {4.5, 5}}) {
+      const auto of = [=](const Seen& seen) { return time_mean(seen.levels[k], from, to); };
+      const double one = of(first), two = of(second);
+      all.push_back({{fmt::format("level h/H at H{}, mean over T_H {:g} to {:g}", k + 1, from, to)},
+                     of,
+                     (one + two) / 2,
+                     k == 0 ? not_a_number : std::max(std::abs(one - two) / 2, 0.0025),
+                     k == 0 ? "one run" : "two runs, and a pixel of the video",
+                     0.05,
+                     Clock::of_front});
+    }
+
+  const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv",
+                                     {"sensor", "median [mbar]", "p2_5 [mbar]", "p97_5 [mbar]"});
+  const double mbar = 100 / filled_300.unit_of_pressure();
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    const auto on = [k](const Seen& seen) { return impact_on(seen.pressures[k]); };
+    const std::string at = fmt::format(" at P{}", k + 1), one_event = "one event";
+    all.push_back({{"first peak p/(rho g H)" + at},
+                   [=](const Seen& seen) { return on(seen).peak; },
+                   mbar * peaks.numbers("median [mbar]")[k],
+                   mbar * standard_of_95_percent(peaks.numbers("p2_5 [mbar]")[k], peaks.numbers("p97_5 [mbar]")[k]),
+                   "percentiles over 100 repeats",
+                   0.5});
+    if (k == 1) {  // the only one with a band
+      const auto of_band = [&](const char* column) { return impact_on(series_of(band, "T_H [-]", column)); };
+      const Impact low = of_band("p2_5 [-]"), middle = of_band("median [-]"), high = of_band("p97_5 [-]");
+      const std::string by_band = "percentiles of the band over 100 repeats";
+      all.push_back({{"arrival T_H" + at},
+                     [=](const Seen& seen) { return on(seen).arrival; },
+                     middle.arrival,
+                     standard_of_95_percent(high.arrival, low.arrival),
+                     by_band,
+                     0.2,
+                     Clock::of_pressure});
+      all.push_back({{"impulse over 100 ms by rho g H sqrt(H/g)" + at},
+                     [=](const Seen& seen) { return on(seen).impulse; },
+                     middle.impulse,
+                     standard_of_95_percent(low.impulse, high.impulse),
+                     by_band,
+                     0.2});
+      all.push_back({{"plateau p/(rho g H), 1 to 2 of T_H after arrival" + at},
+                     [=](const Seen& seen) { return on(seen).plateau; },
+                     middle.plateau,
+                     standard_of_95_percent(low.plateau, high.plateau),
+                     by_band,
+                     0.2});
+    } else {
+      all.push_back({{"impulse over 100 ms by rho g H sqrt(H/g)" + at},
+                     [=](const Seen& seen) { return on(seen).impulse; },
+                     on(first).impulse,
+                     not_a_number,
+                     one_event,
+                     0.2});
+      all.push_back({{"plateau p/(rho g H), 1 to 2 of T_H after arrival" + at},
+                     [=](const Seen& seen) { return on(seen).plateau; },
+                     on(first).plateau,
+                     not_a_number,
+                     one_event,
+                     0.2});
+    }
+  }
+  return all;
+}
+
+std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run& run) {
+  std::vector<Value> found;
+  if (!run.summary.finished) return found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
+  };
+  double least = INFINITY, rise = 0;
+  for (const std::vector<double>& seen : run.history.seen) {
+    const double total = seen[column::kinetic] + seen[column::potential] + seen[column::elastic];
+    least = std::min(least, total);
+    rise = std::max(rise, total - least);
+  }
+  add(energy_made, rise / inputs.fall());
+  const Seen ours = seen_in(run, inputs);
+  if (inputs.height != filled_300.height) {
+    const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
+                                       {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+    require_geometry(table, "column_height", inputs.height, 1e-6);
+    Series front = series_of(table, "T [-]", "L [-]");
+    for (double& x : front.value) x -= 1;
+    add(front_rms, rms_between(ours.front, front, 0.2, 1.5));
+    add(front_speed_error, 100 * (speed(ours.front, 1, 1.58) / speed(front, 1, 1.58) - 1));
+    return found;
+  }
+  const Seen first = measured_300(1), second = measured_300(2);
+  add(front_rms, rms_between(ours.front, first.front, 0, front_until));
+  add(front_speed_error, 100 * (speed(ours.front, 1, 1.58) / speed(first.front, 1, 1.58) - 1));
+  std::vector<double> before, after;
+  for (std::size_t k = 1; k < gauges.size(); ++k)
+    for (const Seen* seen : {&first, &second}) {
+      const double arrival = passing(first.front, (gauges[k] - column_length) / inputs.height) + 0.1;
+      before.push_back(rms_between(ours.levels[k], seen->levels[k], arrival, until_return_wave));
+      after.push_back(rms_between(ours.levels[k], seen->levels[k], until_return_wave, 7));
+    }
+  add(levels_rms, root_mean_square(before));
+  add({"RMS error of levels h/H at H2 to H4, T_H from 5 to 7", "", Kind::error}, root_mean_square(after));
+  const DataTable band = band_table();
+  const Impact measured = impact_on(series_of(band, "T_H [-]", "median [-]")),
+               ours_on_P2 = impact_on(ours.pressures[1]);
+  add(inside_band,
+      fraction_inside(shifted(ours.pressures[1], measured.arrival - ours_on_P2.arrival),
+                      series_of(band, "T_H [-]", "p2_5 [-]"), series_of(band, "T_H [-]", "p97_5 [-]"), 2.4, 6));
+  for (const auto& [reading, words] :
+       {std::pair(Reading{}, std::string("affine fit")),
+        std::pair(Reading{.pressures = column::patch}, std::string("mean over a patch"))}) {
+    const Seen seen = seen_in(run, inputs, reading);
+    for (std::size_t k = 0; k < sensors.size(); ++k) {
+      const Impact impact = impact_on(seen.pressures[k]);
+      const std::string by = fmt::format(" at P{}, {}", k + 1, words);
+      add({"first peak p/(rho g H)" + by}, impact.peak);
+      add({"impulse over 100 ms by rho g H sqrt(H/g)" + by}, impact.impulse);
+      add({"plateau p/(rho g H)" + by}, impact.plateau);
+      if (k == 1) {
+        add({"arrival T_H" + by}, impact.arrival);
+        add({"rise from half the peak in T_H" + by}, impact.rise);
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace touchstone::vnv::gated_dam

@@ -1,0 +1,124 @@
+#include "vnv/flows/gated_dam_figures.hpp"
+
+#include "vnv/record/record.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv::gated_dam {
+namespace {
+
+constexpr double until = 2 / 0.1749;  // of T_H, as long as runs last
+
+Curve curve(const std::string& figure, const std::string& label, Role role, const Series& series, bool points = false) {
+  return {figure, label, role, series.time, series.value, points};
+}
+
+/// The run with the least spacing, or null.
+const Run* finest(const Results& results) {
+  const auto found = std::ranges::min_element(results.runs, {}, [](const Run& run) { return run.summary.spacing; });
+  return found == results.runs.end() || found->history.seen.empty() ? nullptr : &*found;
+}
+std::string label_of(const Results& results, const Run& run) { return results.method.name + " " + run.summary.level; }
+
+/// A figure of one of the series that were seen: ours, and the experiment's.
+Plot seen_over_time(const Figure& frame, const std::function<Series(const Seen&)>& of,
+                    const std::vector<Curve>& experiment) {
+  return [=](const Results& results, Record& record) {
+    record.figures.push_back(frame);
+    if (const Run* run = finest(results))
+      record.curves.push_back(curve(frame.id, label_of(results, *run), Role::ours, of(seen_in(*run, filled_300))));
+    record.curves.insert(record.curves.end(), experiment.begin(), experiment.end());
+  };
+}
+
+Plot all_of(const std::vector<Plot>& plots) {
+  return [=](const Results& results, Record& record) {
+    for (const Plot& plot : plots) plot(results, record);
+  };
+}
+
+}  // namespace
+
+Plot front_over_time() {
+  const std::string id = "front";
+  const auto front = [](const Seen& seen) { return seen.front; };
+  return seen_over_time(
+      {id,
+       "Front over time",
+       "Distance from the gate over H, as a half-full slab of two spacings, clocks as they are: from the first "
+       "motion of the gate.",
+       {"T_H = t sqrt(g/H)", 1, false, 0, 3},
+       {"x/H", 1, false, 0, 3.5}},
+      front, {curve(id, "Lobovský et al. 2014", Role::experiment, front(measured_300()), true)});
+}
+
+Plot levels_over_time() {
+  std::vector<Plot> plots;
+  for (std::size_t k = 0; k < gauges.size(); ++k) {
+    const std::string id = fmt::format("level_H{}", k + 1);
+    const auto level = [k](const Seen& seen) { return seen.levels[k]; };
+    std::vector<Curve> measured{
+        curve(id, "Lobovský et al. 2014, run 1", Role::experiment, level(measured_300(1)), true)};
+    if (k > 0)
+      measured.push_back(curve(id, "Lobovský et al. 2014, run 2", Role::published, level(measured_300(2)), true));
+    plots.push_back(seen_over_time({id,
+                                    fmt::format("Water level at H{}, {:g} m from the back wall", k + 1, gauges[k]),
+                                    "Ours as volume over width, which holes and spray do not disturb.",
+                                    {"T_H = t sqrt(g/H)", 1, false, 0, until},
+                                    {"h/H", 1, false, 0, k == 0 ? 1.1 : 0.8}},
+                                   level, measured));
+  }
+  return all_of(plots);
+}
+
+Plot pressures_over_time() {
+  std::vector<Plot> plots;
+  const std::array<double, sensors.size()> most{4, 3, 3, 2};
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    const std::string id = fmt::format("pressure_P{}", k + 1);
+    const auto pressure = [k](const Seen& seen) { return seen.pressures[k]; };
+    std::vector<Curve> measured{
+        curve(id, "Lobovský et al. 2014, one event", Role::experiment, pressure(measured_300()))};
+    if (k == 1)
+      for (const auto& [label, series] : band_of_P2()) measured.push_back(curve(id, label, Role::guide, series));
+    plots.push_back(seen_over_time(
+        {id,
+         fmt::format("Pressure at P{}, {:g} mm above the floor", k + 1, 1e3 * sensors[k]),
+         "Ours by an affine fit read at the wall, sampled every ms; clocks as they are, which are in doubt by 0.15.",
+         {"T_H = t sqrt(g/H)", 1, false, 2, 8},
+         {"p/(rho g H)", 1, false, -0.5, most[k]}},
+        pressure, measured));
+  }
+  return all_of(plots);
+}
+
+Plot energies_over_time() {
+  return [](const Results& results, Record& record) {
+    const std::string id = "energy";
+    record.figures.push_back(
+        {id,
+         "Energy over time",
+         "Of the water, less that of the same water flat in the tank, over what it loses until then.",
+         {"T_H = t sqrt(g/H)", 1, false, 0, until},
+         {"energy over the fall", 1, false, 0, 1.1}});
+    const Run* run = finest(results);
+    if (!run) return;
+    const double fall = filled_300.fall(), unit = filled_300.unit_of_time();
+    Series kinetic = followed(*run, column::kinetic), potential = followed(*run, column::potential),
+           elastic = followed(*run, column::elastic);
+    const double flat = potential.value.front() - fall;
+    Series total = kinetic;
+    for (std::size_t k = 0; k < total.time.size(); ++k) {
+      total.time[k] = kinetic.time[k] = potential.time[k] = kinetic.time[k] / unit;
+      potential.value[k] = (potential.value[k] - flat) / fall;
+      kinetic.value[k] /= fall;
+      total.value[k] = kinetic.value[k] + potential.value[k] + elastic.value[k] / fall;
+    }
+    const std::string name = label_of(results, *run);
+    record.curves.push_back(curve(id, name + ", total", Role::ours, total));
+    record.curves.push_back(curve(id, name + ", kinetic", Role::ours, kinetic));
+    record.curves.push_back(curve(id, name + ", potential", Role::ours, potential));
+  };
+}
+
+}  // namespace touchstone::vnv::gated_dam
