@@ -64,7 +64,8 @@ TEST(MedianOfAnEnsemble, IsInsideAnExperimentsPercentilesOrNot) {
   EXPECT_TRUE(median_is_inside({1, 5, 9}, 5, 6)) << "edges are inside";
   EXPECT_FALSE(median_is_inside({1, 5, 9}, 5.1, 6));
   EXPECT_TRUE(median_is_inside({1, 5, 6, 9}, 5.4, 5.6));
-  EXPECT_FALSE(median_is_inside({1, 5, std::nan("")}, 0, 9));
+  EXPECT_FALSE(median_is_inside({1, 5, 9}, 4, 4.9));
+  EXPECT_FALSE(median_is_inside({1, 5, 6, 7, std::nan("")}, 0, 9));
   EXPECT_FALSE(median_is_inside({}, 0, 9));
 }
 
@@ -72,8 +73,11 @@ TEST(ChanceOfBeingSoUnlike, IsExactByEachStatistic) {
   for (const Statistic statistic : {Statistic::anderson_darling, Statistic::kolmogorov_smirnov, Statistic::energy})
     EXPECT_NEAR(p_value({1, 2, 3}, {11, 12, 13}, statistic), 0.1, 0.005);
   // Of the 20 deals, 2 * 2 * 2 = 8 take one of each sample from each of three pairs in order: their functions never
-  // differ by more than 1 / 3, those of the other 12 by 2 / 3 or more.
-  EXPECT_NEAR(p_value({1, 2, 5}, {3, 4, 6}, Statistic::kolmogorov_smirnov), 12.0 / 20, 0.02);
+  // differ by more than 1 / 3, those of the other 12 by 2 / 3 or more. By place and size, fewer are as unlike.
+  EXPECT_NEAR(p_value({1, 2, 4}, {3, 5, 6}, Statistic::kolmogorov_smirnov), 12.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 2, 4}, {3, 5, 6}, Statistic::anderson_darling), 4.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 8, 9}, {2, 3, 4}, Statistic::anderson_darling), 12.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 8, 9}, {2, 3, 4}, Statistic::energy), 8.0 / 20, 0.02);
 }
 
 TEST(ChanceOfBeingSoUnlike, IsExactForSamplesOfWhichAllDealsAreKnown) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
 #include <algorithm>

@@ -54,7 +54,7 @@ TEST(ASeries, IsOutsideWhereItIsNoNumberOrDoesNotReach) {
 TEST(ASeries, HasQuantilesOverSeveralMembers) {
   const Series median = quantile_of({constant(1), constant(7), roof}, {0, 1, 3}, 0.5);
   EXPECT_EQ(median.value, (std::vector<double>{1, 2, 1}));
-  EXPECT_TRUE(std::isnan(quantile_of({constant(1), roof}, {5}, 0.5).value[0]));
+  EXPECT_TRUE(std::isnan(quantile_of({constant(1), constant(2), roof}, {5}, 0).value[0]));
   EXPECT_THROW(quantile_of({}, {0}, 0.5), std::invalid_argument);
 }
 
