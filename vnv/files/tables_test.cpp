@@ -2,6 +2,7 @@
 
 #include "solvers/fields.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -393,6 +394,75 @@ TEST(Data, LobovskysFrontIsAtTheWallWhereItSaysSo) {
   EXPECT_EQ(read.numbers("at_wall [-]").back(), 1);
 }
 
+TEST(Data, LobovskysLevelsAndPressuresAreSampledAtTheirRates) {
+  for (const auto& [name, rate] : {std::pair{"levels", 300.0}, {"pressure_event", 20e3}, {"pressure_band", 20e3}}) {
+    const auto read = read_any(data / "experiments" / fmt::format("lobovsky_2014_{}_300.csv", name));
+    const auto& geometry = read.provenance().geometry;
+    const double per_sample = std::sqrt(geometry.at("gravity").value / geometry.at("column_height").value) / rate;
+    const auto& T = read.numbers("T_H [-]");
+    for (std::size_t i = 1; i < T.size(); ++i) {
+      const double samples = (T[i] - T[i - 1]) / per_sample;
+      EXPECT_NEAR(samples, std::round(samples), 0.05) << name << " at T_H = " << T[i];
+      EXPECT_GE(samples, 0.95) << name << " at T_H = " << T[i];
+    }
+  }
+}
+
+TEST(Data, LobovskysPercentilesAreInOrderAndHoldTheEvent) {
+  const auto band = read_any(data / "experiments/lobovsky_2014_pressure_band_300.csv");
+  for (std::size_t i = 0; i < band.rows(); ++i) {
+    EXPECT_LE(band.numbers("p2_5 [-]")[i], band.numbers("median [-]")[i]) << "row " << i;
+    EXPECT_LE(band.numbers("median [-]")[i], band.numbers("p97_5 [-]")[i]) << "row " << i;
+  }
+  const auto peaks = read_any(data / "experiments/lobovsky_2014_peaks_300.csv");
+  const auto event = read_any(data / "experiments/lobovsky_2014_pressure_event_300.csv");
+  const auto& geometry = peaks.provenance().geometry;
+  const double rho_g_h =  // mbar
+      geometry.at("density").value * geometry.at("gravity").value * geometry.at("column_height").value / 100;
+  for (std::size_t i = 0; i < peaks.rows(); ++i) {
+    const auto& p = event.numbers(peaks.words("sensor")[i] + " [-]");
+    const double peak = rho_g_h * *std::max_element(p.begin(), p.end());
+    EXPECT_GT(peak, peaks.numbers("p2_5 [mbar]")[i]) << peaks.words("sensor")[i];
+    EXPECT_LT(peak, peaks.numbers("p97_5 [mbar]")[i]) << peaks.words("sensor")[i];
+  }
+}
+
+TEST(Data, LobovskysGaugesAreWetWhenTheFrontHasPassed) {
+  const auto levels = read_any(data / "experiments/lobovsky_2014_levels_300.csv");
+  const auto tip = read_any(data / "experiments/lobovsky_2014_front_300.csv");
+  const auto& X = tip.numbers("X_H [-]");
+  for (const std::string gauge : {"H2", "H3", "H4"}) {
+    const double place = (levels.provenance().geometry.at(gauge + "_place").value - 0.6) / 0.3;
+    const auto passed = static_cast<std::size_t>(std::upper_bound(X.begin(), X.end(), place) - X.begin());
+    for (const auto* run : {"_run_1 [-]", "_run_2 [-]"}) {
+      const auto& h = levels.numbers(gauge + run);
+      const auto wet = std::find_if(h.begin(), h.end(), [](double level) { return level > 0; }) - h.begin();
+      const double late = levels.numbers("T_H [-]")[static_cast<std::size_t>(wet)] - tip.numbers("T_H [-]")[passed];
+      EXPECT_GT(late, -0.03) << gauge << run;  // a frame is 0.019
+      EXPECT_LT(late, 0.06) << gauge << run;
+    }
+  }
+}
+
+TEST(Data, ZhousAreScaledAsTheySay) {
+  const auto levels = read_any(data / "experiments/zhou_1999_levels.csv");
+  const auto pressure = read_any(data / "experiments/zhou_1999_pressure.csv");
+  for (const DataTable* read : {&levels, &pressure})
+    for (std::size_t i = 0; i < read->rows(); ++i)
+      EXPECT_NEAR(read->numbers("T_H [-]")[i], (read->numbers("t [s]")[i] - 3.337) * std::sqrt(9.8 / 0.6), 1e-3);
+  for (std::size_t i = 0; i < pressure.rows(); ++i)
+    EXPECT_NEAR(pressure.numbers("P2 [-]")[i], pressure.numbers("p [Pa]")[i] / (1000 * 9.8 * 0.6), 1e-5);
+}
+
+TEST(Data, EachInputOfLobovskyIsKnownToAHalfWidthWithAReason) {
+  const auto inputs = read_any(data / "experiments/lobovsky_2014_inputs_300.csv");
+  for (std::size_t i = 0; i < inputs.rows(); ++i) {
+    EXPECT_GT(inputs.numbers("half_width [SI]")[i], 0) << inputs.words("input")[i];
+    EXPECT_TRUE(inputs.words("distribution")[i] == "rectangular" || inputs.words("distribution")[i] == "normal");
+    EXPECT_GT(inputs.words("basis")[i].size(), 20) << inputs.words("input")[i];
+  }
+}
+
 TEST(Data, SunsParticlesFillTheChannel) {
   const auto read = read_any(data / "papers/sun_tables_3_4.csv");
   const auto& geometry = read.provenance().geometry;
@@ -418,6 +488,16 @@ TEST(Data, SunsErrorsShrinkAndCostsGrowWithMoreParticles) {
 TEST(Data, IsComplete) {
   const std::map<std::string, std::size_t> rows{{"experiments/lobovsky_2014_front_600.csv", 111},
                                                 {"experiments/lobovsky_2014_front_300.csv", 117},
+                                                {"experiments/lobovsky_2014_levels_300.csv", 590},
+                                                {"experiments/lobovsky_2014_pressure_event_300.csv", 2344},
+                                                {"experiments/lobovsky_2014_pressure_band_300.csv", 2344},
+                                                {"experiments/lobovsky_2014_peaks_300.csv", 4},
+                                                {"experiments/lobovsky_2014_statistics.csv", 9},
+                                                {"experiments/lobovsky_2014_inputs_300.csv", 8},
+                                                {"experiments/zhou_1999_levels.csv", 232},
+                                                {"experiments/zhou_1999_pressure.csv", 261},
+                                                {"experiments/buchner_2002_pressure.csv", 279},
+                                                {"experiments/botia_vera_2010_lateral_peaks.csv", 4},
                                                 {"experiments/martin_moyce_1952_front_square.csv", 30},
                                                 {"experiments/martin_moyce_1952_front_tall.csv", 44},
                                                 {"experiments/martin_moyce_1952_front_tall_small.csv", 16},

@@ -43,6 +43,43 @@ TEST(WassersteinDistance, IsNoneWhereThereIsNoNumber) {
   EXPECT_EQ(p_value({1}, {std::nan("")}), 0);
 }
 
+TEST(EnergyDistance, IsTwiceTheMeanDistanceAcrossLessThoseWithin) {
+  // Across: (1 + 3 + 2 + 0) / 4 = 1.5; within {0, 3}: 1.5, each pair twice of four; within {1, 3}: 1.
+  EXPECT_DOUBLE_EQ(energy_distance({0, 3}, {1, 3}), 2 * 1.5 - 1.5 - 1);
+  EXPECT_DOUBLE_EQ(energy_distance({0}, {5}), 10);
+  EXPECT_DOUBLE_EQ(energy_distance({3, 1, 2}, {1, 2, 3}), 0);
+  EXPECT_DOUBLE_EQ(energy_distance({1, 2}, {1, 1, 2, 2}), 0);
+  EXPECT_TRUE(std::isnan(energy_distance({}, {1})));
+}
+
+TEST(KolmogorovSmirnovDistance, IsTheLargestDifferenceOfTheDistributionFunctions) {
+  EXPECT_DOUBLE_EQ(kolmogorov_smirnov_distance({1, 2, 3}, {11, 12, 13}), 1);
+  EXPECT_DOUBLE_EQ(kolmogorov_smirnov_distance({1, 2, 3, 4}, {2.5, 3.5, 4.5, 5.5}), 0.5);
+  EXPECT_DOUBLE_EQ(kolmogorov_smirnov_distance({1, 1, 2}, {1, 2, 2}), 1.0 / 3) << "equal values are passed at once";
+  EXPECT_DOUBLE_EQ(kolmogorov_smirnov_distance({1, 2}, {2, 1}), 0);
+  EXPECT_TRUE(std::isnan(kolmogorov_smirnov_distance({1}, {std::nan("")})));
+}
+
+TEST(MedianOfAnEnsemble, IsInsideAnExperimentsPercentilesOrNot) {
+  EXPECT_TRUE(median_is_inside({1, 5, 9}, 5, 6)) << "edges are inside";
+  EXPECT_FALSE(median_is_inside({1, 5, 9}, 5.1, 6));
+  EXPECT_TRUE(median_is_inside({1, 5, 6, 9}, 5.4, 5.6));
+  EXPECT_FALSE(median_is_inside({1, 5, 9}, 4, 4.9));
+  EXPECT_FALSE(median_is_inside({1, 5, 6, 7, std::nan("")}, 0, 9));
+  EXPECT_FALSE(median_is_inside({}, 0, 9));
+}
+
+TEST(ChanceOfBeingSoUnlike, IsExactByEachStatistic) {
+  for (const Statistic statistic : {Statistic::anderson_darling, Statistic::kolmogorov_smirnov, Statistic::energy})
+    EXPECT_NEAR(p_value({1, 2, 3}, {11, 12, 13}, statistic), 0.1, 0.005);
+  // Of the 20 deals, 2 * 2 * 2 = 8 take one of each sample from each of three pairs in order: their functions never
+  // differ by more than 1 / 3, those of the other 12 by 2 / 3 or more. By place and size, fewer are as unlike.
+  EXPECT_NEAR(p_value({1, 2, 4}, {3, 5, 6}, Statistic::kolmogorov_smirnov), 12.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 2, 4}, {3, 5, 6}, Statistic::anderson_darling), 4.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 8, 9}, {2, 3, 4}, Statistic::anderson_darling), 12.0 / 20, 0.02);
+  EXPECT_NEAR(p_value({1, 8, 9}, {2, 3, 4}, Statistic::energy), 8.0 / 20, 0.02);
+}
+
 TEST(ChanceOfBeingSoUnlike, IsExactForSamplesOfWhichAllDealsAreKnown) {
   // Of the 20 ways to deal six values, two are as unlike as this one.
   EXPECT_NEAR(p_value({1, 2, 3}, {11, 12, 13}), 0.1, 0.005);

@@ -3,8 +3,11 @@
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -45,22 +48,37 @@ double order_of(const RatioOfDifferences& ratio, double seen) {
   return gsl_root_fsolver_root(search.get());
 }
 
-void require_ladder(const AtSpacing& coarse, const AtSpacing& middle, const AtSpacing& fine) {
-  if (!(fine.spacing > 0 && middle.spacing > fine.spacing && coarse.spacing > middle.spacing &&
-        std::isfinite(coarse.spacing)))
+void require_ladder(const std::vector<AtSpacing>& levels) {
+  std::vector<std::string> spacings;
+  bool is_ladder = true;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    spacings.push_back(fmt::format("{:g}", levels[k].spacing));
+    is_ladder &= levels[k].spacing > 0 && std::isfinite(levels[k].spacing) &&
+                 (k == 0 || levels[k].spacing < levels[k - 1].spacing);
+  }
+  if (!is_ladder)
     throw std::invalid_argument(
-        fmt::format("grid convergence: spacings {:g}, {:g}, {:g}, expected positive and falling", coarse.spacing,
-                    middle.spacing, fine.spacing));
-  for (const AtSpacing& level : {coarse, middle, fine})
+        fmt::format("grid convergence: spacings {}, expected positive and falling", fmt::join(spacings, ", ")));
+  for (const AtSpacing& level : levels)
     if (!std::isfinite(level.value))
       throw std::invalid_argument(fmt::format("grid convergence: value {} at spacing {:g}, expected a finite number",
                                               level.value, level.spacing));
 }
 
+/// How far the value at the finer spacing is from the limit of a law of this order.
+double distance_to_limit(const AtSpacing& coarser, const AtSpacing& finer, double order) {
+  return std::abs((coarser.value - finer.value) / std::expm1(order * std::log(coarser.spacing / finer.spacing)));
+}
+
+double range_of(const std::vector<AtSpacing>& ladder) {
+  const auto [least, largest] = std::ranges::minmax(ladder, {}, &AtSpacing::value);
+  return largest.value - least.value;
+}
+
 }  // namespace
 
 GridConvergence grid_convergence(const AtSpacing& coarse, const AtSpacing& middle, const AtSpacing& fine) {
-  require_ladder(coarse, middle, fine);
+  require_ladder({coarse, middle, fine});
   const double last = middle.value - fine.value, before = coarse.value - middle.value;
   if (last == 0) return {before == 0 ? Approach::constant : Approach::monotone, not_a_number, fine.value, 0};
   const double seen = before / last;
@@ -70,6 +88,30 @@ GridConvergence grid_convergence(const AtSpacing& coarse, const AtSpacing& middl
   if (seen <= ratio(0)) return {Approach::diverging, not_a_number, not_a_number, not_a_number};
   const double p = order_of(ratio, seen), to_limit = last / std::expm1(p * std::log(ratio.finer));
   return {Approach::monotone, p, fine.value - to_limit, safety * std::abs(to_limit)};
+}
+
+NumericalUncertainty numerical_uncertainty(const std::vector<AtSpacing>& ladder, double formal_order) {
+  constexpr double safety_of_two = 3, safety_of_a_range = 3, lowest_order = 0.5;
+  constexpr double of_known_sign = 1.15, of_either_sign = 2;  // an interval of 95 % by its standard uncertainty
+  require_ladder(ladder);
+  if (!(formal_order > 0))
+    throw std::invalid_argument(
+        fmt::format("numerical uncertainty: formal order {}, expected a positive number", formal_order));
+  const std::size_t count = ladder.size();
+  if (count < 2) return {not_a_number, "one resolution"};
+  const AtSpacing &middle = ladder[count - 2], &fine = ladder[count - 1];
+  if (count == 2)
+    return {safety_of_two * distance_to_limit(middle, fine, formal_order) / of_known_sign,
+            fmt::format("two resolutions, assumed of order {:g}, factor 3", formal_order)};
+  const GridConvergence found = grid_convergence(ladder[count - 3], middle, fine);
+  if (found.trend == Approach::monotone && found.order >= lowest_order) {
+    const double order = std::min(found.order, formal_order);
+    return {safety * distance_to_limit(middle, fine, order) / of_known_sign,
+            fmt::format("grid convergence index, observed order {:.2f}{}", found.order,
+                        order < found.order ? fmt::format(", taken as {:g}", order) : "")};
+  }
+  return {safety_of_a_range * range_of(ladder) / of_either_sign,
+          fmt::format("3 times the range of {} resolutions, as the order is unclear", count)};
 }
 
 }  // namespace touchstone::vnv

@@ -59,6 +59,48 @@ TEST(GridConvergence, OfAValueThatDoesNotChangeIsThatValue) {
   EXPECT_EQ(grid_convergence({4, 2}, {2, 1}, {1, 1}).index, 0);
 }
 
+/// Of 3 - 2 h^p at spacings of 0.4, 0.2 and 0.1.
+std::vector<AtSpacing> ladder_of(double p) {
+  std::vector<AtSpacing> ladder;
+  for (const double h : {0.4, 0.2, 0.1}) ladder.push_back({h, 3 - 2 * std::pow(h, p)});
+  return ladder;
+}
+
+TEST(NumericalUncertainty, IsTheIndexWhereTheOrderIsClear) {
+  // Order 1: the value at 0.1 is 0.2 from the limit.
+  const NumericalUncertainty found = numerical_uncertainty(ladder_of(1), 2);
+  EXPECT_NEAR(found.standard, 1.25 * 0.2 / 1.15, 1e-12);
+  EXPECT_EQ(found.basis, "grid convergence index, observed order 1.00");
+}
+
+TEST(NumericalUncertainty, TakesNoHigherOrderThanTheMethods) {
+  // Order 3: 2.984 and 2.998; by order 2 the limit is a third of the difference, 0.014 / 3, away.
+  const NumericalUncertainty found = numerical_uncertainty(ladder_of(3), 2);
+  EXPECT_NEAR(found.standard, 1.25 * 0.014 / 3 / 1.15, 1e-12);
+  EXPECT_EQ(found.basis, "grid convergence index, observed order 3.00, taken as 2");
+}
+
+TEST(NumericalUncertainty, IsOfTheRangeOfTheWholeLadderWhereTheOrderIsUnclear) {
+  const std::string unclear = "3 times the range of 4 resolutions, as the order is unclear";
+  const NumericalUncertainty swings = numerical_uncertainty({{8, 9}, {4, 1}, {2, 3}, {1, 2}}, 2);
+  EXPECT_DOUBLE_EQ(swings.standard, 3 * (9.0 - 1) / 2);
+  EXPECT_EQ(swings.basis, unclear);
+  EXPECT_DOUBLE_EQ(numerical_uncertainty({{8, 0}, {4, 1}, {2, 2}, {1, 4}}, 2).standard, 6) << "diverges";
+  EXPECT_DOUBLE_EQ(numerical_uncertainty({{8, 2}, {4, 2}, {2, 1}, {1, 1}}, 2).standard, 1.5) << "stands still";
+  EXPECT_DOUBLE_EQ(numerical_uncertainty(ladder_of(0.3), 2).standard,
+                   1.5 * 2 * (std::pow(0.4, 0.3) - std::pow(0.1, 0.3)))
+      << "of too low an order";
+  EXPECT_EQ(numerical_uncertainty({{4, 1}, {2, 1}, {1, 1}}, 2).standard, 0);
+}
+
+TEST(NumericalUncertainty, OfTwoResolutionsTakesTheFormalOrderAndOfOneIsUnknown) {
+  EXPECT_NEAR(numerical_uncertainty({{2, 1}, {1, 4}}, 2).standard, 3 * 1 / 1.15, 1e-12);
+  EXPECT_TRUE(std::isnan(numerical_uncertainty({{2, 1}}, 2).standard));
+  EXPECT_TRUE(std::isnan(numerical_uncertainty({}, 2).standard));
+  EXPECT_THROW(numerical_uncertainty({{1, 1}, {2, 4}}, 2), std::invalid_argument);
+  EXPECT_THROW(numerical_uncertainty({{2, 1}, {1, 4}}, 0), std::invalid_argument);
+}
+
 TEST(GridConvergence, RefusesInOneLineWhatIsNoLadder) {
   EXPECT_THROW(grid_convergence({1, 1}, {2, 1}, {4, 1}), std::invalid_argument);
   EXPECT_THROW(grid_convergence({4, 1}, {2, std::numeric_limits<double>::infinity()}, {1, 1}), std::invalid_argument);
