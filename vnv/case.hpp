@@ -14,10 +14,10 @@ namespace touchstone::vnv {
 
 struct Record;
 
-enum class Suite { acceptance, report, nightly, work };
-inline constexpr std::array suites{Suite::acceptance, Suite::report, Suite::nightly, Suite::work};
+enum class Suite { acceptance, report, nightly, work, validation };
+inline constexpr std::array suites{Suite::acceptance, Suite::report, Suite::nightly, Suite::work, Suite::validation};
 inline std::string_view name_of(Suite suite) {
-  return std::array{"acceptance", "report", "nightly", "work"}[static_cast<std::size_t>(suite)];
+  return std::array{"acceptance", "report", "nightly", "work", "validation"}[static_cast<std::size_t>(suite)];
 }
 
 /// One resolution of a method, and how far each suite runs it; zero: not at all.
@@ -32,13 +32,14 @@ struct Level {
   double report = 0;                       // s
   double nightly = 0;                      // s
   double work = 0;                         // s
+  double validation = 0;                   // s
   std::string combination{};               // in the suite `work`: of all but the spacing
   bool may_diverge = false;                // a run that is made to see whether it does
 
   double smoothing_or(double of_method) const { return std::isnan(smoothing_length) ? of_method : smoothing_length; }
   double step_or(double of_method) const { return std::isnan(time_step) ? of_method : time_step; }  // s
   double until(Suite suite) const {
-    return std::array{acceptance, report, nightly, work}[static_cast<std::size_t>(suite)];
+    return std::array{acceptance, report, nightly, work, validation}[static_cast<std::size_t>(suite)];
   }
 };
 

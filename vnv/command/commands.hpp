@@ -14,7 +14,7 @@ namespace touchstone::vnv::command {
 
 enum ExitStatus { all_holds = 0, something_fails = 1, bad_input = 3, bad_usage = 4 };
 
-inline const std::vector<std::string> suites{"acceptance", "report", "nightly", "work"};
+inline const std::vector<std::string> suites{"acceptance", "report", "nightly", "work", "validation"};
 
 using Patterns = std::vector<std::string>;  // see patterns.hpp
 

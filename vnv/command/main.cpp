@@ -35,7 +35,7 @@ void add(Session& session, const std::string& name, const std::string& what, con
 }
 
 CLI::Option* add_suite(CLI::App& command, std::string& suite) {
-  return command.add_option("--suite", suite, "acceptance, report, nightly or work")
+  return command.add_option("--suite", suite, "acceptance, report, nightly, work or validation")
       ->check(CLI::IsMember(suites))
       ->capture_default_str();
 }

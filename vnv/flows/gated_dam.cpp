@@ -147,12 +147,12 @@ const Watch monitored{.every = 1e-3, .see = see, .quantities = names()};
 
 Scene<Tait, Uniform> collapse(const Inputs& inputs) {
   const Tait water{.density = inputs.density, .bulk_modulus = inputs.bulk_modulus};
-  Wall gate = right_at(column_length, free_slip());
+  Wall gate = right_at(inputs.length, free_slip());
   gate.extent = [v = inputs.gate_speed](double time) { return Range{v * time, 1e3}; };
   return {
       .domain = {.box = {.high = {tank_length, 5 * inputs.height}}},
       .fluid = water,
-      .filled = {.high = {column_length, inputs.height}},
+      .filled = {.high = {inputs.length, inputs.height}},
       .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank_length, free_slip()), gate},
       .body_force = {{0, -inputs.gravity}},
       .start = {.pressure = [=](const Vec2& x) { return inputs.density * inputs.gravity * (inputs.height - x.y()); }}};

@@ -22,18 +22,17 @@ inline constexpr double gauge_doubt = 1e-3, sensor_doubt = 0.5e-3;
 
 /// What a computation takes from the experiment, and what it chooses, the bulk modulus.
 struct Inputs {
-  double height = 0.3;           // m    H
-  double gate_speed = 3.46;      // m/s  of its lower edge, from t = 0 on
-  double density = 997;          // kg/m³
-  double gravity = 9.81;         // m/s²
-  double bulk_modulus = 0.36e6;  // Pa   K of Tait's law: sound at 50 m/s, 17 times as fast as the front
+  double height = 0.3;            // m    H
+  double length = column_length;  // m
+  double gate_speed = 3.46;       // m/s  of its lower edge, from t = 0 on
+  double density = 997;           // kg/m³
+  double gravity = 9.81;          // m/s²
+  double bulk_modulus = 0.36e6;   // Pa   K of Tait's law: sound at 50 m/s, 17 times as fast as the front
 
   double unit_of_time() const { return std::sqrt(height / gravity); }     // s   T_H = t sqrt(g/H)
   double unit_of_pressure() const { return density * gravity * height; }  // Pa  rho g H
   /// What the column loses until it lies flat in the tank [J/m].
-  double fall() const {
-    return density * gravity * column_length * height * height / 2 * (1 - column_length / tank_length);
-  }
+  double fall() const { return density * gravity * length * height * height / 2 * (1 - length / tank_length); }
 };
 inline constexpr Inputs filled_300{}, filled_600{.height = 0.6, .gate_speed = 4.53};
 

@@ -17,7 +17,7 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
   std::map<std::string, Suite> named;
   for (const Suite one : suites) named.emplace(name_of(one), one);
   app.add_option("--method", method, "only this method");
-  app.add_option("--suite", suite, "how many levels and how long: acceptance, report, nightly or work")
+  app.add_option("--suite", suite, "how many levels and how long: acceptance, report, nightly, work or validation")
       ->transform(CLI::CheckedTransformer(named));
   app.add_option_function<std::string>(
       "--records", [this](const std::string& folder) { records = folder; }, "folder to write a record per method into");

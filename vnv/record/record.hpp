@@ -69,7 +69,7 @@ struct Record {
   std::string method_description;
   bool another_code = false;  // by a code from elsewhere, of which nothing was accepted here
   bool as_printed = false;    // one of the two methods of Sun et al.
-  std::string suite;          // "acceptance", "report", "nightly" or "work"
+  std::string suite;          // "acceptance", "report", "nightly", "work" or "validation"
   std::string revision, compiler, flags, machine, finished_at;
   std::string host{};  // that `machine` is one of, by its name; empty where nobody noted it
   std::vector<RunSummary> runs;

@@ -1,0 +1,28 @@
+/// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, judged by ASME V&V 20-2009.
+
+#include "vnv/flows/gated_dam_figures.hpp"
+#include "vnv/flows/gated_dam_validation.hpp"
+#include "vnv/methods/free_surface_methods.hpp"
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::gated_dam;
+
+Case vnv::the_case() {
+  constexpr double output_interval = 1e-3;  // s
+  return {
+      .title = "Dam break with its gate: validation",
+      .description =
+          "The dam break of Lobovský et al. (2014), column 0.6 m long and 0.3 m high, with the gate of the experiment. Front, levels and the impact on the "
+          "far wall are compared with those measured by ASME V&V 20-2009: the comparison error E = S - D stands beside the "
+          "uncertainty u_val of numbers (resolution, bulk modulus, number of starts), of inputs (gate, height, density, gravity, clocks, places of sensors) and of "
+          "the data (repeats). The verdict of each observable is agreement within 2 u_val, an error of the model E ± 2 u_val, or that the uncertainty is too "
+          "large to judge.",
+      .times = {1.3},
+      .watch = monitored,
+      .measurements = {},
+      .findings = {validation_values},
+      .claims = {at_least(planted_noticed, 3, theory("planted errors of the model are larger than what is not known"))},
+      .methods = {validated([](const auto& scene) { return mpm_apic(scene, output_interval); })},
+      .plots = {validation_tables()}};
+}

@@ -1,0 +1,272 @@
+#include "vnv/flows/gated_dam_validation.hpp"
+
+#include "vnv/judge/distribution.hpp"
+#include "vnv/judge/grid_convergence.hpp"
+#include "vnv/judge/input_uncertainty.hpp"
+#include "vnv/record/median.hpp"
+#include "vnv/record/record.hpp"
+#include "vnv/studies/disturbed.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace touchstone::vnv::gated_dam {
+namespace {
+
+constexpr double end = 1.3;        // s  T_H = 7.4, past all observables
+constexpr int across_varied = 40;  // of H, of the runs that vary something
+constexpr int starts_varied = 4;
+constexpr double jitter = 0.01;     // of the spacing
+constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
+
+const std::vector<UncertainInput>& doubts() {
+  static const std::vector<UncertainInput> all =
+      read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
+  return all;
+}
+
+/// Runs that are alike but for their starts.
+struct Group {
+  std::string name;
+  int across, starts;
+  Inputs inputs;
+};
+const std::string doubled_modulus = "bulk modulus doubled";
+const std::vector<std::string> varied_inputs{"gate speed", "column height", "density", "gravity"};
+
+double& input_of(Inputs& inputs, std::string_view name) {
+  return name == "gate speed"      ? inputs.gate_speed
+         : name == "column height" ? inputs.height
+         : name == "density"       ? inputs.density
+                                   : inputs.gravity;
+}
+
+std::vector<Group> planted_errors() {
+  Inputs slow = filled_300, heavy = filled_300, longer = filled_300;
+  slow.gate_speed /= 2;
+  heavy.gravity *= 1.02;
+  longer.length *= 1.03;
+  return {{"planted: gate half as fast", across_varied, starts_varied, slow},
+          {"planted: gravity + 2 %", across_varied, starts_varied, heavy},
+          {"planted: column 3 % longer", across_varied, starts_varied, longer}};
+}
+
+std::string nominal(int across) { return fmt::format("{} across", across); }
+std::string varied(const std::string& input, int side) {
+  return fmt::format("{} {}", input, side < 0 ? "low" : "high");
+}
+double varied_value(const UncertainInput& input, int side) { return input.value + side * input.half_width; }
+
+std::vector<Group> groups(int finest) {
+  std::vector<Group> all;
+  for (const auto& [across, starts] : {std::pair(20, 16), std::pair(40, 16), std::pair(80, 4), std::pair(160, 1)})
+    if (across <= finest) all.push_back({nominal(across), across, starts, filled_300});
+  for (const std::string& name : varied_inputs)
+    for (const int side : {-1, 1}) {
+      Inputs inputs = filled_300;
+      input_of(inputs, name) = varied_value(input_named(name, doubts()), side);
+      all.push_back({varied(name, side), across_varied, starts_varied, inputs});
+    }
+  Inputs stiff = filled_300;
+  stiff.bulk_modulus *= 2;
+  all.push_back({doubled_modulus, across_varied, starts_varied, stiff});
+  for (const Group& planted : planted_errors()) all.push_back(planted);
+  return all;
+}
+
+std::string level_name(const Group& group, int start) { return fmt::format("{}, start {}", group.name, start); }
+
+/// The observable in each run of a group, with the clock set later [T_H] or read at another place.
+std::vector<double> members(const Results& results, const std::string& group, const Observable& observable,
+                            const Reading& reading = {}, double clock = 0) {
+  std::vector<double> found;
+  for (const Run& run : results.runs) {
+    if (!run.summary.level.starts_with(group + ", start ")) continue;
+    if (!run.summary.finished) {
+      found.push_back(not_a_number);
+      continue;
+    }
+    Seen seen = seen_in(run, filled_300, reading);
+    if (clock != 0) {
+      seen.front = shifted(seen.front, clock);
+      for (Series& level : seen.levels) level = shifted(level, clock);
+      for (Series& pressure : seen.pressures) pressure = shifted(pressure, clock);
+    }
+    found.push_back(observable.of(seen));
+  }
+  return found;
+}
+
+double middle(const std::vector<double>& all) { return all.empty() ? not_a_number : median(all); }
+
+/// Of a median: that of a normal distribution has 1.2533 times the standard error of the mean (Kendall & Stuart).
+double of_starts(const std::vector<double>& all) {
+  if (all.size() < 2) return 0;
+  double mean = 0, squares = 0;
+  for (const double x : all) mean += x / static_cast<double>(all.size());
+  for (const double x : all) squares += (x - mean) * (x - mean);
+  return 1.2533 * std::sqrt(squares / static_cast<double>(all.size() - 1) / static_cast<double>(all.size()));
+}
+
+double root_sum_of_squares(const std::vector<double>& parts) {
+  double sum = 0;
+  for (const double part : parts) sum += part * part;
+  return std::sqrt(sum);
+}
+
+Judgement judge(const Results& results, const Observable& observable) {
+  const auto of = [&](const std::string& group, const Reading& reading = {}, double clock = 0) {
+    return middle(members(results, group, observable, reading, clock));
+  };
+  Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}, .numbers = {}};
+
+  std::vector<AtSpacing> ladder;
+  double by_starts = 0;
+  for (const int across : {20, 40, 80, 160})
+    if (const std::vector<double> all = members(results, nominal(across), observable); !all.empty()) {
+      judged.simulated = middle(all);
+      ladder.push_back({filled_300.height / across, judged.simulated});
+      if (all.size() > 1) by_starts = of_starts(all);  // of the finest that has several
+    }
+  const double here = of(nominal(across_varied));
+  double by_grid = not_a_number, by_sound = not_a_number;
+  std::string rule;
+  if (std::ranges::all_of(ladder, [](const AtSpacing& one) { return std::isfinite(one.value); }) && ladder.size() > 1) {
+    const NumericalUncertainty grid = numerical_uncertainty(ladder, formal_order);
+    by_grid = grid.standard;
+    rule = grid.basis;
+  }
+  // What compressibility does is proportional to 1 / K where it is small: two "resolutions" of it.
+  if (const double stiff = of(doubled_modulus); std::isfinite(stiff) && std::isfinite(here))
+    by_sound = numerical_uncertainty({{2, here}, {1, stiff}}, 1).standard;
+  ValidationParts parts{.numerical = root_sum_of_squares({by_grid, by_sound, by_starts}), .data = observable.standard};
+  judged.numbers =
+      fmt::format("resolution {:.2g} ({}), bulk modulus {:.2g}, starts {:.2g}", by_grid, rule, by_sound, by_starts);
+
+  std::vector<Sensitivity> sensitivities;
+  const auto add = [&](const UncertainInput& input, double low, double high) {
+    sensitivities.push_back(sensitivity(input, {varied_value(input, -1), low}, {varied_value(input, 1), high}));
+  };
+  for (const std::string& name : varied_inputs)
+    add(input_named(name, doubts()), of(varied(name, -1)), of(varied(name, 1)));
+  const std::string at = nominal(across_varied);
+  if (observable.clock != Observable::Clock::none) {
+    const UncertainInput& clock = input_named(
+        observable.clock == Observable::Clock::of_front ? "start of front and levels" : "start of pressures", doubts());
+    const double shift = clock.half_width / filled_300.unit_of_time();
+    add(clock, of(at, {}, -shift), of(at, {}, shift));
+  }
+  add(input_named("height of pressure sensors", doubts()), of(at, {.place = 1}), of(at, {.place = 2}));
+  for (const Sensitivity& one : sensitivities) judged.inputs.emplace_back(one.input, one.part);
+  parts.input = input_uncertainty(sensitivities);
+  judged.validation = validate(judged.simulated, observable.measured, parts, observable.useful);
+  for (const Group& planted : planted_errors()) judged.planted.emplace_back(planted.name, of(planted.name) - here);
+  return judged;
+}
+
+}  // namespace
+
+Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, int finest) {
+  Method method = method_on(collapse(filled_300));
+  const auto all = std::make_shared<const std::vector<Group>>(groups(finest));
+  for (const Group& group : *all)
+    for (int start = 1; start <= group.starts; ++start)
+      method.levels.push_back({.name = level_name(group, start),
+                               .spacing = filled_300.height / group.across,
+                               .cell = 2 * filled_300.height / group.across,
+                               .validation = end,
+                               .may_diverge = true});
+  method.run = [=](const Level& level, const Schedule& when) {
+    for (const Group& group : *all)
+      for (int start = 1; start <= group.starts; ++start)
+        if (level_name(group, start) == level.name) {
+          Scene<Tait, Uniform> scene = collapse(group.inputs);
+          scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(start)](
+                                   const Vectors& lattice) { return disturbed(lattice, by, seed); };
+          return method_on(scene).run(level, when);
+        }
+    throw std::invalid_argument(fmt::format("validation: level '{}', expected one of its own", level.name));
+  };
+  return method;
+}
+
+std::vector<Judgement> judgements(const Results& results) {
+  std::vector<Judgement> all;
+  for (const Observable& observable : observables_300()) all.push_back(judge(results, observable));
+  return all;
+}
+
+std::vector<Value> validation_values(const Results& results, const Record&) {
+  if (results.suite != Suite::validation) return {};
+  std::vector<Value> found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({"", not_a_number, end, quantity, value});
+  };
+  const std::vector<Judgement> all = judgements(results);
+  double agree = 0, worst = 0;
+  std::map<std::string, bool> noticed;
+  for (const Judgement& one : all) {
+    Quantity error = one.observable.quantity;
+    error.name = "E = S - D, " + error.name;
+    error.kind = Kind::deviation;
+    error.better = Better::nearer_zero;
+    add(error, one.validation.error);
+    agree += one.validation.outcome == Validation::Outcome::agrees;
+    const ValidationParts& parts = one.validation.parts;
+    if (one.observable.clock == Observable::Clock::of_front && std::isfinite(parts.data))
+      worst = std::max(worst, parts.numerical / parts.data);
+    for (const auto& [name, change] : one.planted) noticed[name] |= std::abs(change) > one.validation.expanded();
+  }
+  add(agreeing, agree);
+  add(planted_noticed, static_cast<double>(std::ranges::count_if(noticed, [](const auto& one) { return one.second; })));
+  add(numbers_over_data, worst);
+  return found;
+}
+
+Plot validation_tables() {
+  return [](const Results& results, Record& record) {
+    if (results.suite != Suite::validation) return;
+    Table verdicts{
+        "validation",
+        "Validation after ASME V&V 20",
+        "D measured, S simulated, the median over the starts at the finest resolution; E = S - D; standard "
+        "uncertainties of numbers, inputs and data; u_val, the root of the sum of their squares. What is not known is blank and left "
+        "out of u_val.",
+        {"method", "observable", "D", "S", "E", "u_num", "u_input", "u_D", "u_val", "verdict"},
+        {}};
+    Table inputs{"inputs",
+                 "What u_num and u_input are made of",
+                 "Standard uncertainties of the observable.",
+                 {"method", "observable", "u_num", "largest inputs", "basis of u_D"},
+                 {}};
+    Table planted{"planted",
+                  "Planted errors of the model",
+                  "By how much the median of four runs at 40 across moves; bold words where that is more than 2 u_val.",
+                  {"method", "observable", "2 u_val"},
+                  {}};
+    const std::string& name = results.method.name;
+    const auto known = [](double x) { return std::isfinite(x) ? Cell(fmt::format("{:.3g}", x)) : Cell(""); };
+    for (const Judgement& one : judgements(results)) {
+      const Validation& v = one.validation;
+      verdicts.rows.push_back({name, one.observable.quantity.name, known(one.observable.measured), known(one.simulated),
+                               known(v.error), known(v.parts.numerical), known(v.parts.input), known(v.parts.data),
+                               known(v.uncertainty), words(v, "")});
+      auto largest = one.inputs;
+      std::ranges::sort(largest, std::greater(), [](const auto& input) { return input.second; });
+      std::string most;
+      for (std::size_t k = 0; k < std::min<std::size_t>(3, largest.size()); ++k)
+        most += fmt::format("{}{} {:.2g}", k ? ", " : "", largest[k].first, largest[k].second);
+      inputs.rows.push_back({name, one.observable.quantity.name, one.numbers, most, one.observable.basis});
+      std::vector<Cell> row{name, one.observable.quantity.name, known(v.expanded())};
+      for (const auto& [error, change] : one.planted) {
+        if (planted.rows.empty()) planted.columns.push_back(error.substr(error.find(' ') + 1));
+        row.push_back(fmt::format("{:+.3g}{}", change, std::abs(change) > v.expanded() ? ", noticed" : ""));
+      }
+      planted.rows.push_back(std::move(row));
+    }
+    for (Table* table : {&verdicts, &inputs, &planted}) record.tables.push_back(std::move(*table));
+  };
+}
+
+}  // namespace touchstone::vnv::gated_dam

@@ -1,0 +1,42 @@
+#pragma once
+/// The validation of a method by the dam break with its gate at H = 0.3 m, after ASME V&V 20-2009: for each observable
+/// the comparison error E = S - D beside the uncertainties of numbers, inputs and data.
+///
+/// S is the median over starts that differ by a hundredth of a spacing, since the flow is chaotic after the impact. To
+/// the uncertainty of numbers belong resolution, bulk modulus and the number of starts; to that of inputs each input of
+/// data/experiments/lobovsky_2014_inputs_300.csv, by runs at both ends of its half width or, for clocks and places, by
+/// what a run would have shown then or there.
+
+#include "vnv/flows/gated_dam.hpp"
+#include "vnv/judge/validation.hpp"
+
+namespace touchstone::vnv::gated_dam {
+
+/// The method from all starts: 20 and 40 across from sixteen, 80 across from four, 160 across from one; 40 across with
+/// each input varied, the bulk modulus doubled, or an error of the model planted, from four. `method_on(scene)` makes
+/// it for a scene. In the suite `validation` alone.
+Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, int finest = 160);
+
+/// What came of it for one observable.
+struct Judgement {
+  Observable observable;
+  double simulated;
+  Validation validation;
+  std::string numbers;                                    // what u_num is made of
+  std::vector<std::pair<std::string, double>> inputs{};   // what each input adds to u_input
+  std::vector<std::pair<std::string, double>> planted{};  // by how much each planted error moves S
+};
+std::vector<Judgement> judgements(const Results& results);
+
+/// A table of all observables with the words of the standard, one of what each input contributes, and one of what
+/// planted errors of the model move beyond the uncertainty.
+Plot validation_tables();
+
+/// E of each observable, and what is claimed of all together.
+std::vector<Value> validation_values(const Results& results, const Record& record);
+inline const Quantity agreeing{"observables that agree within 2 u_val", "", Kind::count, Better::larger},
+    planted_noticed{"planted model errors that move an observable by more than 2 u_val", "", Kind::count,
+                    Better::larger},
+    numbers_over_data{"largest u_num over u_D, of front and levels", "", Kind::value, Better::smaller};
+
+}  // namespace touchstone::vnv::gated_dam
