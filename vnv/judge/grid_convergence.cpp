@@ -92,7 +92,7 @@ GridConvergence grid_convergence(const AtSpacing& coarse, const AtSpacing& middl
 
 NumericalUncertainty numerical_uncertainty(const std::vector<AtSpacing>& ladder, double formal_order) {
   constexpr double safety_of_two = 3, safety_of_a_range = 3, lowest_order = 0.5;
-  constexpr double of_known_sign = 1.15, of_either_sign = 2;  // an interval of 95 % by its standard uncertainty
+  constexpr double of_known_sign = 1.15, of_either_sign = 2;  // the interval by its standard uncertainty
   require_ladder(ladder);
   if (!(formal_order > 0))
     throw std::invalid_argument(

@@ -34,8 +34,10 @@ struct NumericalUncertainty {
 };
 
 /// By the finest three resolutions where they tell an order: the grid convergence index, of which the order is at most
-/// `formal_order`, that of the method, as a higher one makes the index too small (ASME V&V 20-2009, section 2). It is
-/// an interval of 95 %, of an error whose sign is known, so u_num is the index by 1.15.
+/// `formal_order`, that of the method, as a higher one makes the index too small (Oberkampf & Roy, Verification and
+/// Validation in Scientific Computing (2010), chapter 8). The sign of such an error is known, so u_num is to be no less
+/// than the extrapolated error itself, the index by 1.25: it is the index by 1.15. By 2, as an interval of 95 % of an
+/// error of either sign is, it would be less.
 ///
 /// Where they do not, as the values swing, part or stand still, or the order is below 0.5, no extrapolation is trusted:
 /// three times the range of all values of the ladder is the interval (Eça & Hoekstra, J. Comput. Phys. 262 (2014),

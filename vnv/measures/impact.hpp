@@ -11,7 +11,7 @@
 
 namespace touchstone::vnv {
 
-/// How an impact is looked for in a pressure over time.
+/// How an impact is looked for in a pressure over time, in Pa and s or by any one unit each.
 struct ImpactSearch {
   double threshold;                 // Pa  above which it has begun
   double peak_within;               // s   from then on; the largest sample is the first peak
@@ -20,7 +20,8 @@ struct ImpactSearch {
   double impulse_over = 0.1;        // s   after arrival
 };
 
-/// Each is not a number where the series does not reach, all are where there is no impact.
+/// Each is not a number where the series does not reach, all are where there is no impact, or none whose peak is over
+/// within the time given to it.
 struct Impact {
   double arrival = not_a_number;       // s     when the pressure first rises above that fraction of the first peak
   double peak = not_a_number;          // Pa
@@ -77,6 +78,7 @@ inline Impact impact_of(const Series& pressure, const ImpactSearch& search) {
   const auto last = std::ranges::upper_bound(pressure.time, begun + search.peak_within) - pressure.time.begin();
   if (first == last) return {};
   const auto highest = std::max_element(pressure.value.begin() + first, pressure.value.begin() + last);
+  if (highest + 1 == pressure.value.begin() + last) return {};
   const auto k = static_cast<std::size_t>(highest - pressure.value.begin());
 
   Impact found{.peak = *highest, .peak_time = pressure.time[k]};

@@ -32,8 +32,10 @@ TEST(AnImpact, IsToldByItsFirstPeak) {
 
 TEST(AnImpact, TakesALaterPeakOnlyIfItIsLookedForThatLong) {
   ImpactSearch longer = search;
-  longer.peak_within = 3;
+  longer.peak_within = 4;
   EXPECT_EQ(impact_of(made_up, longer).peak, 300);
+  longer.peak_within = 3;
+  EXPECT_TRUE(std::isnan(impact_of(made_up, longer).peak)) << "it still rises then";
 }
 
 TEST(AnImpact, LosesWhatTheSeriesDoesNotReach) {
@@ -42,7 +44,7 @@ TEST(AnImpact, LosesWhatTheSeriesDoesNotReach) {
   EXPECT_NEAR(cut.rise, 0.05, 1e-12);
   EXPECT_TRUE(std::isnan(cut.decay) && std::isnan(cut.peak_impulse) && std::isnan(cut.impulse) &&
               std::isnan(cut.plateau));
-  const Impact begun_before = impact_of({{0, 1, 9}, {90, 100, 0}}, search);
+  const Impact begun_before = impact_of({{0, 0.5, 1}, {90, 100, 0}}, search);
   EXPECT_EQ(begun_before.arrival, 0);
   EXPECT_TRUE(std::isnan(begun_before.rise));
 }

@@ -19,11 +19,15 @@ struct Extent {
 inline Extent common(const Extent& a, const Extent& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
 /// Calls visit(p, along x, along y) with the part of each particle's square that lies in a strip along x and is more
-/// than a rounding error wide.
+/// than a rounding error wide. There are particles, of finite places and volumes.
 template <class Visit>
 void each_inside(const Samples& samples, const Extent& strip, const Visit& visit) {
+  const double largest_side = std::sqrt(samples.mass.maxCoeff() / samples.density.minCoeff());
+  const Extent near{strip.low - largest_side, strip.high + largest_side};
   for (Eigen::Index p = 0; p < samples.size(); ++p) {
-    const double half = std::sqrt(samples.mass(p) / samples.density(p)) / 2, x = samples.x(0, p), y = samples.x(1, p);
+    const double x = samples.x(0, p), y = samples.x(1, p);
+    if (x < near.low || x > near.high) continue;
+    const double half = std::sqrt(samples.mass(p) / samples.density(p)) / 2;
     const Extent across = common({x - half, x + half}, strip);
     if (across.length() > 1e-9 * half) visit(p, across, Extent{y - half, y + half});
   }
