@@ -42,14 +42,20 @@ double& input_of(Inputs& inputs, std::string_view name) {
                                    : inputs.gravity;
 }
 
+/// At once and three times what the levels can resolve; a column that is longer stands nearer to the far wall.
 std::vector<Group> planted_errors() {
-  Inputs slow = filled_300, heavy = filled_300, longer = filled_300;
-  slow.gate_speed /= 2;
-  heavy.gravity *= 1.02;
-  longer.length *= 1.03;
-  return {{"planted: gate half as fast", across_varied, starts_varied, slow},
-          {"planted: gravity + 2 %", across_varied, starts_varied, heavy},
-          {"planted: column 3 % longer", across_varied, starts_varied, longer}};
+  std::vector<Group> all;
+  const auto plant = [&](const std::string& error, double Inputs::*input, double factor) {
+    Inputs inputs = filled_300;
+    inputs.*input *= factor;
+    all.push_back({"planted: " + error, across_varied, starts_varied, inputs});
+  };
+  plant("gate half as fast", &Inputs::gate_speed, 0.5);
+  plant("gate a quarter as fast", &Inputs::gate_speed, 0.25);
+  plant("gravity + 2 %", &Inputs::gravity, 1.02);
+  plant("gravity + 6 %", &Inputs::gravity, 1.06);
+  plant("column 3 % longer", &Inputs::length, 1.03);
+  return all;
 }
 
 std::string nominal(int across) { return fmt::format("{} across", across); }
@@ -121,12 +127,13 @@ Judgement judge(const Results& results, const Observable& observable) {
   };
   Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}, .numbers = {}};
 
-  std::vector<AtSpacing> ladder;
+  std::vector<AtSpacing> ladder;  // of the finest three
   double by_starts = 0;
   for (const int across : {20, 40, 80, 160})
     if (const std::vector<double> all = members(results, nominal(across), observable); !all.empty()) {
       judged.simulated = middle(all);
       ladder.push_back({filled_300.height / across, judged.simulated});
+      if (ladder.size() > 3) ladder.erase(ladder.begin());
       if (all.size() > 1) by_starts = of_starts(all);  // of the finest that has several
     }
   const double here = of(nominal(across_varied));
