@@ -4,6 +4,7 @@
 #include "solvers/lattice.hpp"
 #include "solvers/samples.hpp"
 #include "solvers/sph/neighbours.hpp"
+#include "solvers/sph/walls/contact.hpp"
 #include "solvers/sph/walls/ghosts.hpp"
 
 #include <atomic>
@@ -28,7 +29,7 @@ inline void require_no_wall_across_a_period(const Domain& domain, const std::vec
 /// Refuses fluid on a wall, where it would meet the particles that the wall is made of: std::invalid_argument with one
 /// line.
 inline void require_off_walls(const Vectors& places, const std::vector<Wall>& walls, double spacing) {
-  const double least = 0.1 * spacing;
+  const double least = contact_distance * spacing;
   for (const Wall& wall : walls)
     for (Index p = 0; p < places.cols(); ++p)
       if (wall.distance(places.col(p)) < least)

@@ -11,6 +11,7 @@
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/terms/pressure_sum.hpp"
 #include "solvers/sph/walls/balanced_ghosts.hpp"
+#include "solvers/sph/walls/contact.hpp"
 
 namespace touchstone::sph {
 
@@ -191,6 +192,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     this->advance(lap);
     this->tick();
   }
+  /// What contact with walls has taken from the fluid so far.
+  const Contacts& contacts() const { return contacts_; }
 
  private:
   friend Base;
@@ -214,6 +217,17 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     }
   }
 
+  /// Holds what the integrator would carry into a wall. A wall does not pull: what tension draws to it loses that
+  /// tension, which contact would keep up for ever.
+  void meet_walls(double time, double dt) {
+    Particles& all = near_.all;
+    keep_off_walls(all, all.vx, all.vy, scene_.walls, contact_distance * this->spacing(), time, dt,
+                   [&](Index i, const Vec2& normal, double before, double after) {
+                     contacts_.add(all.mass, normal, before, after);
+                     all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
+                   });
+  }
+
   /// Fluid, ghosts and images as the last motion left them.
   template <class Laps>
   void see_all(double time, const Laps& lap) {
@@ -228,14 +242,17 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     if constexpr (Found::shifting) {
       Particles& all = near_.all;
       const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
-      share_out_fields(this->threads(), all.fluid,
-                       [&](Index begin, Index end) { drift(all, fastest * this->time_step(), begin, end); });
+      const double times = fastest * this->time_step();
+      keep_off_walls(all, all.carried[drift_x], all.carried[drift_y], scene_.walls, contact_distance * this->spacing(),
+                     this->time(), times, [](Index, const Vec2&, double, double) {});
+      share_out_fields(this->threads(), all.fluid, [&](Index begin, Index end) { drift(all, times, begin, end); });
       lap(SubStep::motion);
     }
   }
 
   Terms terms_;
   PartsOfMethod parts_;
+  Contacts contacts_;
 };
 
 /// sph::free_surface<sph::WendlandC2>(scene, {.spacing = ...}, sph::momentum(sph::ArtificialViscosity{...}),

@@ -103,6 +103,35 @@ TEST(FreeSurface, WaterAtRestStaysAtRestInATankWithCorners) {
   check(corrected, 0.02, 0.7);
 }
 
+TEST(FreeSurface, ContactLeavesWaterAtRestAlone) {
+  const auto check = [](const auto& parts) {
+    auto simulation = solver(tank, parts);
+    for (int k = 0; k < 300; ++k) simulation.step();
+    EXPECT_EQ(simulation.contacts().particles, 0);
+  };
+  check(delta);
+  check(delta_plus);
+  check(corrected);
+}
+
+TEST(FreeSurface, WaterThatSpreadsAlongAFloorStaysAboveIt) {
+  Scene<Tait, Uniform> dam = tank;
+  dam.domain.box.high = {4, 2};
+  dam.filled.high = {0.8, 1};
+  dam.walls[2] = right_at(4, free_slip());
+  const auto check = [&](const auto& parts) {
+    auto simulation = solver(dam, parts);
+    for (int k = 0; k < 700; ++k) simulation.step();
+    const Samples s = simulation.samples();
+    EXPECT_GT(s.x.row(0).maxCoeff(), 2);
+    EXPECT_GT(s.x.minCoeff(), 0.09 * spacing);
+    EXPECT_GT(simulation.contacts().particles, 0);
+  };
+  check(delta);
+  check(delta_plus);
+  check(corrected);
+}
+
 TEST(FreeSurface, ThreadsDoNotChangeABit) {
   const auto check = [](const auto& scene, const auto& parts) {
     const Samples one = after(30, scene, parts), three = after(30, scene, parts, 3);
