@@ -182,7 +182,10 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
  public:
   FreeSurface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,
               const PartsOfMethod& parts)
-      : Base(scene, settings, Found::carried), terms_(terms), parts_(parts) {}
+      : Base(scene, settings, Found::carried, reach_of<Kernel>(settings),
+             lay_out_ghosts_and_gates(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))),
+        terms_(terms),
+        parts_(parts) {}
 
   /// The particles are shifted, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
@@ -233,6 +236,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
+    near_.move_gates(time);
     balance_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
   }
