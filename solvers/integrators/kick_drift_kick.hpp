@@ -18,7 +18,9 @@ class KickDriftKick {
     const int threads = flow.threads();
     if (!started_) flow.find_rates(time, lap);
     started_ = true;
-    kick_and_drift(all, threads, dt);
+    kick(all, threads, dt / 2);
+    if constexpr (requires { flow.before_drift(time, dt); }) flow.before_drift(time, dt);
+    drift(all, threads, dt);
     lap(SubStep::motion);
     flow.find_density_rate(time + dt, lap);
     change_density(all, threads, dt);
@@ -29,11 +31,9 @@ class KickDriftKick {
   }
 
  private:
-  static void kick_and_drift(FluidState& all, int threads, double dt) {
+  static void drift(FluidState& all, int threads, double dt) {
     share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
-      all.vx(part) += dt / 2 * all.ax(part);
-      all.vy(part) += dt / 2 * all.ay(part);
       all.x(part) += dt * all.vx(part);
       all.y(part) += dt * all.vy(part);
     });

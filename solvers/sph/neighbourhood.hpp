@@ -4,6 +4,7 @@
 #include "solvers/lattice.hpp"
 #include "solvers/samples.hpp"
 #include "solvers/sph/neighbours.hpp"
+#include "solvers/sph/walls/contact.hpp"
 #include "solvers/sph/walls/ghosts.hpp"
 
 #include <atomic>
@@ -28,10 +29,10 @@ inline void require_no_wall_across_a_period(const Domain& domain, const std::vec
 /// Refuses fluid on a wall, where it would meet the particles that the wall is made of: std::invalid_argument with one
 /// line.
 inline void require_off_walls(const Vectors& places, const std::vector<Wall>& walls, double spacing) {
-  const double least = 0.1 * spacing;
+  const double least = contact_distance * spacing;
   for (const Wall& wall : walls)
     for (Index p = 0; p < places.cols(); ++p)
-      if (wall.distance(places.col(p)) < least)
+      if (wall.distance(places.col(p)) < least && wall.is_beside(places.col(p), 0))
         throw std::invalid_argument(
             fmt::format("sph: particle {} starts at ({:g}, {:g}) m, {:g} m from a wall, expected at least {:g} m", p,
                         places(0, p), places(1, p), wall.distance(places.col(p)), least));
@@ -59,6 +60,7 @@ class Neighbourhood {
       : boundary(std::move(layout)),
         domain_(scene.domain),
         density_(scene.fluid.density),
+        walls_(scene.walls),
         reach_(reach),
         threads_(threads) {
     const Vec2 period = domain_.box.size();
@@ -73,7 +75,7 @@ class Neighbourhood {
     place(places);
     all.mass = density_ * cells.volume();
     if (!scene.start.at_rest()) set_going(scene.start, scene.fluid);
-    list_anew();
+    list_anew(0);
   }
 
   Index ghosts() const { return static_cast<Index>(boundary.ghosts.size()); }
@@ -92,7 +94,7 @@ class Neighbourhood {
     if (lists_hold(dt)) return;
     refuse_strays(step, time);
     choose_skin(dt);
-    list_anew();
+    list_anew(time);
   }
 
   /// Throws Diverged when a particle is outside the domain or nowhere.
@@ -125,6 +127,15 @@ class Neighbourhood {
       }
     });
     images.refresh_fluid(all, seen);
+  }
+
+  /// Ghosts of gates stand where a gate is at a time [s], and nowhere where it is not.
+  void move_gates(double time) {
+    for (Index g = ghosts() - of_gates(); g < ghosts(); ++g) {
+      const Vec2& x = boundary.ghosts[g].x;
+      const bool is_there = gate_of(g).is_beside(x, time);
+      seen[all.fluid + g].stand_at(is_there ? x.x() : all.x[all.nowhere()], is_there ? x.y() : all.y[all.nowhere()]);
+    }
   }
 
   /// The fluid in the order of its numbers, with the pressure of its density.
@@ -200,7 +211,7 @@ class Neighbourhood {
     reach_.skin = std::clamp(std::sqrt(5 * reach_.kernel * fastest * dt), reach_.least_skin, reach_.greatest_skin);
   }
 
-  void list_anew() {
+  void list_anew(double time) {
     const double listed = reach_.kernel + reach_.skin;
     for (Index i = 0; i < all.fluid; ++i) {
       all.x[i] = domain_.wrapped(0, all.x[i]);
@@ -208,21 +219,54 @@ class Neighbourhood {
     }
     sort_fluid(Cells(all.x, all.y, all.fluid, listed, [](Index) { return true; }).sorted());
     images.choose(all, domain_, listed);
-    list_fluid_and_ghosts(listed);
+    list_fluid_and_ghosts(listed, time);
     if (reach_.wall > 0) list_walls(reach_.wall + reach_.skin);
     see_boundary_at_rest();
     listed_x_ = all.x.head(all.fluid);
     listed_y_ = all.y.head(all.fluid);
   }
 
-  void list_fluid_and_ghosts(double listed) {
+  void list_fluid_and_ghosts(double listed, double time) {
+    const auto left = [&](int i, std::vector<int>& found, std::size_t count) -> std::size_t {
+      if (of_gates() == 0 || !is_near_gate(i, listed)) return count;
+      const auto begin = found.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+      return std::remove_if(begin, end, [&](int j) { return is_hidden_by_gate(i, j, time); }) - begin;
+    };
     const Cells cells(all.x, all.y, all.nowhere(), listed, [&](Index j) { return !is_on_wall(source(j)); });
-    fill(fluid_near_fluid, all, cells, 0, all.fluid, listed, true, threads_, [](int) { return true; });
+    fill(
+        fluid_near_fluid, all, cells, 0, all.fluid, listed, true, threads_, [](int) { return true; }, left);
     const int fluid = static_cast<int>(all.fluid), first = static_cast<int>(images.first(all)),
               last = first + static_cast<int>(images.of_fluid());
-    fill(fluid_near_ghost, all, cells, all.fluid, all.fluid + ghosts(), listed, false, threads_,
-         [=](int j) { return (j < fluid) | ((j >= first) & (j < last)); });
+    fill(
+        fluid_near_ghost, all, cells, all.fluid, all.fluid + ghosts(), listed, false, threads_,
+        [=](int j) { return (j < fluid) | ((j >= first) & (j < last)); }, left);
   }
+
+  /// Whether a ghost of a gate, which stands behind it within the kernel's reach, may be listed with a particle.
+  bool is_near_gate(int i, double listed) const {
+    return std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
+      return wall.is_partial() && std::abs(wall.distance({all.x[i], all.y[i]})) < 2 * listed;
+    });
+  }
+  /// A ghost of a gate and fluid behind it do not see each other, nor does fluid on both sides. What stands otherwise
+  /// before the lists are made anew, after a small part of a spacing, is not noticed.
+  bool is_hidden_by_gate(int i, int j, double time) const {
+    const auto place = [&](int p) -> Vec2 { return {all.x[p], all.y[p]}; };
+    if (const int ghost = std::max(i, j); ghost >= all.fluid) {
+      const Index g = ghost - all.fluid;
+      return g >= ghosts() - of_gates() && gate_of(g).distance(place(std::min(i, j))) < 0;
+    }
+    const Vec2 from = place(i), to = place(j);
+    for (const Wall& wall : walls_) {
+      const double before = wall.distance(from), behind = wall.distance(to);
+      if (wall.is_partial() && (before < 0) != (behind < 0) &&
+          wall.is_beside(from + before / (before - behind) * (to - from), time))
+        return true;
+    }
+    return false;
+  }
+  Index of_gates() const { return static_cast<Index>(boundary.of_gates); }
+  const Wall& gate_of(Index ghost) const { return walls_[boundary.ghosts[ghost].behind.front()]; }
 
   void list_walls(double listed) {
     const Index on_upright = all.fluid + ghosts() + static_cast<Index>(boundary.on_upright);
@@ -263,6 +307,7 @@ class Neighbourhood {
 
   Domain domain_;
   double density_;  // kg/m³  at rest
+  std::vector<Wall> walls_;
   Reach reach_;
   int threads_;
   Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made

@@ -66,11 +66,17 @@ class BlockWriter {
   std::array<std::size_t, width> count_{};
 };
 
-/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m] and accepted. Particles
-/// without any have no list, unless `all_of_them` shall have one.
-template <int width, class Accept>
+/// Leaves whoever was found near a particle.
+struct AllOfThem {
+  std::size_t operator()(int, std::vector<int>&, std::size_t found) const { return found; }
+};
+
+/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m] and accepted, but for those
+/// that left(particle, list, count) takes off the list, which returns how many it leaves. Particles without any have no
+/// list, unless `all_of_them` shall have one.
+template <int width, class Accept, class Left = AllOfThem>
 void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells, Index begin, Index end, double reach,
-          bool all_of_them, int threads, Accept accept) {
+          bool all_of_them, int threads, Accept accept, const Left& left = {}) {
   lists.parts.resize(threads);
   share_out(threads, threads, [&](Index first, Index last) {
     for (Index part = first; part < last; ++part) {
@@ -78,7 +84,8 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
       const Index count = end - begin;
       for (Index i = begin + count * part / threads; i < begin + count * (part + 1) / threads; ++i) {
         const int self = static_cast<int>(i);
-        const std::size_t found = cells.near(Vec2(all.x[i], all.y[i]), reach, self, accept, writer.next());
+        std::vector<int>& list = writer.next();
+        const std::size_t found = left(self, list, cells.near(Vec2(all.x[i], all.y[i]), reach, self, accept, list));
         if (found > 0 || all_of_them) writer.take(self, found);
       }
       writer.flush();

@@ -67,6 +67,7 @@ class Simulation : public Clock {
     lap(SubStep::rates);
   }
   double smoothing_length() const { return settings_.smoothing_length; }  // m  h
+  double spacing() const { return settings_.spacing; }                    // m
   int threads() const { return settings_.threads; }
 
   Scene<FluidLaw, Force> scene_;
@@ -89,6 +90,11 @@ class Simulation : public Clock {
   template <class Laps>
   void find_accelerations(double time, const Laps& lap) {
     static_cast<Method&>(*this).template find<false, true>(time, lap);
+  }
+  /// What a method does to velocities before they move particles.
+  void before_drift(double time, double dt) {
+    if constexpr (requires(Method & method) { method.meet_walls(time, dt); })
+      static_cast<Method&>(*this).meet_walls(time, dt);
   }
 
   Integrator integrator_;

@@ -11,6 +11,7 @@
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/terms/pressure_sum.hpp"
 #include "solvers/sph/walls/balanced_ghosts.hpp"
+#include "solvers/sph/walls/contact.hpp"
 
 namespace touchstone::sph {
 
@@ -181,7 +182,10 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
  public:
   FreeSurface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,
               const PartsOfMethod& parts)
-      : Base(scene, settings, Found::carried), terms_(terms), parts_(parts) {}
+      : Base(scene, settings, Found::carried, reach_of<Kernel>(settings),
+             lay_out_ghosts_and_gates(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))),
+        terms_(terms),
+        parts_(parts) {}
 
   /// The particles are shifted, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
@@ -191,6 +195,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     this->advance(lap);
     this->tick();
   }
+  /// What contact with walls has taken from the fluid so far.
+  const Contacts& contacts() const { return contacts_; }
 
  private:
   friend Base;
@@ -214,11 +220,23 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     }
   }
 
+  /// Holds what the integrator would carry into a wall. A wall does not pull: what tension draws to it loses that
+  /// tension, which contact would keep up for ever.
+  void meet_walls(double time, double dt) {
+    Particles& all = near_.all;
+    keep_off_walls(all, all.vx, all.vy, scene_.walls, contact_distance * this->spacing(), time, dt,
+                   [&](Index i, const Vec2& normal, double before, double after) {
+                     contacts_.add(all.mass, normal, before, after);
+                     all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
+                   });
+  }
+
   /// Fluid, ghosts and images as the last motion left them.
   template <class Laps>
   void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
+    near_.move_gates(time);
     balance_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid, scene_.body_force, time);
     lap(SubStep::boundaries);
   }
@@ -228,14 +246,17 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     if constexpr (Found::shifting) {
       Particles& all = near_.all;
       const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
-      share_out_fields(this->threads(), all.fluid,
-                       [&](Index begin, Index end) { drift(all, fastest * this->time_step(), begin, end); });
+      const double times = fastest * this->time_step();
+      keep_off_walls(all, all.carried[drift_x], all.carried[drift_y], scene_.walls, contact_distance * this->spacing(),
+                     this->time(), times, [](Index, const Vec2&, double, double) {});
+      share_out_fields(this->threads(), all.fluid, [&](Index begin, Index end) { drift(all, times, begin, end); });
       lap(SubStep::motion);
     }
   }
 
   Terms terms_;
   PartsOfMethod parts_;
+  Contacts contacts_;
 };
 
 /// sph::free_surface<sph::WendlandC2>(scene, {.spacing = ...}, sph::momentum(sph::ArtificialViscosity{...}),

@@ -295,6 +295,88 @@ TEST(Walls, BalanceWaterAtRestAlsoInTheCornersAndBesideTheSurface) {
   EXPECT_GT(in_corners, 10);
 }
 
+/// Water on both sides of a gate at x = 0.5 m, which is up to 0.2 m, as high as the water behind it.
+Near beside_a_gate() {
+  const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 1};
+  Scene<Tait> scene{.domain = {.box = square},
+                    .fluid = water,
+                    .filled = {.high = {1, 0.4}},
+                    .walls = {floor_at(0, free_slip()), right_at(0.5, free_slip())},
+                    .start = {.places = [](const Vectors& lattice) {
+                      Vectors all(2, 0);
+                      for (Index i = 0; i < lattice.cols(); ++i)
+                        if (lattice(0, i) < 0.5 || lattice(1, i) < 0.2) {
+                          all.conservativeResize(2, all.cols() + 1);
+                          all.rightCols(1) = lattice.col(i);
+                        }
+                      return all;
+                    }}};
+  scene.walls[1].extent = [](double time) -> Range { return {0.2 + time, 1e9}; };
+  return Near(scene, spacing, reach_of<WendlandC2>(settings),
+              lay_out_ghosts_and_gates(scene.domain, scene.walls, spacing, ghost_layers<WendlandC2>(settings)));
+}
+
+TEST(Gates, AreBetweenWhatDoesNotSeeEachOther) {
+  const Near near = beside_a_gate();
+  const Particles& all = near.all;
+  const auto gate_begins = all.fluid + near.ghosts() - static_cast<Index>(near.boundary.of_gates);
+  int below = 0, ghosts_seen = 0;
+  const auto check = [&](int i, int j) {
+    if (j >= all.nowhere()) return;
+    if (j >= all.fluid) {
+      ghosts_seen += j >= gate_begins;
+      ASSERT_TRUE(j < gate_begins || all.x[i] < 0.5);
+    } else if ((all.x[i] < 0.5) != (all.x[j] < 0.5)) {
+      const double share = (0.5 - all.x[i]) / (all.x[j] - all.x[i]);
+      ASSERT_LT(all.y[i] + share * (all.y[j] - all.y[i]), 0.2);
+      ++below;
+    }
+  };
+  const auto each_pair = [](const Near::Lists& lists, const auto& call) {
+    for (const auto& block : lists.parts[0].blocks) {
+      const auto rows = lists.parts[0].rows_of(block);
+      for (int k = Near::width; k < std::ssize(rows); ++k)
+        if (k % Near::width < block.particles) call(rows[k % Near::width], rows[k]);
+    }
+  };
+  each_pair(near.fluid_near_fluid, check);
+  each_pair(near.fluid_near_ghost, [&](int ghost, int j) {
+    ASSERT_TRUE(ghost < gate_begins || j >= all.fluid || all.x[j] < 0.5);
+  });
+  EXPECT_GT(below, 50);
+  EXPECT_GT(ghosts_seen, 50);
+}
+
+TEST(Gates, HaveGhostsWhereTheyAre) {
+  Near near = beside_a_gate();
+  for (const double time : {0.0, 0.1, 1.0, 0.1}) {
+    near.move_gates(time);
+    Index there = 0;
+    for (Index k = near.all.fluid; k < near.all.fluid + near.ghosts(); ++k)
+      there += near.seen[k].y > 0 && near.seen[k].y < 1;
+    EXPECT_EQ(there, 4 * std::lround(std::max(0.0, 0.8 - time) / spacing)) << time;
+  }
+}
+
+TEST(Gates, AreRefusedInOneLineWhereNoneCanBe) {
+  const auto message = [](const Domain& domain, double x, auto lay_out) -> std::string {
+    Wall gate = right_at(x, free_slip());
+    gate.extent = [](double) -> Range { return {0, 1}; };
+    try {
+      lay_out(domain, {gate}, spacing, 4);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const Domain box{.box = square};
+  EXPECT_EQ(message(box, 0.5, lay_out_ghosts_and_gates), "");
+  EXPECT_EQ(message(box, 1, lay_out_ghosts_and_gates), "sph: gate at x = 1 m, expected inside the domain, 0 to 1 m");
+  EXPECT_EQ(message({.box = square, .periodic_y = true}, 0.5, lay_out_ghosts_and_gates),
+            "sph: gate at x = 0.5 m, expected none along a periodic axis");
+  EXPECT_EQ(message(box, 0.5, lay_out_ghosts), "sph: wall at x = 0.5 m has an extent, expected one across the domain");
+}
+
 TEST(Walls, MirrorTheVelocityAtEachWallAGhostIsBehind) {
   const auto of = [](const WallVelocity& wall) {
     Near near = tank(

@@ -103,6 +103,69 @@ TEST(FreeSurface, WaterAtRestStaysAtRestInATankWithCorners) {
   check(corrected, 0.02, 0.7);
 }
 
+TEST(FreeSurface, ContactLeavesWaterAtRestAlone) {
+  const auto check = [](const auto& parts) {
+    auto simulation = solver(tank, parts);
+    for (int k = 0; k < 300; ++k) simulation.step();
+    EXPECT_EQ(simulation.contacts().particles, 0);
+  };
+  check(delta);
+  check(delta_plus);
+  check(corrected);
+}
+
+TEST(FreeSurface, WaterThatSpreadsAlongAFloorStaysAboveIt) {
+  Scene<Tait, Uniform> dam = tank;
+  dam.domain.box.high = {4, 2};
+  dam.filled.high = {0.8, 1};
+  dam.walls[2] = right_at(4, free_slip());
+  const auto check = [&](const auto& parts) {
+    auto simulation = solver(dam, parts);
+    for (int k = 0; k < 700; ++k) simulation.step();
+    const Samples s = simulation.samples();
+    EXPECT_GT(s.x.row(0).maxCoeff(), 2);
+    EXPECT_GT(s.x.minCoeff(), 0.09 * spacing);
+    EXPECT_GT(simulation.contacts().particles, 0);
+  };
+  check(delta);
+  check(delta_plus);
+  check(corrected);
+}
+
+/// The tank twice as long, with a gate where its right wall was.
+Scene<Tait, Uniform> behind_a_gate(const WallExtent& extent) {
+  Scene<Tait, Uniform> scene = tank;
+  scene.domain.box.high = {2, 1.5};
+  scene.walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(2, free_slip()), right_at(1, free_slip())};
+  scene.walls[3].extent = extent;
+  return scene;
+}
+
+/// But for the ghosts below its foot, which belong to the floor alone.
+TEST(FreeSurface, AClosedGateHoldsWaterLikeAWall) {
+  const auto check = [](const auto& parts) {
+    const Samples wall = after(100, tank, parts), gate = after(100, behind_a_gate([](double) -> Range {
+                                                                 return {0, 1e9};
+                                                               }),
+                                                               parts);
+    EXPECT_LT((gate.x - wall.x).colwise().norm().maxCoeff(), 0.01 * spacing);
+    EXPECT_LT((gate.pressure - wall.pressure).abs().maxCoeff(), 0.005 * wall.pressure.maxCoeff());
+  };
+  check(delta);
+  check(delta_plus);
+  check(corrected);
+}
+
+TEST(FreeSurface, WaterPoursOutBelowAGateThatRises) {
+  const auto edge = [](double time) { return 2 * time; };  // m
+  auto simulation = solver(behind_a_gate([=](double time) -> Range { return {edge(time), 1e9}; }), delta);
+  for (int k = 0; k < 200; ++k) simulation.step();
+  const Samples s = simulation.samples();
+  EXPECT_GT(s.x.row(0).maxCoeff(), 1.2);
+  for (Index p = 0; p < s.size(); ++p)
+    EXPECT_TRUE(s.x(0, p) < 1 || s.x(1, p) < edge(simulation.time()) + spacing / 2) << s.x.col(p).transpose();
+}
+
 TEST(FreeSurface, ThreadsDoNotChangeABit) {
   const auto check = [](const auto& scene, const auto& parts) {
     const Samples one = after(30, scene, parts), three = after(30, scene, parts, 3);
