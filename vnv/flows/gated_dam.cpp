@@ -157,7 +157,7 @@ Scene<Tait, Uniform> collapse(const Inputs& inputs) {
   Wall gate = right_at(inputs.length, free_slip());
   gate.extent = [v = inputs.gate_speed](double time) { return Range{v * time, 1e3}; };
   return {
-      .domain = {.box = {.high = {tank_length, 5 * inputs.height}}},
+      .domain = {.box = {.high = {tank_length, 20 * inputs.height}}},
       .fluid = water,
       .filled = {.high = {inputs.length, inputs.height}},
       .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank_length, free_slip()), gate},

@@ -21,7 +21,7 @@ namespace touchstone::mpm {
 /// nothing holds together, expand without bound until their run diverges (solvers/mpm/README.md).
 class AffineDensity {
  public:
-  static constexpr double most_expansion = 0.01;
+  static constexpr double most_expansion = 0.001;
 
   /// Gradients of the expansion [1/m] at the start.
   void begin(const PlainParticles&, const Vectors& gradients) { gradients_ = gradients; }

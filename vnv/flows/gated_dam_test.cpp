@@ -1,0 +1,113 @@
+#include "vnv/flows/gated_dam_validation.hpp"
+#include "vnv/judge/input_uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+namespace touchstone::vnv::gated_dam {
+namespace {
+
+/// Water at rest, 0.2 m deep, from wall to wall.
+Samples lake(double spacing) {
+  const int columns = static_cast<int>(std::round(tank_length / spacing)),
+            rows = static_cast<int>(std::round(0.2 / spacing));
+  const double width = tank_length / columns;
+  const Index n = columns * rows;
+  Samples s{0,
+            Vectors(2, n),
+            Vectors::Zero(2, n),
+            Scalars::Constant(n, 997 * width * spacing),
+            Scalars::Constant(n, 997),
+            Scalars(n)};
+  for (Index p = 0; p < n; ++p) {
+    s.x.col(p) =
+        Vec2((static_cast<double>(p % columns) + 0.5) * width, (static_cast<double>(p / columns) + 0.5) * spacing);
+    s.pressure[p] = 997 * 9.81 * (0.2 - s.x(1, p));
+  }
+  return s;
+}
+
+TEST(GatedDam, ReadsWaterAtRestAsItIs) {
+  const std::vector<double> seen = monitored.see(lake(0.01));
+  ASSERT_EQ(seen.size(), monitored.quantities.size());
+  EXPECT_EQ(seen[column::kinetic], 0);
+  EXPECT_NEAR(seen[column::potential], 997 * 9.81 * tank_length * 0.2 * 0.1, 1e-6);
+  EXPECT_EQ(seen[column::elastic], 0);
+  EXPECT_NEAR(seen[column::front_percentile], tank_length, 0.011);
+  for (std::size_t k = 0; k < gauges.size(); ++k) EXPECT_NEAR(seen[column::level + 3 * k], 0.2, 1e-3);
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    EXPECT_NEAR(seen[column::fit + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 1e-3);
+    EXPECT_NEAR(seen[column::fit + 3 * k + 1] - seen[column::fit + 3 * k + 2], 997 * 9.81 * 2 * sensor_doubt,
+                k ? 1e-3 : 3);
+    EXPECT_NEAR(seen[column::patch + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 60);
+  }
+}
+
+TEST(GatedDam, CountsTheEnergyOfCompression) {
+  Samples compressed = lake(0.01);
+  compressed.density *= 1.01;
+  const double volume = compressed.mass.sum() / 997;  // at rest
+  // p from 0 to 7 K 0.01 as the volume shrinks by 0.0099
+  EXPECT_NEAR(monitored.see(compressed)[column::elastic], 7 * 0.36e6 * 0.01 * 0.0099 / 2 * volume, 0.03 * 125 * volume);
+}
+
+TEST(GatedDam, ReadsGaugesAndSensorsAsFarOffAsTheirTableSays) {
+  const auto doubts = read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
+  EXPECT_EQ(input_named("place of level gauges", doubts).half_width, gauge_doubt);
+  EXPECT_EQ(input_named("height of pressure sensors", doubts).half_width, sensor_doubt);
+  EXPECT_EQ(input_named("gate speed", doubts).value, filled_300.gate_speed);
+  EXPECT_EQ(input_named("column height", doubts).value, filled_300.height);
+}
+
+TEST(GatedDam, HasAGateThatRisesAtItsSpeed) {
+  const Wall gate = collapse(filled_300).walls.back();
+  EXPECT_TRUE(gate.is_beside({0.6, 0.1}, 0.02));
+  EXPECT_FALSE(gate.is_beside({0.6, 0.1}, 0.03));
+}
+
+TEST(GatedDam, HasObservablesThatTheExperimentItselfMeets) {
+  const Seen first = measured_300(1), second = measured_300(2);
+  for (const Observable& one : observables_300()) {
+    EXPECT_TRUE(std::isfinite(one.measured)) << one.quantity.name;
+    if (one.clock == Observable::Clock::of_pressure || one.quantity.name.ends_with("at P2")) continue;  // of the band
+    const double low = std::min(one.of(first), one.of(second)), high = std::max(one.of(first), one.of(second));
+    const double slack = std::isnan(one.standard) ? 0.2 * one.measured : 2 * one.standard;
+    EXPECT_LE(low - slack, one.measured) << one.quantity.name;
+    EXPECT_GE(high + slack, one.measured) << one.quantity.name;
+  }
+}
+
+/// A run in which all that is measured of the front is 1 + `error` times as far.
+Run run_with(const std::string& level, double spacing, double error) {
+  const Seen measured = measured_300();
+  Run run;
+  run.summary = {.level = level, .spacing = spacing, .end_time = 1.3, .finished = true};
+  for (std::size_t k = 0; k < measured.front.time.size(); ++k) {
+    std::vector<double> seen(column::count, 0.0);
+    seen[column::front_slab] = column_length + (1 + error) * measured.front.value[k] * filled_300.height;
+    run.history.time.push_back(measured.front.time[k] * filled_300.unit_of_time());
+    run.history.seen.push_back(seen);
+  }
+  return run;
+}
+
+TEST(Validation, FindsAnErrorOfTheModelAndWhatResolutionLeavesOpen) {
+  Method named{.name = "made_up"};
+  const Method method = validated([&](const auto&) { return named; });
+  Results results{method, Suite::validation, {}};
+  for (const Level& level : method.levels)  // of first order: 4, 2, 1 and 1/2 % too far, and 10 % in any case
+    results.runs.push_back(run_with(level.name, level.spacing, 0.1 + 0.01 * level.spacing / (0.3 / 80)));
+  const Judgement front = judgements(results)[2];
+  ASSERT_EQ(front.observable.quantity.name, "front x/H at T_H = 2");
+  const double D = front.observable.measured;
+  EXPECT_NEAR(front.validation.error, 0.105 * D, 1e-9);
+  EXPECT_NEAR(front.validation.parts.numerical, 1.25 * 0.005 * D / 1.15, 1e-9);
+  EXPECT_EQ(front.validation.outcome, Validation::Outcome::model_error) << words(front.validation, "");
+}
+
+TEST(Validation, RunsNoLevelThatIsNotItsOwn) {
+  const Method method = validated([](const auto&) { return Method{.name = "made_up"}; });
+  EXPECT_THROW(method.run({.name = "80 across", .spacing = 1}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace touchstone::vnv::gated_dam
