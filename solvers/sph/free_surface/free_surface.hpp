@@ -213,6 +213,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
       lap(SubStep::pairs);
     }
     if constexpr (of_velocity) {
+      if constexpr (!of_density && Found::correction) relieve_drops();
       if constexpr (!of_density) see_all(time, lap);
       sum_by_pressure<Kernel>(near_, parts_, smoothing_length());
       lap(SubStep::pairs);
@@ -229,6 +230,17 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
                      contacts_.add(all.mass, normal, before, after);
                      all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
                    });
+  }
+
+  /// Drops of a few particles and tips bear no tension: under corrected gradients, up to five times those of the
+  /// kernel, it tears them apart ever faster.
+  void relieve_drops() {
+    constexpr double full_enough = 0.4;  // a straight surface has 0.5
+    Particles& all = near_.all;
+    share_out_fields(this->threads(), all.fluid, [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i)
+        if (near_.seen[i].fullness < full_enough) all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
+    });
   }
 
   /// Fluid, ghosts and images as the last motion left them.

@@ -132,6 +132,14 @@ TEST(FreeSurface, WaterThatSpreadsAlongAFloorStaysAboveIt) {
   check(corrected);
 }
 
+TEST(FreeSurface, DropsOfAFewParticlesBearNoTensionWhereGradientsAreCorrected) {
+  Scene<Tait> drop = patch;
+  drop.filled = {.low = {-spacing, -spacing}, .high = {spacing, spacing}};
+  drop.start = {.pressure = [](const Vec2&) { return -3000.0; }};
+  EXPECT_EQ(after(1, drop, corrected).density.minCoeff(), water.density);
+  EXPECT_LT(after(1, drop, delta).density.minCoeff(), water.density);
+}
+
 /// The tank twice as long, with a gate where its right wall was.
 Scene<Tait, Uniform> behind_a_gate(const WallExtent& extent) {
   Scene<Tait, Uniform> scene = tank;

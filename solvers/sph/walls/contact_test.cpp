@@ -94,7 +94,7 @@ TEST(Contact, WithAGateIsOnItsFaceAndWhereItIs) {
   };
   EXPECT_EQ(held({0.45, 0.3}, 5, 2), 1);
   EXPECT_EQ(held({0.45, 0.3}, 5, 4), 0);   // above
-  EXPECT_EQ(held({0.55, 0.3}, -5, 2), 0);  // from behind
+  EXPECT_EQ(held({0.55, 0.3}, 5, 2), 0);  // behind
 }
 
 }  // namespace contact_test
