@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """A machine in trouble: lets the first, second, third call and so on of open, write, rename, fsync, mkdir and fork fail,
+sets the clock back or forth at the first question for it, the second and so on,
 gives the disk room for one block more, then two, for one file more, then two, or the program a megabyte more of memory
 than its --help needs, then two, until a program meets no trouble, and checks what is left.
 
@@ -29,7 +30,7 @@ from shared import BadInput, Parser, exit_with  # noqa: E402
 from works import CASE, METHOD, WORKS, Failure, require, said_by  # noqa: E402
 
 ERRORS = {"open": (errno.EACCES, errno.EMFILE), "write": (errno.ENOSPC, errno.EIO), "rename": (errno.EACCES, errno.ENOSPC),
-          "fsync": (errno.EIO,), "mkdir": (errno.ENOSPC,), "fork": (errno.EAGAIN,)}
+          "fsync": (errno.EIO,), "mkdir": (errno.ENOSPC,), "fork": (errno.EAGAIN,), "clock": (-4000, 4000)}  # days
 TROUBLES = (*ERRORS, "disk", "memory")
 
 
@@ -40,7 +41,7 @@ class FailingCall:
 
     def __init__(self, call, error, library, build, scratch):
         self.call, self.error, self.library, self.build, self.count = call, error, library, build, scratch / "count"
-        self.name = f"{call}: {errno.errorcode[error]}"
+        self.name = f"{call}: {errno.errorcode.get(error, f'{error} days')}"
 
     def run(self, words, folder, which):
         """Exit status, what was said, and whether there was such a call."""
