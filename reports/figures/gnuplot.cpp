@@ -83,11 +83,13 @@ bool is_whole(const fs::path& image) {
 }
 
 // Read as a file, not as a dialogue: then the first error ends gnuplot, and the marker is never written.
-void send(const fs::path& gnuplot, const fs::path& script, const Traces& traces) {
+void send(const fs::path& gnuplot, const fs::path& script, const Traces& traces, int longest) {
   const NoBrokenPipes guard;
   // `|| :` since gnuplot-iostream complains on standard error of an exit status; the marker tells as much.
-  Gnuplot pipe(fmt::format("cd {} && {} -d /dev/stdin > {} 2>&1 || :", quoted(script.parent_path()), quoted(gnuplot),
-                           quoted(traces.log)));
+  Gnuplot pipe(
+      fmt::format("cd {0} && {{ timeout --foreground -k 1 {3} {1} -d /dev/stdin || [ $? -ne 124 ] || "
+                  "echo 'it took longer than {3} s'; }} > {2} 2>&1 || :",
+                  quoted(script.parent_path()), quoted(gnuplot), quoted(traces.log), longest));
   pipe << fmt::format("{}image = {}\nload {}\nset output\n", traces.variable, as_text(traces.image), as_text(script));
   pipe << fmt::format("set print {}\nprint 'end'\n", as_text(traces.marker));
 }
@@ -104,10 +106,10 @@ fs::path find_gnuplot() {
       "gnuplot: not found on PATH, expected for the figures; install it (Debian: apt install gnuplot-nox)");
 }
 
-void run_gnuplot(const fs::path& script, const fs::path& image) {
+void run_gnuplot(const fs::path& script, const fs::path& image, int longest) {
   const fs::path gnuplot = find_gnuplot();
   const Traces traces(fs::absolute(image));
-  send(fs::absolute(gnuplot), fs::absolute(script), traces);
+  send(fs::absolute(gnuplot), fs::absolute(script), traces, longest);
   if (text_of(traces.marker) != "end\n")
     throw std::runtime_error(fmt::format("gnuplot: {} not drawn: {}", image.string(), message_in(traces.log)));
   if (!is_whole(traces.image))
@@ -116,6 +118,8 @@ void run_gnuplot(const fs::path& script, const fs::path& image) {
   fs::rename(traces.image, image);
 }
 
-void run_gnuplot(const fs::path& image) { run_gnuplot(fs::path(image).replace_extension(".gp"), image); }
+void run_gnuplot(const fs::path& image, int longest) {
+  run_gnuplot(fs::path(image).replace_extension(".gp"), image, longest);
+}
 
 }  // namespace touchstone::reports

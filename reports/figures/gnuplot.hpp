@@ -16,10 +16,11 @@ std::filesystem::path find_gnuplot();
 
 /// Runs a script, in its folder, that draws into the file named by its variable `image`; one that draws an SVG draws a
 /// PNG if `raster` is set and a PDF if `paper` is, as they are for images of these names.
-/// Throws GnuplotMissing, or std::runtime_error with gnuplot's own message.
-void run_gnuplot(const std::filesystem::path& script, const std::filesystem::path& image);
+/// Throws GnuplotMissing, or std::runtime_error with gnuplot's own message, or that it took longer than so many
+/// seconds.
+void run_gnuplot(const std::filesystem::path& script, const std::filesystem::path& image, int longest = 60);
 
 /// The same for the script beside the image: with the extension .gp.
-void run_gnuplot(const std::filesystem::path& image);
+void run_gnuplot(const std::filesystem::path& image, int longest = 60);
 
 }  // namespace touchstone::reports

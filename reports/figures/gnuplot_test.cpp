@@ -14,9 +14,9 @@ class GnuplotScript : public testing::Test {
   void put(const std::string& commands) const {
     std::ofstream(folder / "a.gp") << "set terminal svg\nset output image\n" << commands;
   }
-  std::string refusal() const {
+  std::string refusal(int longest = 60) const {
     try {
-      run_gnuplot(folder / "a.svg");
+      run_gnuplot(folder / "a.svg", longest);
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -69,6 +69,12 @@ TEST_F(GnuplotScript, DrawsInAFolderWithAnUnusualName) {
   EXPECT_TRUE(fs::exists(unusual / "a.svg"));
 }
 
+TEST_F(GnuplotScript, ThatHangsIsEnded) {
+  put("plot x\npause 30\n");
+  EXPECT_TRUE(contains(refusal(1), "longer than 1 s")) << refusal(1);
+  EXPECT_TRUE(nothing_but_the_script_is_left());
+}
+
 TEST_F(GnuplotScript, WithoutGnuplotSaysWhatToInstall) {
   put("plot x\n");
   const Environment no_path("PATH", "");
@@ -80,7 +86,7 @@ TEST_F(GnuplotScript, ThatIsNoGnuplotIsRefused) {
   put("plot x\n");
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\nexit 0\n";
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
-  const Environment path("PATH", folder.path().c_str());
+  const Environment path("PATH", (folder.path().string() + ":" + std::getenv("PATH")).c_str());
   EXPECT_TRUE(contains(refusal(), "ended early")) << refusal();
 }
 

@@ -30,6 +30,11 @@ std::string texts_of(const CaseRecords& records) {
   return all;
 }
 
+bool has_long_number(std::string_view text) {
+  std::size_t digits = 0;
+  return std::ranges::any_of(text, [&](char c) { return (digits = '0' <= c && c <= '9' ? digits + 1 : 0) > 9; });
+}
+
 }  // namespace
 
 std::vector<Reference> read_references(const std::filesystem::path& file) {
@@ -59,6 +64,8 @@ std::vector<Reference> read_references(const std::filesystem::path& file) {
     if (line != "}") continue;
     if (named.size() + oracle_of.size() > 500)
       refuse("'named' or 'oracle_of' is longer than 500 letters");  // see std::regex
+    if (has_long_number(named) || has_long_number(oracle_of))
+      refuse("'named' or 'oracle_of' has a number of more than nine digits");  // std::regex overflows
     if (named.empty()) refuse("no field 'named', expected how a record names it");
     try {
       all.back().named = named;

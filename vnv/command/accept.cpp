@@ -5,6 +5,7 @@
 #include "vnv/command/patterns.hpp"
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/files/held_folder.hpp"
 #include "vnv/gate/source.hpp"
 #include "vnv/record/accepted_claims.hpp"
 
@@ -84,6 +85,7 @@ int accept_claims(const Build& build, const AcceptOptions& options) {
   require_no_test("--claims");
   const Records records = records_of(options.claims, options.suite);
   const std::filesystem::path data = data_of(build);
+  const files::HeldFolder held(data);
   std::map<std::string, AcceptedClaims> by_case;
   std::vector<std::string> names;
   const auto add = [&](const std::string& case_name, const std::string& method) {

@@ -1,5 +1,7 @@
 #include "vnv/files/whole_file.hpp"
 
+#include "vnv/files/held_folder.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -76,6 +78,21 @@ TEST_F(AWholeFile, RemovesWhatAKilledWriterLeftButNotWhatAnotherStillWrites) {
   write_whole(file_, "text");
   EXPECT_FALSE(fs::exists(of_none));
   EXPECT_TRUE(fs::exists(of_one_that_runs));
+}
+
+TEST_F(AWholeFile, InAHeldFolderLosesNothingOfThoseWhoAddToItAtOnce) {
+  for (int k = 0; k < 4; ++k)
+    if (fork() == 0) {
+      for (int line = 0; line < 5; ++line) {
+        const HeldFolder held(folder_);
+        const std::string former = text();
+        usleep(1000);
+        write_whole(file_, former + "x");
+      }
+      _exit(0);
+    }
+  while (wait(nullptr) > 0) continue;
+  EXPECT_EQ(text(), std::string(20, 'x'));
 }
 
 TEST_F(AWholeFile, RemovesWhatAKilledWriterLeftThatNobodyHasWaitedForYet) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <random>
 
 namespace touchstone::gate {
 namespace {
@@ -44,6 +46,20 @@ TEST(CompareValues, TakesInfinityForNoNumber) {
 
 TEST(CompareValues, HasNoOpinionWhereNoDirectionIsDeclared) {
   EXPECT_EQ(compare_values(1, 1.1, vnv::Better::undeclared, std::nullopt).first, Change::inconclusive);
+}
+
+TEST(CompareValues, BackwardsOrByTheOtherDirectionTakesBetterForWorse) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> exponent(-6, 6), ratio(1.06, 3);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double low = std::pow(10, exponent(random)), high = low * ratio(random);
+    for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(0.01 * low)}) {
+      EXPECT_EQ(smaller(low, high, tolerance), Change::worse);
+      EXPECT_EQ(smaller(high, low, tolerance), Change::better);
+      EXPECT_EQ(compare_values(low, high, vnv::Better::larger, tolerance).first, Change::better);
+      EXPECT_EQ(compare_values(high, low, vnv::Better::larger, tolerance).first, Change::worse);
+    }
+  }
 }
 
 TEST(Kind, GroupsWhatQuantitiesDeclare) {

@@ -255,7 +255,7 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
   judge_ends(method, record);
   const std::vector<Value> values = all_values(declared, results, record);
   const auto judge_all = [&](const std::vector<Claim>& claims) {
-    for (const Claim& claim : claims) judge_claim(claim, method, suite, values, record);
+    for (const Claim& claim : claims) judge_claim(claim, results.method, results.suite, values, record);
   };
   if (suite == Suite::work) {
     judge_all(method.claims_of_work);

@@ -1,6 +1,6 @@
 /// A suite in which nothing ran, or everything was skipped, is no green suite. ctest calls this before and after one:
-/// `touchstone_guard begin RECORDS` leaves a stamp, `touchstone_guard end RECORDS` fails unless something was judged
-/// since.
+/// `touchstone_guard begin RECORDS` leaves a stamp and keeps the records of before aside, `touchstone_guard end
+/// RECORDS` fails unless something was judged since.
 
 #include "vnv/record/record.hpp"
 
@@ -17,11 +17,17 @@ namespace fs = std::filesystem;
 using namespace touchstone::vnv;
 
 void begin(const fs::path& records) {
-  fs::create_directories(records);
-  std::vector<fs::path> old;  // of methods that may be gone, and what a killed program was writing
+  const fs::path before = records / "before";  // nobody judges these, of methods that may be gone
+  fs::create_directories(before);
+  std::vector<fs::path> old;
   for (const fs::directory_entry& entry : fs::directory_iterator(records))
     if (entry.path().extension() == ".json" || entry.path().extension() == ".part") old.push_back(entry.path());
-  for (const fs::path& record : old) fs::remove(record);
+  for (const fs::path& file : old)
+    if (file.extension() == ".json")
+      fs::rename(file, before / file.filename());
+    else
+      fs::remove(file);  // what a killed program was writing
+  if (!old.empty()) fmt::print("{}: {} records of before\n", before.string(), old.size());
   fs::remove_all(records / "histories");
   if (!(std::ofstream(records / "stamp") << "suite began\n" << std::flush))
     throw std::runtime_error(fmt::format("{}: cannot be written, expected a folder for records", records.string()));

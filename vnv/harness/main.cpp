@@ -1,6 +1,7 @@
 /// The program of one case: each method of the_case() becomes a test.
 
 #include "solvers/lattice.hpp"
+#include "vnv/files/held_folder.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/harness/describe.hpp"
@@ -149,6 +150,7 @@ int accept(const Case& declared) {
     fmt::print("{}: nothing runs in {}, nothing to accept\n", case_name, name_of(options.suite));
     return EXIT_SUCCESS;
   }
+  const files::HeldFolder held(data_folder());
   Baselines baselines = baselines_of_case();
   AcceptedClaims claims = claims_of_case();
   const auto is_gone = [&](const auto& old) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -105,6 +106,22 @@ TEST(ChanceOfBeingSoUnlike, IsEvenAmongSamplesOfOneDistribution) {
 TEST(ChanceOfBeingSoUnlike, IsSmallForAnotherMeanAndForAnotherSpread) {
   EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1.6, 0.3)), 1e-3);
   EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
+}
+
+TEST(TwoSamples, AreAsUnlikeInAnyUnitAndAnyOrder) {
+  std::mt19937_64 random(36);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto a = normal(2 * trial, 0, 1, 5), b = normal(2 * trial + 1, 0.2 * trial, 1, 9);
+    const double p = p_value(a, b, 2000), distance = wasserstein_distance(a, b);
+    const auto changed = [&random](std::vector<double> sample) {
+      for (double& value : sample) value = 1024 * value;  // exactly
+      std::shuffle(sample.begin(), sample.end(), random);
+      return sample;
+    };
+    EXPECT_EQ(p_value(changed(a), changed(b), 2000), p);
+    EXPECT_NEAR(p_value(b, a, 2000), p, 0.06) << "dealt at random, 2000 times: five deviations";
+    EXPECT_NEAR(wasserstein_distance(changed(b), changed(a)), 1024 * distance, 1e-9 * (1 + distance));
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,30 @@ TEST(Norms, RefuseInOneLine) {
   for (const auto& [message, expected] : refusals) {
     EXPECT_NE(message.find(expected), std::string::npos) << message << " | " << expected;
     EXPECT_EQ(std::ranges::count(message, '\n'), 0);
+  }
+}
+
+TEST(Norms, OfAnyValuesKnowNoUnitNoOrderAndNoRepetition) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> value(-1, 1), weight(0.1, 2), exponent(-3, 3);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> found, exact, weights;
+    for (std::size_t k = 0; k < 1 + random() % 40; ++k) {
+      found.push_back(value(random));
+      exact.push_back(value(random));
+      weights.push_back(weight(random));
+    }
+    const double l2 = relative_l2(found, exact, weights), linf = relative_linf(found, exact);
+    const double unit = std::pow(10, exponent(random));
+    EXPECT_NEAR(relative_l2(times(-unit, found), times(-unit, exact), times(unit, weights)), l2, 1e-12 * l2);
+    EXPECT_NEAR(relative_linf(times(-unit, found), times(-unit, exact)), linf, 1e-12 * linf);
+    const auto again = [](std::vector<double> values) {  // each twice, and backwards
+      values.insert(values.end(), values.begin(), values.end());
+      std::ranges::reverse(values);
+      return values;
+    };
+    EXPECT_NEAR(relative_l2(again(found), again(exact), again(weights)), l2, 1e-12 * l2);
+    EXPECT_EQ(relative_linf(again(found), again(exact)), linf);
   }
 }
 

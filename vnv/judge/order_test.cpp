@@ -238,5 +238,26 @@ TEST(ALadder, IsAsymptoticWhereItsFinestPairsHaveTheOrderOfAll) {
       << "above its floor";
 }
 
+TEST(ObservedOrder, OfAnyErrorsKnowsNoUnit) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> scatter(-0.5, 0.5), exponent(-6, 6), slope(-3, 3);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::vector<double> spacings = cut(ladder, 2 + random() % 4);
+    const double p = slope(random), metre = std::pow(10, exponent(random)), unit = std::pow(10, exponent(random));
+    std::vector<double> errors =
+        errors_of([&](double h) { return std::exp(scatter(random)) * std::pow(h, p); }, spacings);
+    const auto found = observe_order(spacings, errors);
+    std::vector<double> others = spacings;
+    for (double& h : others) h *= metre;
+    for (double& e : errors) e *= unit;
+    const auto scaled = observe_order(others, errors);
+    EXPECT_NEAR(scaled.order, found.order, 1e-9);
+    EXPECT_EQ(scaled.trend, found.trend) << trial;
+    for (std::size_t k = 0; k < found.pairwise.size(); ++k) EXPECT_NEAR(scaled.pairwise[k], found.pairwise[k], 1e-9);
+    for (double& e : errors) e = 1 / e;  // what shrank grows
+    EXPECT_NEAR(observe_order(spacings, errors).order, -found.order, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

@@ -1,13 +1,16 @@
 #include "vnv/programs/interruption.hpp"
 
+#include "vnv/programs/processes.hpp"
 #include "vnv/programs/programs.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <fstream>
 #include <functional>
 
 namespace touchstone::programs {
@@ -28,6 +31,7 @@ class Starter {
     std::fflush(nullptr);  // else what waits to be printed is printed twice
     id_ = fork();
     if (id_ == 0) {
+      setpgid(0, 0);  // an orphaned process group cannot be paused
       for (const int one : {SIGTERM, SIGINT, SIGHUP})
         signal(one, SIG_DFL);  // who runs the tests may ignore them: nohup
       close(ends[0]);
@@ -57,6 +61,12 @@ class Starter {
   }
 
   void tell(int signal) const { kill(id_, signal); }
+
+  /// Waits until it pauses; whether it does.
+  bool pauses() const {
+    int status = 0;
+    return waitpid(id_, &status, WUNTRACED) == id_ && WIFSTOPPED(status);
+  }
 
   Ending ending() {
     if (id_ > 0) waitpid(id_, &status_, 0);
@@ -191,6 +201,27 @@ TEST(ToldToEnd, BySignalsThatItWasStartedToIgnoreGoesOn) {
   EXPECT_TRUE(starter.ending().well());
 }
 
+TEST(ToldToPause, PausesItsProgramAndGoesOnWithIt) {
+  Starter starter(runs("echo $$; exec sleep 60"));
+  const std::string stat = "/proc/" + starter.line() + "/stat";
+  const auto state = [&stat] {
+    std::ifstream file(stat);
+    std::string id, name, letter;
+    file >> id >> name >> letter;
+    return letter;
+  };
+  starter.tell(SIGTSTP);
+  ASSERT_TRUE(starter.pauses());
+  for (int k = 0; k < 20000 && state() != "T"; ++k) usleep(1000);
+  EXPECT_EQ(state(), "T");
+  starter.tell(SIGCONT);
+  for (int k = 0; k < 20000 && state() == "T"; ++k) usleep(1000);
+  EXPECT_NE(state(), "T");
+  starter.tell(SIGTERM);
+  EXPECT_EQ(starter.line(), (Interrupted{SIGTERM, "script"}.sentence()));
+  EXPECT_EQ(starter.line(), "");
+}
+
 TEST(AProcessThatIsKilled, TakesItsProgramAlong) {
   Starter starter(runs("echo begun; exec sleep 60"));
   EXPECT_EQ(starter.line(), "begun");
@@ -245,8 +276,28 @@ TEST(AnOrdinaryRun, LeavesSignalsAsTheyWere) {
 
 TEST(AnOrdinaryRun, GivesTheProgramSignalsThatNobodyHolds) {
   const ScratchFolder folder;
+  const auto before = std::signal(SIGINT, SIG_DFL);  // a shell that runs the tests behind its back ignores it
   EXPECT_EQ(run_and_hear({"sh", "-c", "kill -TERM $$; sleep 60"}).ending.signal, SIGTERM);
   EXPECT_THROW(run_into(folder.path() / "output", {"sh", "-c", "kill -INT $$; sleep 60"}), std::runtime_error);
+  std::signal(SIGINT, before);
+}
+
+TEST(AnOrdinaryRun, EndsAsTheProgramDoes) {
+  for (const int status : {0, 1, 3, 126, 127, 128, 143, 255})
+    EXPECT_EQ(run_here({"sh", "-c", fmt::format("exit {}", status)}).status, status);
+  for (const int signal : {SIGILL, SIGABRT, SIGFPE, SIGKILL, SIGSEGV, SIGUSR1, SIGXCPU})
+    EXPECT_EQ(run_here({"sh", "-c", fmt::format("kill -{} $$; sleep 60", signal)}).signal, signal);
+}
+
+TEST(AnOrdinaryRun, LeavesNoProcess) {
+  const auto before = descendants_of(getpid()).all;
+  {
+    Running running;
+    for (int k = 0; k < 20; ++k) running.start("script", {"sh", "-c", "sleep 0.05 & exit 0"}, Streams{});
+    for (int k = 0; k < 20; ++k) ASSERT_TRUE(running.wait(20s));
+    while (running.wait(200ms)) continue;
+    EXPECT_EQ(descendants_of(getpid()).all, before) << "what they left behind, and has ended, is waited for";
+  }
 }
 
 }  // namespace

@@ -65,11 +65,12 @@ TEST_F(ALimitedProgram, IsNotMeasuredWithWhoWatchesIt) {
 }
 
 TEST_F(ALimitedProgram, IsEndedWithAllItsForksAndSessions) {
+  const std::string sleeper = fmt::format("sleep 61.{}", getpid());  // of no other who runs this test
   const Ran ran =
-      shell("f() { while :; do setsid sh -c 'trap \"\" TERM; sleep 61.25' & sleep 0.01; done; }; f & f & f & wait",
+      shell("f() { while :; do setsid sh -c 'trap \"\" TERM; " + sleeper + "' & sleep 0.01; done; }; f & f & f & wait",
             {.wall = 0.5, .grace = std::chrono::milliseconds(50)});
   EXPECT_EQ(ran.stopped, "took longer than 0.5 s");
-  EXPECT_EQ(run_and_hear({"pgrep", "-f", "^sleep 61.25"}).output, "");
+  EXPECT_EQ(run_and_hear({"pgrep", "-f", "^" + sleeper}).output, "");
 }
 
 TEST(AProcess, ThatEndsBetweenLookingAndReadingSaysNothing) {

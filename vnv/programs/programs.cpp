@@ -109,6 +109,13 @@ pid_t split_off(const Words& command, const Streams& streams, const HeldSignals&
   return child;
 }
 
+/// Whether nothing of a process group is left, once what has ended was waited for.
+bool has_ended(pid_t group) {
+  pid_t found = 0;
+  while ((found = waitpid(-group, nullptr, WNOHANG)) > 0) continue;
+  return found < 0;
+}
+
 /// A file without a name, gone when it is closed.
 class Scratch {
  public:
@@ -193,18 +200,16 @@ std::optional<Child> Running::ended() {
     if (found == 0) continue;
     if (found < 0) throw std::runtime_error(fmt::format("{}: lost: {}", name, std::strerror(errno)));
     names_.erase(found);
+    left_.push_back(found);
     return Child{found, ending_of(status)};
   }
+  std::erase_if(left_, has_ended);
   return std::nullopt;
 }
 
 /// Whether any of the programs, or of what they started, still runs.
 bool Running::any_left() {
-  std::erase_if(names_, [](const auto& program) {
-    pid_t found = 0;
-    while ((found = waitpid(-program.first, nullptr, WNOHANG)) > 0) continue;
-    return found < 0;
-  });
+  std::erase_if(names_, [](const auto& program) { return has_ended(program.first); });
   return !names_.empty();
 }
 

@@ -73,6 +73,7 @@ class Running {
   HeldSignals held_;
   std::chrono::milliseconds grace_;
   std::map<pid_t, std::string> names_;  // of those that run
+  std::vector<pid_t> left_;             // process groups of those that ended
 };
 
 /// Runs a program to its end; it writes where this one does.

@@ -2,7 +2,8 @@
 ///
 /// FAILING_CALL=write:28:7 lets the 7th call of write fail with error 28, counted over all processes together in the
 /// file FAILING_COUNT, of eight bytes, and only in programs whose path begins with FAILING_IN. Calls: open (also of
-/// streams), write, rename, fsync, mkdir, fork (also of posix_spawn and popen).
+/// streams), write, rename, fsync, mkdir, fork (also of posix_spawn and popen). FAILING_CALL=clock:-3:7 sets the clock
+/// of the calendar three days back at its 7th call, and from then on.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 namespace {
 
@@ -54,13 +56,23 @@ Order order_given() {
   return order;
 }
 
+const Order& order() {
+  static const Order given = order_given();
+  return given;
+}
+
+/// Counts this call, if it is the one that is ordered; else 0.
+long counted(const char* call) { return order().count && std::strcmp(call, order().call) == 0 ? ++*order().count : 0; }
+
 /// Whether this call fails, with its error in errno.
 bool fails(const char* call) {
-  static const Order order = order_given();
-  if (!order.count || std::strcmp(call, order.call) != 0 || ++*order.count != order.which) return false;
-  errno = order.error;
+  if (counted(call) != order().which || !order().count) return false;
+  errno = order().error;
   return true;
 }
+
+/// By how much the clock is wrong [s].
+time_t wrong() { return counted("clock") >= order().which ? 86400L * order().error : 0; }
 
 }  // namespace
 
@@ -108,6 +120,17 @@ int posix_spawn(pid_t* process, const char* path, const posix_spawn_file_actions
   using Spawn =
       int(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*, char* const*, char* const*);
   return fails("fork") ? errno : real<Spawn>("posix_spawn")(process, path, actions, attributes, arguments, environment);
+}
+
+time_t time(time_t* to) noexcept {
+  const time_t now = real<time_t(time_t*)>("time")(nullptr) + wrong();
+  if (to) *to = now;
+  return now;
+}
+int clock_gettime(clockid_t clock, timespec* to) noexcept {
+  const int status = real<int(clockid_t, timespec*)>("clock_gettime")(clock, to);
+  if (clock == CLOCK_REALTIME) to->tv_sec += wrong();
+  return status;
 }
 
 }  // extern "C"
