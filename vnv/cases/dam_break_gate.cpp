@@ -20,9 +20,15 @@ const std::vector<Level> mpm_levels =
 const std::vector<Level> sph_levels = levels_across(filled_300.height, {{20, end, end, end}, {40, 0, 0, end}});
 
 std::map<std::string, std::vector<Claim>> claims() {
-  const Claim front =
-      at_most(front_rms, 0.05, baseline("a trial of affine MPM with this gate was 0.048 off at 80 across"));
-  return {{"mpm_apic", {front.on("80 across")}}, {"mpm_xpic", {front.on("80 across")}}};
+  const std::vector<Claim> at_80{
+      at_most(
+          front_rms, 0.06,
+          baseline(
+              "0.056 when first measured; E of the front is within its 2 u_val, 0.06 to 0.08 (dam_break_validation)"))
+          .on("80 across"),
+      at_most(levels_rms, 0.02, baseline("twice the RMS difference of the two runs of the experiment, 0.010"))
+          .on("80 across")};
+  return {{"mpm_apic", at_80}, {"mpm_xpic", at_80}};
 }
 
 std::vector<Method> all_methods() {
@@ -34,6 +40,10 @@ std::vector<Method> all_methods() {
                                            sph_corrected(scene, output_interval)},
                                           claims()))
     all.push_back(method);
+  for (Method& method : all)
+    method.tolerance = {method.family == Family::mpm ? 0.1 : 0.5,
+                        "a sensor sees a few particles, whose pressures another rounding changes after the impact",
+                        0.005};
   return all;
 }
 

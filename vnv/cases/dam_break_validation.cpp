@@ -24,6 +24,8 @@ Case vnv::the_case() {
       .findings = {validation_values},
       .claims = {at_least(planted_noticed, 4,
                           baseline("of five planted errors gravity + 2 % is less than the levels resolve"))},
-      .methods = {validated([](const auto& scene) { return mpm_apic(scene, output_interval); })},
+      .methods = {validated([](const auto& scene) { return mpm_apic(scene, output_interval); }),
+                  validated([](const auto& scene) { return sph_delta(scene, output_interval); },
+                            {.of_across = {{20, 4}, {40, 4}, {80, 1}}, .varied = 1})},
       .plots = {validation_tables()}};
 }

@@ -72,16 +72,19 @@ Seen measured_300(int run = 1);
 /// Percentiles 2.5 %, 50 % and 97.5 % over 100 repeats of p/(rho g H) at P2 over T_H, each with its name.
 std::vector<std::pair<std::string, Series>> band_of_P2();
 
+/// Inputs of data/experiments/lobovsky_2014_inputs_300.csv that no run has to vary.
+inline const std::string clock_of_front = "start of front and levels", clock_of_pressures = "start of pressures",
+                         place_of_gauges = "place of level gauges", height_of_sensors = "height of pressure sensors";
+
 /// A number that computed and measured dam breaks have, and what is known of the measured one.
 struct Observable {
-  enum class Clock { none, of_front, of_pressure };
   Quantity quantity;
   std::function<double(const Seen&)> of;
-  double measured;            // D
-  double standard;            // u_D; not a number: unknown
-  std::string basis;          // of u_D
-  double useful;              // the uncertainty up to which agreement says something
-  Clock clock = Clock::none;  // whose start it depends on
+  double measured;               // D
+  double standard;               // u_D; not a number: unknown
+  std::string basis;             // of u_D
+  double useful;                 // the uncertainty up to which agreement says something
+  std::string clock{}, place{};  // inputs that say whose start and whose place it depends on; empty: on none
 };
 /// Of the experiment at H = 0.3 m. Throws BadData for data that cannot be read.
 std::vector<Observable> observables_300();

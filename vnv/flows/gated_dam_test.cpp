@@ -52,8 +52,8 @@ TEST(GatedDam, CountsTheEnergyOfCompression) {
 
 TEST(GatedDam, ReadsGaugesAndSensorsAsFarOffAsTheirTableSays) {
   const auto doubts = read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
-  EXPECT_EQ(input_named("place of level gauges", doubts).half_width, gauge_doubt);
-  EXPECT_EQ(input_named("height of pressure sensors", doubts).half_width, sensor_doubt);
+  EXPECT_EQ(input_named(place_of_gauges, doubts).half_width, gauge_doubt);
+  EXPECT_EQ(input_named(height_of_sensors, doubts).half_width, sensor_doubt);
   EXPECT_EQ(input_named("gate speed", doubts).value, filled_300.gate_speed);
   EXPECT_EQ(input_named("column height", doubts).value, filled_300.height);
 }
@@ -68,7 +68,7 @@ TEST(GatedDam, HasObservablesThatTheExperimentItselfMeets) {
   const Seen first = measured_300(1), second = measured_300(2);
   for (const Observable& one : observables_300()) {
     EXPECT_TRUE(std::isfinite(one.measured)) << one.quantity.name;
-    if (one.clock == Observable::Clock::of_pressure || one.quantity.name.ends_with("at P2")) continue;  // of the band
+    if (one.clock == clock_of_pressures || one.quantity.name.ends_with("at P2")) continue;  // of the band
     const double low = std::min(one.of(first), one.of(second)), high = std::max(one.of(first), one.of(second));
     const double slack = std::isnan(one.standard) ? 0.2 * one.measured : 2 * one.standard;
     EXPECT_LE(low - slack, one.measured) << one.quantity.name;

@@ -14,9 +14,8 @@
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double end = 1.3;        // s  T_H = 7.4, past all observables
-constexpr int across_varied = 40;  // of H, of the runs that vary something
-constexpr int starts_varied = 4;
+constexpr double end = 1.3;         // s  T_H = 7.4, past all observables
+constexpr int across_varied = 40;   // of H, of the runs that vary something
 constexpr double jitter = 0.01;     // of the spacing
 constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
 
@@ -43,12 +42,12 @@ double& input_of(Inputs& inputs, std::string_view name) {
 }
 
 /// At once and three times what the levels can resolve; a column that is longer stands nearer to the far wall.
-std::vector<Group> planted_errors() {
+std::vector<Group> planted_errors(int starts = 0) {
   std::vector<Group> all;
   const auto plant = [&](const std::string& error, double Inputs::*input, double factor) {
     Inputs inputs = filled_300;
     inputs.*input *= factor;
-    all.push_back({"planted: " + error, across_varied, starts_varied, inputs});
+    all.push_back({"planted: " + error, across_varied, starts, inputs});
   };
   plant("gate half as fast", &Inputs::gate_speed, 0.5);
   plant("gate a quarter as fast", &Inputs::gate_speed, 0.25);
@@ -64,20 +63,19 @@ std::string varied(const std::string& input, int side) {
 }
 double varied_value(const UncertainInput& input, int side) { return input.value + side * input.half_width; }
 
-std::vector<Group> groups(int finest) {
+std::vector<Group> groups(const Starts& starts) {
   std::vector<Group> all;
-  for (const auto& [across, starts] : {std::pair(20, 16), std::pair(40, 16), std::pair(80, 4), std::pair(160, 1)})
-    if (across <= finest) all.push_back({nominal(across), across, starts, filled_300});
+  for (const auto& [across, count] : starts.of_across) all.push_back({nominal(across), across, count, filled_300});
   for (const std::string& name : varied_inputs)
     for (const int side : {-1, 1}) {
       Inputs inputs = filled_300;
       input_of(inputs, name) = varied_value(input_named(name, doubts()), side);
-      all.push_back({varied(name, side), across_varied, starts_varied, inputs});
+      all.push_back({varied(name, side), across_varied, starts.varied, inputs});
     }
   Inputs stiff = filled_300;
   stiff.bulk_modulus *= 2;
-  all.push_back({doubled_modulus, across_varied, starts_varied, stiff});
-  for (const Group& planted : planted_errors()) all.push_back(planted);
+  all.push_back({doubled_modulus, across_varied, starts.varied, stiff});
+  for (const Group& planted : planted_errors(starts.varied)) all.push_back(planted);
   return all;
 }
 
@@ -158,13 +156,13 @@ Judgement judge(const Results& results, const Observable& observable) {
   for (const std::string& name : varied_inputs)
     add(input_named(name, doubts()), of(varied(name, -1)), of(varied(name, 1)));
   const std::string at = nominal(across_varied);
-  if (observable.clock != Observable::Clock::none) {
-    const UncertainInput& clock = input_named(
-        observable.clock == Observable::Clock::of_front ? "start of front and levels" : "start of pressures", doubts());
+  if (!observable.clock.empty()) {
+    const UncertainInput& clock = input_named(observable.clock, doubts());
     const double shift = clock.half_width / filled_300.unit_of_time();
     add(clock, of(at, {}, -shift), of(at, {}, shift));
   }
-  add(input_named("height of pressure sensors", doubts()), of(at, {.place = 1}), of(at, {.place = 2}));
+  if (!observable.place.empty())
+    add(input_named(observable.place, doubts()), of(at, {.place = 1}), of(at, {.place = 2}));
   for (const Sensitivity& one : sensitivities) judged.inputs.emplace_back(one.input, one.part);
   parts.input = input_uncertainty(sensitivities);
   judged.validation = validate(judged.simulated, observable.measured, parts, observable.useful);
@@ -174,9 +172,9 @@ Judgement judge(const Results& results, const Observable& observable) {
 
 }  // namespace
 
-Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, int finest) {
+Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, const Starts& starts) {
   Method method = method_on(collapse(filled_300));
-  const auto all = std::make_shared<const std::vector<Group>>(groups(finest));
+  const auto all = std::make_shared<const std::vector<Group>>(groups(starts));
   for (const Group& group : *all)
     for (int start = 1; start <= group.starts; ++start)
       method.levels.push_back({.name = level_name(group, start),
@@ -221,7 +219,7 @@ std::vector<Value> validation_values(const Results& results, const Record&) {
     add(error, one.validation.error);
     agree += one.validation.outcome == Validation::Outcome::agrees;
     const ValidationParts& parts = one.validation.parts;
-    if (one.observable.clock == Observable::Clock::of_front && std::isfinite(parts.data))
+    if (one.observable.clock == clock_of_front && std::isfinite(parts.data))
       worst = std::max(worst, parts.numerical / parts.data);
     for (const auto& [name, change] : one.planted) noticed[name] |= std::abs(change) > one.validation.expanded();
   }

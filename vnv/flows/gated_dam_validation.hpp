@@ -10,12 +10,19 @@
 #include "vnv/flows/gated_dam.hpp"
 #include "vnv/judge/validation.hpp"
 
+#include <map>
+
 namespace touchstone::vnv::gated_dam {
 
-/// The method from all starts: 20 and 40 across from sixteen, 80 across from four, 160 across from one; 40 across with
-/// each input varied, the bulk modulus doubled, or an error of the model planted, from four. `method_on(scene)` makes
-/// it for a scene. In the suite `validation` alone.
-Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, int finest = 160);
+/// From how many starts a method runs, at each number of particles across H, and 40 across with something varied.
+struct Starts {
+  std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 4}, {160, 1}};
+  int varied = 4;
+};
+
+/// The method from all starts as it is, and 40 across with each input varied, the bulk modulus doubled, or an error of
+/// the model planted. `method_on(scene)` makes it for a scene. In the suite `validation` alone.
+Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, const Starts& starts = {});
 
 /// What came of it for one observable.
 struct Judgement {
