@@ -4,7 +4,6 @@
 #include "vnv/flows/gated_dam.hpp"
 #include "vnv/flows/gated_dam_figures.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
-#include "vnv/plots/snapshots.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -56,18 +55,12 @@ Case vnv::the_case() {
           "A column of water 0.6 m long and 0.3 m high stands behind a gate, in a tank 1.61 m long. The gate is drawn up at 3.46 m/s, as in "
           "the experiment of Lobovský et al. (2014); the front runs to the far wall, climbs it, falls back and breaks. Front, levels at four gauges and "
           "pressures at four sensors are compared with those measured, in units of H and sqrt(H/g), until 2 s. After "
-          "the impact the flow is chaotic: see dam_break_impact for ensembles.",
+          "the impact the flow is chaotic: `splash` judges ensembles of it.",
       .times = {0.2, 0.42, 0.7, 1.1, end},
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
       .methods = all_methods(),
       .plots = {front_over_time(), levels_over_time(), pressures_over_time(), energies_over_time(),
-                snapshots({"snapshots",
-                           "Particles, coloured by pressure",
-                           "At t = 0.2, 0.42, 0.7 and 1.1 s, of the finest level that ran.",
-                           {"x [m]", 1, false, 0, tank_length},
-                           {"y [m]", 1, false, 0, 1},
-                           {"p [kPa]", 1e-3, false, 0, 4}},
-                          {"80 across", "40 across", "20 across"}, {0.2, 0.42, 0.7, 1.1})}};
+                particles_coloured_by_pressure({"mpm_apic", "sph_delta", "sph_shifted"}, {0.2, 0.42, 0.7, 1.1})}};
 }

@@ -23,14 +23,14 @@ std::map<std::string, std::vector<Claim>> claims() {
   return {{"mpm_apic", front}, {"mpm_xpic", front}};
 }
 
+/// Without corrected gradients: there a few particles end so dense, and alone, that the energy of their compression is
+/// 6 % of the fall.
 std::vector<Method> all_methods() {
   const Scene<Tait, Uniform> scene = collapse(filled_600);
   std::vector<Method> all =
       with_ladder(mpm_levels, {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval)}, claims());
-  for (const Method& method : with_ladder(sph_levels,
-                                          {sph_delta(scene, output_interval), sph_shifted(scene, output_interval),
-                                           sph_corrected(scene, output_interval)},
-                                          claims()))
+  for (const Method& method :
+       with_ladder(sph_levels, {sph_delta(scene, output_interval), sph_shifted(scene, output_interval)}, claims()))
     all.push_back(method);
   for (Method& method : all)
     method.tolerance = {method.family == Family::mpm ? 0.1 : 0.5,

@@ -25,9 +25,10 @@ Samples within(const Samples& samples, double low, double high) {
           samples.mass(inside), samples.density(inside),       samples.pressure(inside)};
 }
 
-/// What compression holds [J/kg]: the integral of p / rho² over the density, by Tait's law.
+/// What compression holds [J/m]: the integral of p / rho² over the density, by Tait's law. Water that has come apart
+/// bears no tension, and its density says nothing.
 double elastic_energy(const Samples& samples) {
-  const Scalars z = samples.density / filled_300.density;
+  const Scalars z = (samples.density / filled_300.density).max(1);
   return filled_300.bulk_modulus / filled_300.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum();
 }
 

@@ -1,5 +1,6 @@
 #include "vnv/flows/gated_dam_figures.hpp"
 
+#include "vnv/plots/snapshots.hpp"
 #include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
@@ -118,6 +119,21 @@ Plot energies_over_time() {
     record.curves.push_back(curve(id, name + ", total", Role::ours, total));
     record.curves.push_back(curve(id, name + ", kinetic", Role::ours, kinetic));
     record.curves.push_back(curve(id, name + ", potential", Role::ours, potential));
+  };
+}
+
+Plot particles_coloured_by_pressure(std::vector<std::string> methods, std::vector<double> times) {
+  return [=](const Results& results, Record& record) {
+    const Run* run = finest(results);
+    if (!run || std::ranges::find(methods, results.method.name) == methods.end()) return;
+    snapshots(
+        {"snapshots",
+         "Particles, coloured by pressure",
+         "Of the finest level that ran: the front below the gate, at the wall, up it, and the wave that comes back.",
+         {"x [m]", 1, false, 0, tank_length},
+         {"y [m]", 1, false, 0, 1},
+         {"p [kPa]", 1e-3, false, 0, 4}},
+        {run->summary.level}, times)(results, record);
   };
 }
 

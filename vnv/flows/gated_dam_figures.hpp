@@ -14,4 +14,7 @@ Plot pressures_over_time();
 /// Kinetic and potential energy, and their sum with the elastic one, over the fall.
 Plot energies_over_time();
 
+/// Particles of these methods at these times [s].
+Plot particles_coloured_by_pressure(std::vector<std::string> methods, std::vector<double> times);
+
 }  // namespace touchstone::vnv::gated_dam

@@ -41,7 +41,7 @@ double& input_of(Inputs& inputs, std::string_view name) {
                                    : inputs.gravity;
 }
 
-/// At once and three times what the levels can resolve; a column that is longer stands nearer to the far wall.
+/// Of gate and gravity at about once and three times what the level in the reservoir resolves.
 std::vector<Group> planted_errors(int starts = 0) {
   std::vector<Group> all;
   const auto plant = [&](const std::string& error, double Inputs::*input, double factor) {

@@ -315,7 +315,7 @@ TEST(AffineDensity, LeavesALinearFieldAsItIsUpToWallsAndKeepsTheVolume) {
                            .slopes = {n, Slopes<double>{}}};
   for (int p = 0; p < n; ++p) {
     particles.x.col(p) = Vec2(std::fmod(0.618034 * p, 1), std::fmod(0.7548777 * p, 0.55));
-    particles.expansion[p] = 0.01 + gradient.dot(particles.x.col(p));
+    particles.expansion[p] = -0.05 + gradient.dot(particles.x.col(p));
   }
   const Scalars start = particles.expansion;
   Weights<BSpline<2>> weights(grid, Vec2(0.05, 0.05));
@@ -327,10 +327,10 @@ TEST(AffineDensity, LeavesALinearFieldAsItIsUpToWallsAndKeepsTheVolume) {
   density.update(weights, nodes, 1e-3, 1, particles);
   EXPECT_LT((particles.expansion - start).abs().maxCoeff(), 1e-12);
 
-  for (int p = 0; p < n; ++p) particles.expansion[p] = 0.01 * std::sin(1.0 * p);
+  for (int p = 0; p < n; ++p) particles.expansion[p] = -0.05 + 0.01 * std::sin(1.0 * p);
   const double volume = particles.expansion.sum();
   density.update(weights, nodes, 1e-3, 1, particles);
-  EXPECT_LT(particles.expansion.abs().maxCoeff(), 0.009);  // smoothed
+  EXPECT_LT((particles.expansion + 0.05).abs().maxCoeff(), 0.009);  // smoothed
   EXPECT_NEAR(particles.expansion.sum(), volume, 1e-12);
 }
 
