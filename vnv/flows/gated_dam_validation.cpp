@@ -170,6 +170,12 @@ Judgement judge(const Results& results, const Observable& observable) {
   return judged;
 }
 
+/// The words of the standard without the numbers, which have columns of their own.
+std::string verdict_of(const Validation& validation) {
+  const std::string all = words(validation, "");
+  return all.substr(0, std::min({all.find(": "), all.find(" ("), all.find("; ")}));
+}
+
 }  // namespace
 
 Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, const Starts& starts) {
@@ -256,7 +262,7 @@ Plot validation_tables() {
       const Validation& v = one.validation;
       verdicts.rows.push_back({name, one.observable.quantity.name, known(one.observable.measured), known(one.simulated),
                                known(v.error), known(v.parts.numerical), known(v.parts.input), known(v.parts.data),
-                               known(v.uncertainty), words(v, "")});
+                               known(v.uncertainty), verdict_of(v)});
       auto largest = one.inputs;
       std::ranges::sort(largest, std::greater(), [](const auto& input) { return input.second; });
       std::string most;
