@@ -66,7 +66,7 @@ TEST_F(Cases, WithANameThatLeavesTheirFolderAreRefused) {
   vnv::Record record = sample_record();
   record.case_name = "../elsewhere";
   vnv::write(record, folder / "record.json");
-  EXPECT_TRUE(contains(refusal(), "case '../elsewhere', expected letters")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "case_name is '../elsewhere'")) << refusal();
 }
 
 TEST_F(Cases, WithACurveOfNoFigureAreRefused) {

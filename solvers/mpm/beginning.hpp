@@ -57,4 +57,10 @@ struct FirstLane {
   }
 };
 
+/// Whether fluid of a mass [kg/m] has room in its domain to come apart: it fills it otherwise.
+template <class FluidLaw, class Force>
+bool has_room(double mass, const Scene<FluidLaw, Force>& scene) {
+  return mass < 0.999 * scene.fluid.density * scene.domain.box.size().prod();
+}
+
 }  // namespace touchstone::mpm

@@ -187,14 +187,6 @@ std::vector<Setting> settings() {
 
 /// Exceptions by method, and why.
 Ending declared_of(const Setting& setting, const Method& of_method) {
-  const std::string& method = of_method.name;
-  // Where a particle has too few neighbours for it, the correction of gradients has no limit.
-  if (method == "sph_corrected" && (setting.name == "colliding drops" || setting.name == "a jet of single particles"))
-    return Ending::diverged;
-  // No force between a particle and the wall holds the lowest row where its ghosts are as uneven as it is.
-  if ((method == "sph_corrected" || method == "sph_delta") && setting.name == "gravity x 100") return Ending::diverged;
-  // Alone on its nodes a particle carries its slope on: it expands at a steady rate, past any density.
-  if (method == "mpm_apic" && setting.name == "a jet of single particles") return Ending::diverged;
   // Walls of SPH are made of particles, and do not take fluid that stands on them.
   if (of_method.family == Family::sph && setting.name == "particles on edges and in corners") return Ending::refused;
   return setting.declared;

@@ -144,7 +144,7 @@ class Composed : public Simulation<FluidLaw, Force> {
         for (const int axis : {0, 1}) gradients(axis, p) = slope_along(axis, particles_.x.col(p), grid_, expansion);
       }
     transfer_.begin(particles_);
-    density_.begin(particles_, gradients);
+    density_.begin(particles_, gradients, has_room(particles_.mass * static_cast<double>(n), scene_));
   }
 
   /// Takes particles back across periodic boundaries. Throws Diverged for one that has left the domain or has no

@@ -323,7 +323,7 @@ TEST(AffineDensity, LeavesALinearFieldAsItIsUpToWallsAndKeepsTheVolume) {
   weights.find(particles.x, 1);
   scatter_mass(weights, 1, nodes);
   AffineDensity density;
-  density.begin(particles, gradient.replicate(1, n));
+  density.begin(particles, gradient.replicate(1, n), true);
   density.update(weights, nodes, 1e-3, 1, particles);
   EXPECT_LT((particles.expansion - start).abs().maxCoeff(), 1e-12);
 

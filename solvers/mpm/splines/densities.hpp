@@ -12,6 +12,7 @@ struct StepOf {
   FluidLaw fluid;  // a copy, known not to change while particles are written
   double dt;       // s
   int threads;
+  bool has_room;
   Vec2 per_cell = grid.cell.cwiseInverse();  // 1/m
 };
 
@@ -88,7 +89,7 @@ struct DensityInCells<AffineDensity> {
                      std::vector<LaneBits>& calm) {
     give(transfer, nodes, step, particles);
     nodes.find_mean(0, nodes.expansion, step.threads);
-    nodes.bound_expansion(step.threads);
+    if (step.has_room) nodes.bound_expansion(step.threads);
     nodes.edges.unfold(nodes.expansion);
     for_blocks(
         particles, nodes, step.threads, calm, [&](const auto& block, int node) __attribute__((flatten)) {

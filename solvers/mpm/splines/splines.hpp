@@ -40,7 +40,8 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
     walls_.hold(nodes_, time() + dt, nodes_.strained);
     nodes_.edges.unfold(nodes_.strained);
     lap(SubStep::grid);
-    DensityInCells<Density>::update(transfer_, nodes_, StepOf<FluidLaw>{grid_, scene_.fluid, dt, threads_}, particles_,
+    DensityInCells<Density>::update(transfer_, nodes_, StepOf<FluidLaw>{grid_, scene_.fluid, dt, threads_, has_room_},
+                                    particles_,
                                     calm_);  // (18), (19), (32), (33), (15)
     this->end_step(lap, [&] { list_near(); });
   }
@@ -80,6 +81,7 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
     transfer_.make_room(particles_.order.blocks().size());
   }
 
+  bool has_room_ = has_room(particles_.mass * static_cast<double>(particles_.count), scene_);
   SplineWalls walls_;
   InCells<Transfer> transfer_;
 };

@@ -16,16 +16,19 @@ namespace touchstone::mpm {
 /// APIC, kinetic below 2e-10 of the potential energy. Smoothing by plain means in place of the affine ones flattens the
 /// pressure at the floor and at the surface: 2.5 % (means over cells) to 6.7 % (over nodes) after 2 s with APIC.
 ///
-/// A node expands by `most_expansion` at most: what is rarer has come apart, bears no more tension and forgets how far
-/// it was torn. Without, lone particles of a jet or a splash, which nothing holds together, expand without bound until
-/// their run diverges. At 0.01 the tension that is left throws one off a wall at 66 m/s; 0.001 cuts into the pressures
-/// of an elliptic drop, whose fluid is whole (README.md).
+/// Where fluid does not fill its domain a node expands by `most_expansion` at most: what is rarer has come apart, bears
+/// no more tension and forgets how far it was torn. Without, lone particles of a jet or a splash, which nothing holds
+/// together, expand without bound until their run diverges. At 0.01 the tension that is left throws one off a wall at
+/// 66 m/s; 0.001 cuts into the pressures of an elliptic drop, whose fluid is whole (README.md).
 class AffineDensity {
  public:
   static constexpr double most_expansion = 0.003;
 
-  /// Gradients of the expansion [1/m] at the start.
-  void begin(const PlainParticles&, const Vectors& gradients) { gradients_ = gradients; }
+  /// Gradients of the expansion [1/m] at the start; whether there is room to come apart.
+  void begin(const PlainParticles&, const Vectors& gradients, bool has_room) {
+    gradients_ = gradients;
+    has_room_ = has_room;
+  }
 
   template <class Shape>
   void update(const Weights<Shape>& weights, const PlainNodes& nodes, double dt, int threads,
@@ -36,7 +39,7 @@ class AffineDensity {
       const double given = particles.expansion[p] + gradients_.col(p).dot(tie.arm);
       if (nodes.moves(node)) on_nodes_[node] += tie.weight / nodes.mass[node] * given;
     });
-    on_nodes_ = on_nodes_.min(most_expansion);
+    if (has_room_) on_nodes_ = on_nodes_.min(most_expansion);
     for_particles(particles, threads, [&](Index p) {
       double expansion = 0;
       Vec2 gradient = Vec2::Zero();
@@ -50,6 +53,7 @@ class AffineDensity {
   }
 
  private:
+  bool has_room_ = true;
   Vectors gradients_;  // 1/m  of the expansion around each particle
   Scalars on_nodes_;   // -    within a step
 };

@@ -5,7 +5,7 @@ namespace touchstone::mpm {
 
 /// Each particle carries its own density, changed by the divergence that it sees (19).
 struct CarriedDensity {
-  static void begin(const PlainParticles&, const Vectors& /*gradients*/) {}
+  static void begin(const PlainParticles&, const Vectors& /*gradients*/, bool /*has_room*/) {}
 
   template <class Shape>
   static void update(const Weights<Shape>&, const PlainNodes&, double dt, int threads, PlainParticles& particles) {
