@@ -68,5 +68,13 @@ TEST(Prices, AreThoseOfAMethodsOwnRunsInADiagram) {
   EXPECT_EQ(prices[1].smallest, 0.25);
 }
 
+/// What `vnv explain` rests on.
+TEST(Prices, OfTheProjectReachWhatTheirSmallestErrorsSay) {
+  for (const Price& p : read_prices(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "work.csv")) {
+    EXPECT_GT(p.target, 0);
+    EXPECT_TRUE(p.cpu > 0 || !(p.smallest <= p.target)) << p.case_name << " " << p.method;
+  }
+}
+
 }  // namespace prices_test
 }  // namespace touchstone::vnv
