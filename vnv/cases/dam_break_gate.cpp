@@ -1,22 +1,14 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, with its gate, through the impact on the far wall to
 /// 2 s: front, levels and wall pressures beside the experiment's, and the books of the energy.
 
-#include "vnv/flows/gated_dam.hpp"
 #include "vnv/flows/gated_dam_figures.hpp"
-#include "vnv/methods/free_surface_methods.hpp"
+#include "vnv/flows/gated_dam_methods.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::gated_dam;
 
 namespace {
-
-constexpr double end = 2, output_interval = 1e-3;  // s
-
-/// The particles across H of MPM, and those of SPH, whose runs take ten times as long.
-const std::vector<Level> mpm_levels =
-    levels_across(filled_300.height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}});
-const std::vector<Level> sph_levels = levels_across(filled_300.height, {{20, end, end, end}, {40, 0, 0, end}});
 
 std::map<std::string, std::vector<Claim>> claims() {
   const std::vector<Claim> at_80{
@@ -30,22 +22,6 @@ std::map<std::string, std::vector<Claim>> claims() {
   return {{"mpm_apic", at_80}, {"mpm_xpic", at_80}};
 }
 
-std::vector<Method> all_methods() {
-  const Scene<Tait, Uniform> scene = collapse(filled_300);
-  std::vector<Method> all =
-      with_ladder(mpm_levels, {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval)}, claims());
-  for (const Method& method : with_ladder(sph_levels,
-                                          {sph_delta(scene, output_interval), sph_shifted(scene, output_interval),
-                                           sph_corrected(scene, output_interval)},
-                                          claims()))
-    all.push_back(method);
-  for (Method& method : all)
-    method.tolerance = {method.family == Family::mpm ? 0.1 : 0.5,
-                        "a sensor sees a few particles, whose pressures another rounding changes after the impact",
-                        0.005};
-  return all;
-}
-
 }  // namespace
 
 Case vnv::the_case() {
@@ -56,11 +32,11 @@ Case vnv::the_case() {
           "the experiment of Lobovský et al. (2014); the front runs to the far wall, climbs it, falls back and breaks. Front, levels at four gauges and "
           "pressures at four sensors are compared with those measured, in units of H and sqrt(H/g), until 2 s. After "
           "the impact the flow is chaotic: `splash` judges ensembles of it.",
-      .times = {0.2, 0.42, 0.7, 1.1, end},
+      .times = {0.2, 0.42, 0.7, 1.1, end_of_impact},
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
-      .methods = all_methods(),
+      .methods = methods_through_impact(filled_300, claims()),
       .plots = {front_over_time(), levels_over_time(), pressures_over_time(), energies_over_time(),
                 particles_coloured_by_pressure({"mpm_apic", "sph_delta", "sph_shifted"}, {0.2, 0.42, 0.7, 1.1})}};
 }

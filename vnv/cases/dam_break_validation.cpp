@@ -1,6 +1,5 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, judged by ASME V&V 20-2009.
 
-#include "vnv/flows/gated_dam_figures.hpp"
 #include "vnv/flows/gated_dam_validation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
@@ -9,7 +8,6 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::gated_dam;
 
 Case vnv::the_case() {
-  constexpr double output_interval = 1e-3;  // s
   return {
       .title = "Dam break with its gate: validation",
       .description =
@@ -18,12 +16,11 @@ Case vnv::the_case() {
           "uncertainty u_val of numbers (resolution, bulk modulus, number of starts), of inputs (gate, height, density, gravity, clocks, places of sensors) and of "
           "the data (repeats). The verdict of each observable is agreement within 2 u_val, an error of the model E ± 2 u_val, or that the uncertainty is too "
           "large to judge.",
-      .times = {1.3},
+      .times = {end_of_validation},
       .watch = monitored,
       .measurements = {},
       .findings = {validation_values},
-      .claims = {at_least(planted_noticed, 5,
-                          baseline("each moves the level in the reservoir by more than 2 u_val"))},
+      .claims = {at_least(planted_noticed, 5, baseline("each moves the level in the reservoir by more than 2 u_val"))},
       .methods = {validated([](const auto& scene) { return mpm_apic(scene, output_interval); }),
                   validated([](const auto& scene) { return sph_delta(scene, output_interval); },
                             {.of_across = {{20, 4}, {40, 4}, {80, 1}}, .varied = 1})},

@@ -32,6 +32,7 @@ double elastic_energy(const Samples& samples) {
   return filled_300.bulk_modulus / filled_300.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum();
 }
 
+/// Energies by the nominal density, gravity and bulk modulus, also of runs that vary them.
 std::vector<double> see(const Samples& samples) {
   const double spacing = std::sqrt(samples.mass.maxCoeff() / filled_300.density);
   std::vector<double> seen(column::count);
@@ -111,15 +112,6 @@ double largest_until(const Series& pressure, double until) {
   return most;
 }
 
-/// The first time at which a front is past a place.
-double passing(const Series& front, double place) {
-  for (std::size_t k = 1; k < front.time.size(); ++k)
-    if (front.value[k] >= place)
-      return std::lerp(front.time[k - 1], front.time[k],
-                       (place - front.value[k - 1]) / (front.value[k] - front.value[k - 1]));
-  return not_a_number;
-}
-
 double root_mean_square(const std::vector<double>& differences) {
   double sum = 0;
   for (const double d : differences) sum += d * d;
@@ -151,7 +143,7 @@ constexpr double front_until = 2.4;
 
 }  // namespace
 
-const Watch monitored{.every = 1e-3, .see = see, .quantities = names()};
+const Watch monitored{.every = output_interval, .see = see, .quantities = names()};
 
 Scene<Tait, Uniform> collapse(const Inputs& inputs) {
   const Tait water{.density = inputs.density, .bulk_modulus = inputs.bulk_modulus};
@@ -226,7 +218,7 @@ std::vector<Observable> observables_300() {
                  0.1});
   for (std::size_t k = 1; k < gauges.size(); ++k) {
     const double station = (gauges[k] - column_length) / filled_300.height;
-    const auto of = [station](const Seen& seen) { return passing(seen.front, station); };
+    const auto of = [station](const Seen& seen) { return impacts::first_above(seen.front, station); };
     all.push_back({{fmt::format("passing time T_H of the front at H{}", k + 1)},
                    of,
                    of(first),
@@ -254,64 +246,40 @@ std::vector<Observable> observables_300() {
   const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv",
                                      {"sensor", "median [mbar]", "p2_5 [mbar]", "p97_5 [mbar]"});
   const double mbar = 100 / filled_300.unit_of_pressure();
+  const auto of_band = [&](const char* column) { return impact_on(series_of(band, "T_H [-]", column)); };
+  const Impact low = of_band("p2_5 [-]"), middle = of_band("median [-]"), high = of_band("p97_5 [-]");
   for (std::size_t k = 0; k < sensors.size(); ++k) {
     const auto on = [k](const Seen& seen) { return impact_on(seen.pressures[k]); };
-    const std::string at = fmt::format(" at P{}", k + 1), one_event = "one event";
-    // At P4 the second wave is the higher one.
-    all.push_back({{(k < 3 ? "first peak p/(rho g H)" : "largest p/(rho g H) until T_H = 7") + at},
-                   [=](const Seen& seen) { return k < 3 ? on(seen).peak : largest_until(seen.pressures[k], 7); },
-                   mbar * peaks.numbers("median [mbar]")[k],
-                   mbar * standard_of_95_percent(peaks.numbers("p2_5 [mbar]")[k], peaks.numbers("p97_5 [mbar]")[k]),
-                   "percentiles over 100 repeats",
-                   0.5,
-                   {},
-                   height_of_sensors});
-    if (k == 1) {  // the only one with a band
-      const auto of_band = [&](const char* column) { return impact_on(series_of(band, "T_H [-]", column)); };
-      const Impact low = of_band("p2_5 [-]"), middle = of_band("median [-]"), high = of_band("p97_5 [-]");
-      const std::string by_band = "percentiles of the band over 100 repeats";
-      all.push_back({{"arrival T_H" + at},
-                     [=](const Seen& seen) { return on(seen).arrival; },
-                     middle.arrival,
-                     standard_of_95_percent(high.arrival, low.arrival),
-                     by_band,
-                     0.2,
-                     clock_of_pressures,
-                     height_of_sensors});
-      all.push_back({{"impulse over 100 ms by rho g H sqrt(H/g)" + at},
-                     [=](const Seen& seen) { return on(seen).impulse; },
-                     middle.impulse,
-                     standard_of_95_percent(low.impulse, high.impulse),
-                     by_band,
-                     0.2,
-                     {},
-                     height_of_sensors});
-      all.push_back({{"plateau p/(rho g H), 1 to 2 of T_H after arrival" + at},
-                     [=](const Seen& seen) { return on(seen).plateau; },
-                     middle.plateau,
-                     standard_of_95_percent(low.plateau, high.plateau),
-                     by_band,
-                     0.2,
-                     {},
-                     height_of_sensors});
-    } else {
-      all.push_back({{"impulse over 100 ms by rho g H sqrt(H/g)" + at},
-                     [=](const Seen& seen) { return on(seen).impulse; },
-                     on(first).impulse,
-                     not_a_number,
-                     one_event,
-                     0.2,
-                     {},
-                     height_of_sensors});
-      all.push_back({{"plateau p/(rho g H), 1 to 2 of T_H after arrival" + at},
-                     [=](const Seen& seen) { return on(seen).plateau; },
-                     on(first).plateau,
-                     not_a_number,
-                     one_event,
-                     0.2,
-                     {},
-                     height_of_sensors});
-    }
+    const auto add = [&](const std::string& name, const std::function<double(const Seen&)>& of, double measured,
+                         double standard, const std::string& basis, double useful, const std::string& clock = {}) {
+      all.push_back(
+          {{fmt::format("{} at P{}", name, k + 1)}, of, measured, standard, basis, useful, clock, height_of_sensors});
+    };
+    const bool has_band = k == 1;
+    const auto add_integral = [&](const std::string& name, double Impact::*number) {
+      add(
+          name, [=](const Seen& seen) { return on(seen).*number; }, (has_band ? middle : on(first)).*number,
+          has_band ? standard_of_95_percent(low.*number, high.*number) : not_a_number,
+          has_band ? "percentiles of the band over 100 repeats" : "one event", 0.2);
+    };
+    const double peak = mbar * peaks.numbers("median [mbar]")[k],
+                 of_peaks =
+                     mbar * standard_of_95_percent(peaks.numbers("p2_5 [mbar]")[k], peaks.numbers("p97_5 [mbar]")[k]);
+    const std::string by_repeats = "percentiles over 100 repeats";
+    if (k < 3)
+      add(
+          "first peak p/(rho g H)", [=](const Seen& seen) { return on(seen).peak; }, peak, of_peaks, by_repeats, 0.5);
+    else  // the second wave is the higher one
+      add(
+          "largest p/(rho g H) until T_H = 7", [k](const Seen& seen) { return largest_until(seen.pressures[k], 7); },
+          peak, of_peaks, by_repeats, 0.5);
+    if (has_band)  // what rises sooner has the higher percentile
+      add(
+          "arrival T_H", [=](const Seen& seen) { return on(seen).arrival; }, middle.arrival,
+          standard_of_95_percent(high.arrival, low.arrival), "percentiles of the band over 100 repeats", 0.2,
+          clock_of_pressures);
+    add_integral("impulse over 100 ms by rho g H sqrt(H/g)", &Impact::impulse);
+    add_integral("plateau p/(rho g H), 1 to 2 of T_H after arrival", &Impact::plateau);
   }
   return all;
 }
@@ -346,7 +314,7 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
   std::vector<double> before;
   for (std::size_t k = 1; k < gauges.size(); ++k)
     for (const Seen* seen : {&first, &second}) {
-      const double arrival = passing(first.front, (gauges[k] - column_length) / inputs.height) + 0.1;
+      const double arrival = impacts::first_above(first.front, (gauges[k] - column_length) / inputs.height) + 0.1;
       before.push_back(rms_between(ours.levels[k], seen->levels[k], arrival, until_return_wave));
     }
   add(levels_rms, root_mean_square(before));

@@ -50,6 +50,7 @@ inline constexpr std::size_t kinetic = 0, potential = 1, elastic = 2,  // J/m
     count = fit + 3 * sensors.size();
 }  // namespace column
 extern const Watch monitored;
+inline constexpr double output_interval = 1e-3;  // s  of `monitored`; holds whole numbers of steps
 
 /// One column of a run over time [s], in its unit.
 Series followed(const Run& run, std::size_t column);

@@ -8,7 +8,7 @@
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double until = 2 / 0.1749;  // of T_H, as long as runs last
+const double until = 2 / filled_300.unit_of_time();  // of T_H, as long as runs last
 
 Curve curve(const std::string& figure, const std::string& label, Role role, const Series& series, bool points = false) {
   return {figure, label, role, series.time, series.value, points};

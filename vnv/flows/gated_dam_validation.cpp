@@ -14,7 +14,7 @@
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double end = 1.3;         // s  T_H = 7.4, past all observables
+constexpr double end = end_of_validation;
 constexpr int across_varied = 40;   // of H, of the runs that vary something
 constexpr double jitter = 0.01;     // of the spacing
 constexpr double formal_order = 1;  // of a free surface that is resolved to one cell

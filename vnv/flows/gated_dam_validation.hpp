@@ -14,6 +14,8 @@
 
 namespace touchstone::vnv::gated_dam {
 
+inline constexpr double end_of_validation = 1.3;  // s  T_H = 7.4, past all observables
+
 /// From how many starts a method runs, at each number of particles across H, and 40 across with something varied.
 struct Starts {
   std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 4}, {160, 1}};

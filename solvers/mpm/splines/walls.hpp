@@ -25,17 +25,16 @@ class PartialSplineWall {
     weights_ = {0.5 * (1 - X) * (1 - X), 0.75 - (X - 0.5) * (X - 0.5), 0.5 * X * X};
     const int along = axis == 0 ? nodes.stride : 1, others = axis == 0 ? grid.rows : grid.columns;
     step_ = axis == 0 ? 1 : nodes.stride;
-    for (int k = 0; k < others + 2; ++k) {
-      Vec2 x = Vec2::Constant(wall.position);
-      x[1 - axis] = grid.box.low[1 - axis] + grid.cell[1 - axis] * std::clamp(k - 0.5, 0.0, 1.0 * others);
-      rows_.push_back({cell * step_ + k * along, x});
-    }
+    for (int k = 0; k < others + 2; ++k)
+      rows_.push_back({cell * step_ + k * along,
+                       grid.box.low[1 - axis] + grid.cell[1 - axis] * std::clamp(k - 0.5, 0.0, 1.0 * others)});
   }
 
   /// Holds velocities at the wall, at a time [s].
   void hold(const SplineNodes& nodes, double time, NodeVectors& velocity) const {
-    for (const auto& [first, x] : rows_) {
-      if (!wall_.is_beside(x, time)) continue;
+    const Range part = wall_.extent(time);
+    for (const auto& [first, place] : rows_) {
+      if (place < part.low || place > part.high) continue;
       Vec2 v = Vec2::Zero();
       double per_mass = 0;  // of the three nodes together, as the wall meets them
       for (int a = 0; a < 3; ++a) {
@@ -53,8 +52,8 @@ class PartialSplineWall {
 
  private:
   struct Row {
-    int first;  // of its three nodes
-    Vec2 x;     // m  where it meets the wall
+    int first;     // of its three nodes
+    double place;  // m  along the wall
   };
   Wall wall_;
   std::array<double, 3> weights_;

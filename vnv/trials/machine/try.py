@@ -39,14 +39,14 @@ class FailingCall:
 
     place = contextlib.nullcontext
 
-    def __init__(self, call, error, library, build, scratch):
-        self.call, self.error, self.library, self.build, self.count = call, error, library, build, scratch / "count"
+    def __init__(self, call, error, preloaded, build, scratch):
+        self.call, self.error, self.preloaded, self.build, self.count = call, error, preloaded, build, scratch / "count"
         self.name = f"{call}: {errno.errorcode.get(error, f'{error} days')}"
 
     def run(self, words, folder, which):
         """Exit status, what was said, and whether there was such a call."""
         self.count.write_bytes(bytes(8))
-        trouble = {"LD_PRELOAD": str(self.library), "FAILING_CALL": f"{self.call}:{self.error}:{which}", "FAILING_COUNT": str(self.count),
+        trouble = {"LD_PRELOAD": str(self.preloaded), "FAILING_CALL": f"{self.call}:{self.error}:{which}", "FAILING_COUNT": str(self.count),
                    "FAILING_IN": str(self.build)}
         status, said = said_by(words, env=os.environ | trouble)
         return status, said, struct.unpack("l", self.count.read_bytes())[0] >= which
