@@ -123,31 +123,27 @@ Judgement judge(const Results& results, const Observable& observable) {
   const auto of = [&](const std::string& group, const Reading& reading = {}, double clock = 0) {
     return middle(members(results, group, observable, reading, clock));
   };
-  Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}, .numbers = {}};
+  Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}};
 
   std::vector<AtSpacing> ladder;  // of the finest three
-  double by_starts = 0;
   for (const int across : {20, 40, 80, 160})
     if (const std::vector<double> all = members(results, nominal(across), observable); !all.empty()) {
       judged.simulated = middle(all);
       ladder.push_back({filled_300.height / across, judged.simulated});
       if (ladder.size() > 3) ladder.erase(ladder.begin());
-      if (all.size() > 1) by_starts = of_starts(all);  // of the finest that has several
+      if (all.size() > 1) judged.by_starts = of_starts(all);  // of the finest that has several
     }
   const double here = of(nominal(across_varied));
-  double by_grid = not_a_number, by_sound = not_a_number;
-  std::string rule;
   if (std::ranges::all_of(ladder, [](const AtSpacing& one) { return std::isfinite(one.value); }) && ladder.size() > 1) {
     const NumericalUncertainty grid = numerical_uncertainty(ladder, formal_order);
-    by_grid = grid.standard;
-    rule = grid.basis;
+    judged.by_resolution = grid.standard;
+    judged.rule = grid.basis;
   }
   // What compressibility does is proportional to 1 / K where it is small: two "resolutions" of it.
   if (const double stiff = of(doubled_modulus); std::isfinite(stiff) && std::isfinite(here))
-    by_sound = numerical_uncertainty({{2, here}, {1, stiff}}, 1).standard;
-  ValidationParts parts{.numerical = root_sum_of_squares({by_grid, by_sound, by_starts}), .data = observable.standard};
-  judged.numbers =
-      fmt::format("resolution {:.2g} ({}), bulk modulus {:.2g}, starts {:.2g}", by_grid, rule, by_sound, by_starts);
+    judged.by_modulus = numerical_uncertainty({{2, here}, {1, stiff}}, 1).standard;
+  ValidationParts parts{.numerical = root_sum_of_squares({judged.by_resolution, judged.by_modulus, judged.by_starts}),
+                        .data = observable.standard};
 
   std::vector<Sensitivity> sensitivities;
   const auto add = [&](const UncertainInput& input, double low, double high) {
@@ -244,31 +240,33 @@ Plot validation_tables() {
         "D measured, S simulated, the median over the starts at the finest resolution; E = S - D; standard "
         "uncertainties of numbers, inputs and data; u_val, the root of the sum of their squares. What is not known is blank and left "
         "out of u_val.",
-        {"method", "observable", "D", "S", "E", "u_num", "u_input", "u_D", "u_val", "verdict"},
+        {"method", "observable", "verdict", "D", "S", "E", "u_num", "u_input", "u_D", "u_val"},
         {}};
     Table inputs{"inputs",
-                 "What u_num and u_input are made of",
-                 "Standard uncertainties of the observable.",
-                 {"method", "observable", "u_num", "largest inputs", "basis of u_D"},
+                 "Parts of the validation uncertainty",
+                 "Standard uncertainties of the observable: of u_num those by resolution, bulk modulus and number of "
+                 "starts, of u_input the two largest.",
+                 {"method", "observable", "resolution", "modulus", "starts", "inputs", "by which rule", "basis of u_D"},
                  {}};
     Table planted{"planted",
                   "Planted errors of the model",
-                  "By how much the median of four runs at 40 across moves; bold words where that is more than 2 u_val.",
+                  "By how much the median at 40 across moves, and whether that is noticed: more than 2 u_val.",
                   {"method", "observable", "2 u_val"},
                   {}};
     const std::string& name = results.method.name;
     const auto known = [](double x) { return std::isfinite(x) ? Cell(fmt::format("{:.3g}", x)) : Cell(""); };
     for (const Judgement& one : judgements(results)) {
       const Validation& v = one.validation;
-      verdicts.rows.push_back({name, one.observable.quantity.name, known(one.observable.measured), known(one.simulated),
-                               known(v.error), known(v.parts.numerical), known(v.parts.input), known(v.parts.data),
-                               known(v.uncertainty), verdict_of(v)});
+      verdicts.rows.push_back({name, one.observable.quantity.name, verdict_of(v), known(one.observable.measured),
+                               known(one.simulated), known(v.error), known(v.parts.numerical), known(v.parts.input),
+                               known(v.parts.data), known(v.uncertainty)});
       auto largest = one.inputs;
       std::ranges::sort(largest, std::greater(), [](const auto& input) { return input.second; });
       std::string most;
-      for (std::size_t k = 0; k < std::min<std::size_t>(3, largest.size()); ++k)
+      for (std::size_t k = 0; k < std::min<std::size_t>(2, largest.size()); ++k)
         most += fmt::format("{}{} {:.2g}", k ? ", " : "", largest[k].first, largest[k].second);
-      inputs.rows.push_back({name, one.observable.quantity.name, one.numbers, most, one.observable.basis});
+      inputs.rows.push_back({name, one.observable.quantity.name, known(one.by_resolution), known(one.by_modulus),
+                             known(one.by_starts), most, one.rule, one.observable.basis});
       std::vector<Cell> row{name, one.observable.quantity.name, known(v.expanded())};
       for (const auto& [error, change] : one.planted) {
         if (planted.rows.empty()) planted.columns.push_back(error.substr(error.find(' ') + 1));

@@ -31,8 +31,9 @@ struct Judgement {
   Observable observable;
   double simulated;
   Validation validation;
-  std::string numbers;                                    // what u_num is made of
-  std::vector<std::pair<std::string, double>> inputs{};   // what each input adds to u_input
+  double by_resolution = not_a_number, by_modulus = not_a_number, by_starts = 0;  // parts of u_num
+  std::string rule{};                                                             // of the first
+  std::vector<std::pair<std::string, double>> inputs{};                           // what each input adds to u_input
   std::vector<std::pair<std::string, double>> planted{};  // by how much each planted error moves S
 };
 std::vector<Judgement> judgements(const Results& results);
