@@ -1,4 +1,5 @@
 #include "reports/figures/axes.hpp"
+#include "reports/figures/isolines.hpp"
 #include "reports/figures/plot.hpp"
 #include "reports/read/csv.hpp"
 
@@ -28,6 +29,8 @@ struct Panel {
   const vnv::Cloud* cloud;
   std::size_t column = 0, row = 0;
   std::size_t first = 0;  // its first row in the data
+  std::vector<IsolinePiece> lines{};
+  std::size_t first_of_lines = 0;
 };
 
 // Panels, their grid, and the axes that all share.
@@ -95,6 +98,19 @@ double particle_size(const vnv::Cloud& cloud, const Panels& panels, const Layout
   return bin * std::sqrt(static_cast<double>(covered.size()) / count);
 }
 
+// Lines of equal colour, where the figure has them, after all particles in the data.
+void add_lines(Panels& panels, const Layout& layout, const vnv::Figure& figure) {
+  std::size_t next = 0;
+  for (const Panel& panel : panels.all) next += panel.cloud->x.size();
+  for (Panel& panel : panels.all) {
+    const double spacing =
+        particle_size(*panel.cloud, panels, layout, figure) * span(panels.x) / layout.panel_width / figure.x.scale;
+    panel.lines = isolines(*panel.cloud, figure.isolines / figure.colour.scale, spacing);
+    panel.first_of_lines = next;
+    next += panel.lines.size();
+  }
+}
+
 // The row, and above the uppermost the column.
 std::string title_of(const Panel& panel) {
   const std::string row = gnuplot_string(panel.cloud->row);
@@ -115,8 +131,12 @@ std::string panel_commands(const Panel& panel, const Panels& panels, const Layou
                           gnuplot_string(panel.column == 0 ? gnuplot_label(figure.y.label) : ""),
                           panel.column == 0 ? "%g" : "");
   const double size = std::clamp(particle_size(*panel.cloud, panels, layout, figure) / 5, 0.05, 1.5);
-  return commands + "plot " + data_rows(figure.id, panel.first, panel.cloud->x.size()) +
-         fmt::format("2:3:4 with points pointtype 7 pointsize {:.3g} linecolor palette notitle\n", size);
+  commands += "plot " + data_rows(figure.id, panel.first, panel.cloud->x.size()) +
+              fmt::format("2:3:4 with points pointtype 7 pointsize {:.3g} linecolor palette notitle", size);
+  if (!panel.lines.empty())
+    commands += ", \\\n     " + data_rows(figure.id, panel.first_of_lines, panel.lines.size()) +
+                "2:3:($5-$2):($6-$3) with vectors nohead linewidth 0.6 linecolor rgb '#FFFFFF' notitle";
+  return commands + "\n";
 }
 
 // One bar under all panels; it is drawn with the first and then switched off.
@@ -154,14 +174,23 @@ set tics out nomirror scale 0.5 textcolor rgb '#111111'
 }
 
 std::string data(const Panels& panels, const vnv::Figure& figure) {
-  std::string csv = csv_line({"panel", figure.x.label, figure.y.label, figure.colour.label});
+  std::vector<std::string> columns{"panel", figure.x.label, figure.y.label, figure.colour.label};
+  if (figure.isolines > 0) columns.insert(columns.end(), {"line to " + figure.x.label, "line to " + figure.y.label});
+  std::string csv = csv_line(columns);
+  const std::string no_line = figure.isolines > 0 ? ",," : "";
   for (const auto& panel : panels.all) {
     const vnv::Cloud& cloud = *panel.cloud;
     for (std::size_t i = 0; i < cloud.x.size(); ++i)
-      csv +=
-          fmt::format("{},{:.5g},{:.5g},{:.4g}\n", csv_field(cloud.column + ", " + cloud.row),
-                      cloud.x[i] * figure.x.scale, cloud.y[i] * figure.y.scale, cloud.colour[i] * figure.colour.scale);
+      csv += fmt::format("{},{:.5g},{:.5g},{:.4g}{}\n", csv_field(cloud.column + ", " + cloud.row),
+                         cloud.x[i] * figure.x.scale, cloud.y[i] * figure.y.scale,
+                         cloud.colour[i] * figure.colour.scale, no_line);
   }
+  for (const auto& panel : panels.all)
+    for (const IsolinePiece& line : panel.lines)
+      csv += fmt::format("{},{:.5g},{:.5g},{:.4g},{:.5g},{:.5g}\n",
+                         csv_field(panel.cloud->column + ", " + panel.cloud->row + ", isoline"),
+                         line.x * figure.x.scale, line.y * figure.y.scale, line.level * figure.colour.scale,
+                         line.to_x * figure.x.scale, line.to_y * figure.y.scale);
   return csv;
 }
 
@@ -177,8 +206,9 @@ long undrawn(const Panels& panels, const vnv::Figure& figure) {
 }  // namespace
 
 Plot plot_clouds(const vnv::Figure& figure, const CaseRecords& records) {
-  const Panels panels(figure, records);
+  Panels panels(figure, records);
   const Layout layout(panels, figure);
+  if (figure.isolines > 0) add_lines(panels, layout, figure);
   return {figure.id + ".png",     width, layout.height, script(panels, layout, figure), data(panels, figure),
           undrawn(panels, figure)};
 }

@@ -150,6 +150,22 @@ TEST(Clouds, OfEqualPlaceAreDrawnOnce) {
   EXPECT_EQ(count(plot.data, "\n"), 7);
 }
 
+TEST(Clouds, HaveIsolinesBehindTheirParticlesInTheData) {
+  const ScratchFolder folder;
+  vnv::Record record = cloud_record();
+  record.figures[0].isolines = 4;
+  for (vnv::Cloud& cloud : record.clouds) {
+    cloud.x.clear(), cloud.y.clear(), cloud.colour.clear();
+    for (int p = 0; p < 400; ++p)
+      cloud.x.push_back(p % 20), cloud.y.push_back(p / 20), cloud.colour.push_back(0.5 * (p % 20));
+  }
+  const Plot plot = plot_clouds(record.figures[0], {"poiseuille", {record}});
+  EXPECT_EQ(count(plot.script, "with vectors nohead"), 2);
+  EXPECT_TRUE(contains(plot.script, "every ::800::")) << "after 400 particles of each panel";
+  EXPECT_TRUE(contains(plot.data, ",8,16")) << plot.data.substr(plot.data.size() - 200);
+  EXPECT_EQ(draw(record.figures[0], {"poiseuille", {record}}, folder.path()).undrawn, 0);
+}
+
 TEST(Clouds, WithParticlesThatAreNotANumberAreDrawn) {
   const ScratchFolder folder;
   vnv::Record record = cloud_record();

@@ -179,7 +179,7 @@ std::string when_html(const FaultTrials& all) {
                      escape(last->date_and_time), code(*first), code(*last));
 }
 
-const std::string how_to_read =
+const std::string how_to_read_faults =
     "<p>What would the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody could "
     "make in a solver, an exact solution, a measure or the judge itself. A test that fails has detected it, in the "
     "acceptance suite unless it says nightly. Harmless changes are seeded as well, to count false alarms.</p>\n";
@@ -197,7 +197,7 @@ std::string fault_page(const FaultTrials& all) {
       fmt::format("<p>{}, with {}, on {}.</p>\n", when_html(all), escape(all.suite), escape(all.machine));
   return html_page_beside_index(
       "Detection rate", "seeded faults", fmt::format("<p class=\"sum {}\">{}</p>\n", kind_of(all), all.sentence()),
-      how_to_read + when + open_html(all) + faults_html(all) + matrix_html(all) + harmless_html(all) +
+      how_to_read_faults + when + open_html(all) + faults_html(all) + matrix_html(all) + harmless_html(all) +
           "<p class=\"files\">Table for other programs: <a href=\"faults.csv\">each test of each fault</a></p>\n");
 }
 

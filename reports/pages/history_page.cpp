@@ -232,7 +232,7 @@ std::string names_of_nights(const History& history) {
   return names;
 }
 
-const std::string how_to_read =
+const std::string how_to_read_history =
     "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and value. An orange "
     "line marks a step: from there on the value is further from its level, the median of the first fifteen nights since the "
     "last step, than the tolerance of its baseline (without one 1 %, for costs 10 %) and than four times its scatter. A "
@@ -247,7 +247,7 @@ std::string trend_page(const History& history, const std::vector<Series>& all,
                        const std::vector<CaseRecords>& tonight) {
   const auto changes = changes_of(all);
   return html_page_beside_index("Trend over the nights", "trend", summary(changes, history) + refusals(history),
-                                changes_html(changes, history) + how_to_read +
+                                changes_html(changes, history) + how_to_read_history +
                                     multiples(worth_drawing(all), history, tonight) + nights_html(history) +
                                     "<p class=\"files\">Tables for other programs: <a href=\"trend.csv\">curves</a> <a "
                                     "href=\"trend_steps.csv\">steps</a></p>\n",

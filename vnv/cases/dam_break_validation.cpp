@@ -1,5 +1,6 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, judged by ASME V&V 20-2009.
 
+#include "vnv/flows/gated_dam_ensemble.hpp"
 #include "vnv/flows/gated_dam_validation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
@@ -8,6 +9,7 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::gated_dam;
 
 Case vnv::the_case() {
+  const auto apic = [](const auto& scene) { return mpm_apic(scene, output_interval); };
   return {
       .title = "Dam break with its gate: validation",
       .description =
@@ -19,10 +21,10 @@ Case vnv::the_case() {
       .times = {end_of_validation},
       .watch = monitored,
       .measurements = {},
-      .findings = {validation_values},
+      .findings = {validation_values, ensemble_values},
       .claims = {at_least(planted_noticed, 5, baseline("each moves the level in the reservoir by more than 2 u_val"))},
-      .methods = {validated([](const auto& scene) { return mpm_apic(scene, output_interval); }),
-                  validated([](const auto& scene) { return sph_delta(scene, output_interval); },
+      .methods = {validated({apic, apic}),
+                  validated({[](const auto& scene) { return sph_delta(scene, output_interval); }},
                             {.of_across = {{20, 4}, {40, 4}, {80, 1}}, .varied = 1})},
-      .plots = {validation_tables()}};
+      .plots = {ensemble_beside_repeats(), validation_tables()}};
 }

@@ -3,10 +3,12 @@
 /// tank and pressure sensors in its far wall. Plane: neither the breadth of the tank, 0.15 m, nor air is modelled.
 
 #include "solvers/fluids/tait.hpp"
+#include "solvers/forces/skin_friction.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "vnv/case.hpp"
 #include "vnv/judge/series.hpp"
+#include "vnv/measures/impact.hpp"
 
 #include <array>
 #include <cmath>
@@ -19,16 +21,25 @@ inline constexpr std::array sensors{0.003, 0.015, 0.030, 0.080};  // m  P1 to P4
 inline constexpr double sensor_diameter = 4.2e-3;                 // m
 /// How far gauges and sensors may stand off their places [m], to either side.
 inline constexpr double gauge_doubt = 1e-3, sensor_doubt = 0.5e-3;
+/// By how much the clocks of front and pressures may differ [s].
+inline constexpr double clock_doubt = 27e-3;
 
 /// What a computation takes from the experiment, and what it chooses, the bulk modulus.
 struct Inputs {
   double height = 0.3;            // m    H
   double length = column_length;  // m
-  double gate_speed = 3.46;       // m/s  of its lower edge, from t = 0 on
-  double density = 997;           // kg/m³
-  double gravity = 9.81;          // m/s²
-  double bulk_modulus = 0.36e6;   // Pa   K of Tait's law: sound at 50 m/s, 17 times as fast as the front
+  double gate_speed = 3.46;       // m/s  of its lower edge, the mean until it leaves the water
+  /// How it comes to that speed: 0, at once; 1, evenly over all of the way, from rest at t = 0.
+  double gate_acceleration = 0.5;
+  double density = 997;          // kg/m³
+  double gravity = 9.81;         // m/s²
+  double bulk_modulus = 0.36e6;  // Pa   K of Tait's law: sound at 50 m/s, 17 times as fast as the front
 
+  /// Of the lower edge of the gate above the floor [m].
+  double gate_edge(double time) const {
+    const double way = gate_speed * time;
+    return way * (1 - gate_acceleration + gate_acceleration * way / height);
+  }
   double unit_of_time() const { return std::sqrt(height / gravity); }     // s   T_H = t sqrt(g/H)
   double unit_of_pressure() const { return density * gravity * height; }  // Pa  rho g H
   /// What the column loses until it lies flat in the tank [J/m].
@@ -38,6 +49,12 @@ inline constexpr Inputs filled_300{}, filled_600{.height = 0.6, .gate_speed = 4.
 
 /// Water under its own weight behind the gate, in a tank so high that no splash leaves it.
 Scene<Tait, Uniform> collapse(const Inputs& inputs);
+
+/// The same with skin friction of the floor and of the side walls of the tank, 0.15 m apart, by the middle of what a
+/// flat plate 0.6 m long has at the front's speed, 2 m/s (Re = 1.2e6): 0.664 Re^(-1/2) = 0.0006 if all of it is
+/// laminar, 0.0592 Re^(-1/5) = 0.0036 if all is turbulent (Schlichting, Boundary-Layer Theory).
+Scene<Tait, SkinFriction> with_skin_friction(const Scene<Tait, Uniform>& scene);
+inline constexpr double friction_coefficient = 0.002;
 
 /// What is followed, SI.
 namespace column {
@@ -72,6 +89,15 @@ Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading = {});
 Seen measured_300(int run = 1);
 /// Percentiles 2.5 %, 50 % and 97.5 % over 100 repeats of p/(rho g H) at P2 over T_H, each with its name.
 std::vector<std::pair<std::string, Series>> band_of_P2();
+/// The same percentiles of the first peak of p/(rho g H) at P1 to P3.
+std::vector<std::vector<double>> peaks_of_repeats();
+
+/// Of a pressure p/(rho g H) over T_H, impulse over 100 ms. An impact is above a tenth of the weight of the column.
+Impact impact_on(const Series& pressure);
+
+/// A pressure at P2 whose clock is set by its arrival to that of the median of the repeats: by 27 ms at most, as much
+/// as the clocks are in doubt.
+Series aligned_by_arrival(const Series& pressure);
 
 /// Inputs of data/experiments/lobovsky_2014_inputs_300.csv that no run has to vary.
 inline const std::string clock_of_front = "start of front and levels", clock_of_pressures = "start of pressures",

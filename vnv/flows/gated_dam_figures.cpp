@@ -129,10 +129,13 @@ Plot particles_coloured_by_pressure(std::vector<std::string> methods, std::vecto
     snapshots(
         {"snapshots",
          "Particles, coloured by pressure",
-         "Of the finest level that ran: the front below the gate, at the wall, up it, and the wave that comes back.",
+         "Of the finest level that ran: the front below the gate, at the wall, up it, and the wave that comes back. "
+         "Isolines every 0.5 kPa.",
          {"x [m]", 1, false, 0, tank_length},
          {"y [m]", 1, false, 0, 1},
-         {"p [kPa]", 1e-3, false, 0, 4}},
+         {"p [kPa]", 1e-3, false, 0, 4},
+         false,
+         0.5},
         {run->summary.level}, times)(results, record);
   };
 }

@@ -14,9 +14,13 @@ inline std::vector<Method> methods_through_impact(const Inputs& inputs,
                                                   const std::map<std::string, std::vector<Claim>>& claims) {
   constexpr double end = end_of_impact;
   const Scene<Tait, Uniform> scene = collapse(inputs);
+  Method with_friction = mpm_apic(with_skin_friction(scene), output_interval);
+  with_friction.name = "mpm_apic_friction";
+  with_friction.description +=
+      " Skin friction of floor and side walls, which a plane flow does not have, as on a plate.";
   std::vector<Method> all =
       with_ladder(levels_across(inputs.height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}}),
-                  {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval)}, claims);
+                  {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval), with_friction}, claims);
   for (const Method& method : with_ladder(levels_across(inputs.height, {{20, end, end, end}, {40, 0, 0, end}}),
                                           {sph_delta(scene, output_interval), sph_shifted(scene, output_interval),
                                            sph_corrected(scene, output_interval)},

@@ -18,13 +18,23 @@ inline constexpr double end_of_validation = 1.3;  // s  T_H = 7.4, past all obse
 
 /// From how many starts a method runs, at each number of particles across H, and 40 across with something varied.
 struct Starts {
-  std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 4}, {160, 1}};
+  std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 16}, {160, 4}};
   int varied = 4;
 };
 
+/// Makes a method for a scene; where the second is none, there are no runs with skin friction.
+struct MethodOn {
+  std::function<Method(const Scene<Tait, Uniform>&)> without_friction;
+  std::function<Method(const Scene<Tait, SkinFriction>&)> with_friction{};
+};
+
 /// The method from all starts as it is, and 40 across with each input varied, the bulk modulus doubled, or an error of
-/// the model planted. `method_on(scene)` makes it for a scene. In the suite `validation` alone.
-Method validated(const std::function<Method(const Scene<Tait, Uniform>&)>& method_on, const Starts& starts = {});
+/// the model planted; 40 and 80 across with skin friction. In the suite `validation` alone.
+Method validated(const MethodOn& method_on, const Starts& starts = {});
+
+/// The runs as they are at the number of particles across H that has most starts, of several the finest, for which all
+/// finished: two at the least, or none.
+std::vector<const Run*> ensemble_of(const Results& results);
 
 /// What came of it for one observable.
 struct Judgement {
@@ -35,6 +45,7 @@ struct Judgement {
   std::string rule{};                                                             // of the first
   std::vector<std::pair<std::string, double>> inputs{};                           // what each input adds to u_input
   std::vector<std::pair<std::string, double>> planted{};  // by how much each planted error moves S
+  double by_friction = not_a_number;                      // by how much skin friction does, at the finest that has it
 };
 std::vector<Judgement> judgements(const Results& results);
 

@@ -1,6 +1,7 @@
 #include "vnv/judge/distribution.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_randist.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,46 @@ double energy_distance(const std::vector<double>& a, const std::vector<double>& 
 
 double kolmogorov_smirnov_distance(const std::vector<double>& a, const std::vector<double>& b) {
   return is_finite(a) && is_finite(b) ? largest_difference_of(pooled(a, b)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std::vector<double>& quantiles,
+                                   const std::vector<double>& of) {
+  const auto rise = [](const std::vector<double>& all) {
+    return std::ranges::is_sorted(all) && std::ranges::adjacent_find(all) == all.end();
+  };
+  if (quantiles.empty() || quantiles.size() != of.size() || !rise(quantiles) || !rise(of) ||
+      !(of.front() > 0 && of.back() < 1))
+    throw std::invalid_argument(
+        fmt::format("quantiles: {} values at {} fractions, expected as many, both rising, fractions between 0 and 1",
+                    quantiles.size(), of.size()));
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (sample.empty() || !std::ranges::all_of(sample, [](double x) { return std::isfinite(x); }))
+    return {unknown, unknown};
+  std::vector<double> between;  // the probability of each range
+  for (std::size_t k = 0; k <= of.size(); ++k) between.push_back((k < of.size() ? of[k] : 1) - (k > 0 ? of[k - 1] : 0));
+  const double n = static_cast<double>(sample.size());
+  double found = 0;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const auto below = std::ranges::count_if(sample, [&](double x) { return x <= quantiles[k]; });
+    found = std::max(found, std::abs(static_cast<double>(below) / n - of[k]));
+  }
+  // Every way to share out the members over the ranges.
+  double p = 0;
+  std::vector<unsigned> counts(between.size(), 0);
+  const auto share_out = [&](const auto& self, std::size_t range, unsigned left, double distance) -> void {
+    counts[range] = left;
+    if (range + 1 == counts.size()) {
+      if (distance >= found - 1e-12) p += gsl_ran_multinomial_pdf(counts.size(), between.data(), counts.data());
+      return;
+    }
+    for (unsigned here = 0; here <= left; ++here) {
+      counts[range] = here;
+      const double below = (n - left + here) / n;
+      self(self, range + 1, left - here, std::max(distance, std::abs(below - of[range])));
+    }
+  };
+  share_out(share_out, 0, static_cast<unsigned>(sample.size()), 0);
+  return {found, std::min(p, 1.0)};
 }
 
 bool median_is_inside(const std::vector<double>& members, double low, double high) {

@@ -27,6 +27,20 @@ double kolmogorov_smirnov_distance(const std::vector<double>& a, const std::vect
 /// 2.5 % and 97.5 %, edges included. Never for an ensemble that is empty or holds what is not finite.
 bool median_is_inside(const std::vector<double>& members, double low, double high);
 
+/// How unlike a sample is to a distribution of which only quantiles are known.
+struct AgainstQuantiles {
+  double distance;  // -  the largest difference of the distribution functions at the quantiles: of Kolmogorov & Smirnov
+                    //    at the least
+  double p_value;   // -  how often a sample of this size from that distribution is at least as far, exactly
+};
+
+/// `quantiles` are the values that the fractions `of` do not exceed, both rising: percentiles over the repeats of an
+/// experiment, taken as exact. Members are independent. Both numbers are none for a sample that is empty or holds what
+/// is not finite. Throws std::invalid_argument unless there are as many quantiles as fractions, rising, the latter
+/// between 0 and 1.
+AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std::vector<double>& quantiles,
+                                   const std::vector<double>& of);
+
 /// By what two samples are found unlike.
 enum class Statistic { anderson_darling, kolmogorov_smirnov, energy };
 

@@ -124,5 +124,33 @@ TEST(TwoSamples, AreAsUnlikeInAnyUnitAndAnyOrder) {
   }
 }
 
+TEST(SampleAgainstQuantiles, HasTheDistanceAndTheChanceOfCoins) {
+  const auto both_below = against_quantiles({1, 2}, {3}, {0.5});
+  EXPECT_EQ(both_below.distance, 0.5);
+  EXPECT_NEAR(both_below.p_value, 0.5, 1e-12) << "two coins alike";
+  EXPECT_NEAR(against_quantiles({1, 4}, {3}, {0.5}).p_value, 1, 1e-12);
+  const auto all_above = against_quantiles({5, 5, 5, 5}, {1, 2, 3}, {0.025, 0.5, 0.975});
+  EXPECT_EQ(all_above.distance, 0.975);
+  EXPECT_NEAR(all_above.p_value, 2 * std::pow(0.025, 4), 1e-12) << "all above, or all below";
+}
+
+TEST(SampleAgainstQuantiles, IsSeldomUnlikeItsOwnDistribution) {
+  int below_a_tenth = 0;
+  for (int k = 0; k < 400; ++k)
+    below_a_tenth +=
+        against_quantiles(normal(k, 1, 0.5, 16), {1 - 0.98, 1, 1 + 0.98}, {0.025, 0.5, 0.975}).p_value <= 0.1;
+  EXPECT_LE(below_a_tenth, 58) << "40 and three standard deviations; fewer, for counts are whole numbers";
+  EXPECT_GE(below_a_tenth, 8);
+  EXPECT_LT(against_quantiles(normal(1, 2, 0.5, 16), {1 - 0.98, 1, 1 + 0.98}, {0.025, 0.5, 0.975}).p_value, 1e-4);
+}
+
+TEST(SampleAgainstQuantiles, IsNoNumberOfWhatIsNone) {
+  EXPECT_TRUE(std::isnan(against_quantiles({}, {1}, {0.5}).p_value));
+  EXPECT_TRUE(std::isnan(against_quantiles({NAN}, {1}, {0.5}).distance));
+  EXPECT_THROW(against_quantiles({1}, {1, 2}, {0.5}), std::invalid_argument);
+  EXPECT_THROW(against_quantiles({1}, {2, 1}, {0.1, 0.5}), std::invalid_argument);
+  EXPECT_THROW(against_quantiles({1}, {1}, {1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

@@ -26,6 +26,7 @@ struct Figure {
   Axis x, y;
   Axis colour{};  // for clouds
   bool equal_axes = false;
+  double isolines = 0;  // from one line of equal colour to the next, in the unit of its label; 0: no lines
 
   bool operator==(const Figure&) const = default;
 };

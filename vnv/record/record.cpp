@@ -26,7 +26,7 @@ TOUCHSTONE_FIELDS(FittedCause, cause, unit, value, half_width)
 TOUCHSTONE_FIELDS(Explanation, causes, share, named, sentence)
 TOUCHSTONE_FIELDS(Diagnosis, level, field, quantities, error, explanations, sentence)
 TOUCHSTONE_FIELDS(Axis, label, scale, logarithmic, low, high)
-TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes)
+TOUCHSTONE_FIELDS(Figure, id, title, caption, x, y, colour, equal_axes, isolines)
 TOUCHSTONE_FIELDS(Curve, figure, label, role, x, y, points)
 TOUCHSTONE_FIELDS(Cloud, figure, column, row, x, y, colour)
 TOUCHSTONE_FIELDS(Table, id, title, caption, columns, rows)
@@ -124,6 +124,8 @@ void add_what_is_new(json::Json& json) {
   add(json, "host", "");
   add(json, "as_printed", false);
   add(json, "diagnoses", json::Json::array());
+  if (json.contains("figures"))
+    for (auto& figure : json["figures"]) add(figure, "isolines", 0);
   for (auto& diagnosis : json["diagnoses"]) add(diagnosis, "quantities", json::Json::array());
   if (!json.contains("runs") || !json["runs"].is_array()) return;  // which is refused later
   for (auto& run : json["runs"])

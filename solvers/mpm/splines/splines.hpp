@@ -2,6 +2,7 @@
 /// The material point method with quadratic B-splines cut off at the edges of the domain (`BSpline<2>`), stress last
 /// (MUSL): what `composed` does with this shape, equal but for rounding, over particles in the order of their cells.
 
+#include "solvers/forces/on_moving.hpp"
 #include "solvers/mpm/printed/node_motion.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/splines/densities.hpp"
@@ -52,7 +53,8 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
     if constexpr (Local<Force>)
       particles_.order.for_each([&](int cell, int slot) {
         const Vec2 x = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
-        transfer_.push(particles_, slot, time_step() * scene_.body_force(x, time()));
+        const Vec2 v(particles_.x.v[slot], particles_.y.v[slot]);
+        transfer_.push(particles_, slot, time_step() * force_on_moving(scene_.body_force, x, time(), v));
       });
   }
   void scatter() {

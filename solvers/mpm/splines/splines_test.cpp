@@ -1,5 +1,6 @@
 #include "solvers/mpm/splines/splines.hpp"
 
+#include "solvers/forces/skin_friction.hpp"
 #include "solvers/mpm/composed/composed.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/testing.hpp"
@@ -167,6 +168,29 @@ TEST(AGate, IsRefusedCloserThanACellToAnEdgeAndByMethodsWithoutPartialWalls) {
                std::invalid_argument);
   scene.walls.back().position = 0.78;
   EXPECT_THROW((on_splines<Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})), std::invalid_argument);
+}
+
+TEST(SkinFriction, SlowsASlabAsItsWallsBear) {
+  // dU/dt = -k U², k = c_f (2 / breadth + 1 / layer) / 2, where all of the slab is in the layer
+  constexpr double c_f = 0.02, breadth = 0.1, layer = 1, U = 2, k = c_f / 2 * (2 / breadth + 1 / layer);
+  Scene<Tait, SkinFriction> slab{.domain = {.box = {.high = {0.4, 0.2}}, .periodic_x = true},
+                                 .fluid = water,
+                                 .filled = {.high = {0.4, 0.2}},
+                                 .walls = {floor_at(0, free_slip()), ceiling_at(0.2, free_slip())},
+                                 .body_force = {Vec2::Zero(), c_f, breadth, layer}};
+  slab.start.velocity = [=](const Vec2&) -> Vec2 { return {U, 0}; };
+  auto run = on_splines<Apic, AffineDensity>(slab, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3});
+  for (int step = 0; step < 1000; ++step) run.step();
+  const double expected = U / (1 + k * U);  // 1.41 m/s after 1 s
+  EXPECT_NEAR(run.samples().v.row(0).minCoeff(), expected, 1e-3);
+  EXPECT_NEAR(run.samples().v.row(0).maxCoeff(), expected, 1e-3);
+}
+
+TEST(SkinFriction, IsNothingOnWaterAtRestAndHasTheFloorsPartNearTheFloor) {
+  const SkinFriction force{{0, -10}, 0.01, 0.5, 0.1};
+  EXPECT_EQ(force({0, 0.01}, 0, Vec2::Zero()), Vec2(0, -10));
+  EXPECT_LT((force({0, 0.2}, 0, {3, 4}) - Vec2(-0.3, -10.4)).norm(), 1e-12) << "c_f / 2 |v| v 2 / breadth";
+  EXPECT_LT((force({0, 0.05}, 0, {3, 4}) - Vec2(-1.05, -11.4)).norm(), 1e-12) << "and the floor's";
 }
 
 TEST(AffineDensity, ForgetsHowFarLoneParticlesWereTorn) {

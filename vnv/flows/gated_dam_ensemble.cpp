@@ -1,0 +1,149 @@
+#include "vnv/flows/gated_dam_ensemble.hpp"
+
+#include "vnv/flows/gated_dam_validation.hpp"
+#include "vnv/judge/distribution.hpp"
+#include "vnv/judge/input_uncertainty.hpp"
+#include "vnv/record/record.hpp"
+
+#include <fmt/format.h>
+
+namespace touchstone::vnv::gated_dam {
+namespace {
+
+constexpr double from = 2.4, to = 6;  // T_H
+const std::vector<double> percentiles{0.025, 0.5, 0.975};
+
+/// What is compared of both: the members of the ensemble, and the percentiles of the repeats.
+struct Compared {
+  std::string name;
+  std::vector<double> members, repeats;
+
+  AgainstQuantiles test() const { return against_quantiles(members, repeats, percentiles); }
+};
+
+std::vector<Seen> seen_of(const std::vector<const Run*>& runs) {
+  std::vector<Seen> all;
+  for (const Run* run : runs) all.push_back(seen_in(*run, filled_300));
+  return all;
+}
+
+/// At P2, with clocks aligned.
+std::vector<Series> pressures_at_P2(const std::vector<Seen>& members) {
+  std::vector<Series> all;
+  for (const Seen& seen : members) all.push_back(aligned_by_arrival(seen.pressures[1]));
+  return all;
+}
+
+std::vector<double> times() {
+  std::vector<double> all;
+  for (int k = 0; k <= 360; ++k) all.push_back(from + (to - from) * k / 360);
+  return all;
+}
+
+std::vector<Compared> comparisons(const std::vector<Seen>& members) {
+  std::vector<Compared> all;
+  const std::vector<Series> pressures = pressures_at_P2(members);
+  const auto band = band_of_P2();
+  for (const double time : {2.6, 2.8, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0}) {
+    Compared one{fmt::format("p/(rho g H) at P2, T_H = {:g}", time), {}, {}};
+    for (const Series& pressure : pressures) one.members.push_back(value_at(pressure, time));
+    for (const auto& [name, series] : band) one.repeats.push_back(value_at(series, time));
+    all.push_back(one);
+  }
+  for (std::size_t k = 0; k < peaks_of_repeats().size(); ++k) {
+    Compared one{fmt::format("first peak p/(rho g H) at P{}", k + 1), {}, peaks_of_repeats()[k]};
+    for (const Seen& seen : members) one.members.push_back(impact_on(seen.pressures[k]).peak);
+    all.push_back(one);
+  }
+  return all;
+}
+
+/// The fraction of the times at which `is_inside` holds.
+double fraction_of(const std::vector<double>& when, const std::function<bool(double)>& is_inside) {
+  return static_cast<double>(std::ranges::count_if(when, is_inside)) / static_cast<double>(when.size());
+}
+
+}  // namespace
+
+Plot ensemble_beside_repeats() {
+  return [](const Results& results, Record& record) {
+    const std::string id = "ensemble_P2", name = results.method.name;
+    record.figures.push_back(
+        {id,
+         "Pressure at P2: ensemble and repeats",
+         "Median and percentiles 2.5 % and 97.5 % of starts that differ by a hundredth of a spacing, and of 100 repeats "
+         "of the experiment; each start's clock is set by its arrival, by 27 ms at most.",
+         {"T_H = t sqrt(g/H)", 1, false, from, to},
+         {"p/(rho g H)", 1, false, -0.5, 3}});
+    Table table{
+        "ensemble",
+        "Ensemble and repeats of the experiment",
+        "Distance: the largest difference of both distribution functions at the three percentiles of the repeats; "
+        "p-value: how often as many starts from the distribution of the repeats would be as far, exactly.",
+        {"method", "number", "starts", "median", "2.5 to 97.5 %", "measured median", "measured 2.5 to 97.5 %",
+         "distance", "p-value"},
+        {}};
+    for (const auto& [label, series] : band_of_P2())
+      record.curves.push_back(
+          {id, label, label.ends_with("median") ? Role::experiment : Role::guide, series.time, series.value, false});
+    const std::vector<const Run*> runs = ensemble_of(results);
+    if (!runs.empty()) {
+      const std::vector<Seen> members = seen_of(runs);
+      const std::string of = fmt::format("{}, {} starts at {:g} across", name, runs.size(),
+                                         std::round(filled_300.height / runs.front()->summary.spacing));
+      for (const auto& [fraction, what] :
+           std::vector<std::pair<double, std::string>>{{0.5, ""}, {0.025, ", 2.5 %"}, {0.975, ", 97.5 %"}}) {
+        const Series curve = quantile_of(pressures_at_P2(members), times(), fraction);
+        record.curves.push_back({id, what.empty() ? of : name + what, Role::ours, curve.time, curve.value, false});
+      }
+      const auto range = [](double low, double high) { return fmt::format("{:.3g} to {:.3g}", low, high); };
+      for (const Compared& one : comparisons(members)) {
+        const AgainstQuantiles test = one.test();
+        table.rows.push_back({name, one.name, static_cast<double>(one.members.size()), quantile(one.members, 0.5),
+                              range(quantile(one.members, 0.025), quantile(one.members, 0.975)), one.repeats[1],
+                              range(one.repeats[0], one.repeats[2]), test.distance, test.p_value});
+      }
+      for (const Value& value : ensemble_values(results, record))
+        table.rows.push_back(
+            {name, value.quantity.name, static_cast<double>(runs.size()), value.value, "", "", "", "", ""});
+    }
+    record.tables.push_back(std::move(table));
+  };
+}
+
+std::vector<Value> ensemble_values(const Results& results, const Record&) {
+  const std::vector<const Run*> runs = ensemble_of(results);
+  if (runs.empty()) return {};
+  const std::vector<Seen> members = seen_of(runs);
+  std::vector<Value> found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({"", not_a_number, end_of_validation, quantity, value});
+  };
+  const auto band = band_of_P2();
+  const Series median = quantile_of(pressures_at_P2(members), times(), 0.5);
+  add(median_inside_band, fraction_inside(median, band.front().second, band.back().second, from, to));
+
+  double inside = 0;
+  const std::array measured{measured_300(1), measured_300(2)};
+  for (std::size_t k = 1; k < gauges.size(); ++k) {
+    std::vector<Series> levels;
+    for (const Seen& seen : members) levels.push_back(seen.levels[k]);
+    std::vector<double> late;
+    for (int step = 0; step <= 100; ++step) late.push_back(5 + 0.02 * step);
+    const Series low = quantile_of(levels, late, 0), high = quantile_of(levels, late, 1);
+    inside += fraction_of(late,
+                          [&](double time) {
+                            const double mean =
+                                (value_at(measured[0].levels[k], time) + value_at(measured[1].levels[k], time)) / 2;
+                            return mean >= value_at(low, time) && mean <= value_at(high, time);
+                          }) /
+              3;
+  }
+  add(levels_inside_ensemble, inside);
+  const std::vector<Compared> all = comparisons(members);
+  add(unlike_repeats,
+      static_cast<double>(std::ranges::count_if(all, [](const Compared& one) { return one.test().p_value < 0.01; })));
+  return found;
+}
+
+}  // namespace touchstone::vnv::gated_dam
