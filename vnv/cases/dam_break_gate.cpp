@@ -12,10 +12,8 @@ namespace {
 
 std::map<std::string, std::vector<Claim>> claims() {
   const std::vector<Claim> at_80{
-      at_most(
-          front_rms, 0.06,
-          baseline(
-              "0.056 when first measured; E of the front is within its 2 u_val, 0.06 to 0.08 (dam_break_validation)"))
+      at_most(front_rms, 0.05,
+              baseline("0.032 (APIC) and 0.043 (XPIC) when first measured; what the gate may do moves it to 0.10"))
           .on("80 across"),
       at_most(levels_rms, 0.02, baseline("twice the RMS difference of the two runs of the experiment, 0.010"))
           .on("80 across")};
@@ -28,7 +26,7 @@ Case vnv::the_case() {
   return {
       .title = "Dam break with its gate",
       .description =
-          "A column of water 0.6 m long and 0.3 m high stands behind a gate, in a tank 1.61 m long. The gate is drawn up at 3.46 m/s, as in "
+          "A column of water 0.6 m long and 0.3 m high stands behind a gate, in a tank 1.61 m long. The gate is drawn up at 3.46 m/s on average, as in "
           "the experiment of Lobovský et al. (2014); the front runs to the far wall, climbs it, falls back and breaks. Front, levels at four gauges and "
           "pressures at four sensors are compared with those measured, in units of H and sqrt(H/g), until 2 s. After "
           "the impact the flow is chaotic: `splash` judges ensembles of it.",

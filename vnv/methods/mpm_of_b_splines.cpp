@@ -44,5 +44,6 @@ Method mpm_xpic(const AnyScene& scene, double output_interval) {
   template Method mpm_xpic(const __VA_ARGS__&, double);
 TOUCHSTONE_FREE_SURFACE_SCENES(TOUCHSTONE_COMPILE)
 template Method mpm_apic(const Scene<Tait, SkinFriction>&, double);
+template Method mpm_apic(const Scene<Tait, Rolling>&, double);
 
 }  // namespace touchstone::vnv

@@ -4,6 +4,7 @@
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/force_field.hpp"
+#include "solvers/forces/rolling.hpp"
 #include "solvers/forces/skin_friction.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"

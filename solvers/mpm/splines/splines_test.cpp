@@ -1,5 +1,6 @@
 #include "solvers/mpm/splines/splines.hpp"
 
+#include "solvers/forces/rolling.hpp"
 #include "solvers/forces/skin_friction.hpp"
 #include "solvers/mpm/composed/composed.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
@@ -191,6 +192,26 @@ TEST(SkinFriction, IsNothingOnWaterAtRestAndHasTheFloorsPartNearTheFloor) {
   EXPECT_EQ(force({0, 0.01}, 0, Vec2::Zero()), Vec2(0, -10));
   EXPECT_LT((force({0, 0.2}, 0, {3, 4}) - Vec2(-0.3, -10.4)).norm(), 1e-12) << "c_f / 2 |v| v 2 / breadth";
   EXPECT_LT((force({0, 0.05}, 0, {3, 4}) - Vec2(-1.05, -11.4)).norm(), 1e-12) << "and the floor's";
+}
+
+TEST(ARollingTank, SeesALoneParticleFlyItsParabola) {
+  const Rolling roll{9.81, 0.5, 4, {0.2, 0.1}};
+  const auto in_tank = [&](const Vec2& world, double time) -> Vec2 {
+    return roll.pivot + Eigen::Rotation2Dd(-roll.angle(time)) * (world - roll.pivot);
+  };
+  const Vec2 from(0.6, 0.5), v(0.5, 2);
+  const auto flight = [&](double t) -> Vec2 { return from + t * v - Vec2(0, 9.81 / 2 * t * t); };
+  Scene<Tait, Rolling> scene{
+      .domain = {.box = {.high = {2, 2}}}, .fluid = water, .filled = {.high = {2, 2}}, .body_force = roll};
+  scene.walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(2, free_slip()),
+                 ceiling_at(2, free_slip())};
+  scene.start.places = [&](const Vectors&) -> Vectors { return from; };
+  // As seen from the tank, which is upright and turns at 2 rad/s.
+  const Vec2 r = from - roll.pivot;
+  scene.start.velocity = [=](const Vec2&) -> Vec2 { return v - 2 * Vec2(-r.y(), r.x()); };
+  auto tank = on_splines<Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 1e-4});
+  for (int step = 0; step < 4000; ++step) tank.step();
+  EXPECT_LT((tank.samples().x.col(0) - in_tank(flight(0.4), 0.4)).norm(), 1e-3) << tank.samples().x.col(0);
 }
 
 TEST(AffineDensity, ForgetsHowFarLoneParticlesWereTorn) {
