@@ -34,7 +34,7 @@ Case vnv::the_case() {
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
-      .methods = methods_through_impact(filled_300, claims()),
+      .methods = methods_with_gate(filled_300, claims()),
       .plots = {front_over_time(), levels_over_time(), pressures_over_time(), energies_over_time(),
                 particles_coloured_by_pressure({"mpm_apic", "sph_delta", "sph_shifted"}, {0.2, 0.42, 0.7, 1.1})}};
 }

@@ -18,7 +18,7 @@ std::map<std::string, std::vector<Claim>> claims() {
 /// Without corrected gradients: there a few particles end so dense, and alone, that the energy of their compression is
 /// 6 % of the fall.
 std::vector<Method> methods_that_gain_no_energy() {
-  std::vector<Method> all = methods_through_impact(filled_600, claims());
+  std::vector<Method> all = methods_with_gate(filled_600, claims());
   std::erase_if(all, [](const Method& method) { return method.name == "sph_corrected"; });
   return all;
 }

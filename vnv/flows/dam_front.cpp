@@ -9,8 +9,7 @@ namespace {
 
 constexpr Window judged_times{1, 1.5};  // of T: after the gate has risen, before the wall is met
 constexpr Window slope_times{1, 1.58};  // of T: until the measured front meets the wall
-constexpr Window shifts{
-    -0.3, 0.3};  // of T: the largest doubt about the origin of time of such an experiment (Martin & Moyce)
+constexpr Window shifts{-0.3, 0.3};     // of T: the largest doubt about the origin of time of such an experiment
 
 const std::vector<std::string> of_600_mm{"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"};
 const std::string front_by = "front L, ";
@@ -20,6 +19,7 @@ struct Experiment {
   std::string name;
   bool is_front;
   FrontHistory measured;
+  Window shifts;  // of T: as its file bounds them
 };
 
 /// Those of the best read-out of each, whose column is as many times as high as it is long.
@@ -45,9 +45,19 @@ std::vector<Experiment> experiments_of(double aspect) {
     DataTable table = read_table(data_folder() / "experiments" / read.file, read.headings);
     if (std::abs(table.provenance().geometry.at("column_aspect").value / aspect - 1) > 1e-3) continue;
     if (*read.series) table = table.only("series", read.series);
-    all.push_back({read.name, read.headings[1] == "L [-]", {table.numbers("T [-]"), table.numbers(read.headings[1])}});
+    const auto& doubts = table.provenance().uncertainty;
+    const auto origin = doubts.find("T.origin");
+    const double most = origin == doubts.end() ? shifts.high : origin->second.value;
+    all.push_back({read.name,
+                   read.headings[1] == "L [-]",
+                   {table.numbers("T [-]"), table.numbers(read.headings[1])},
+                   {-most, most}});
   }
   return all;
+}
+
+double residual_height(const DamFront& dam, const Samples& samples) {
+  return level_between(samples, 0, dam.column_length / 10) / dam.column_height;
 }
 
 /// T until which a measured front is judged: after that it may have met the far wall.
@@ -100,7 +110,8 @@ double largest_departure(const Run& run, Column column) {
 std::vector<double> DamFront::monitored(const Samples& samples) const {
   const Scalars x = samples.x.row(0), y = samples.x.row(1);
   const auto in_tank = (x >= 0 && x <= tank_length && y >= 0 && y <= tank_height).count();
-  return {half_full_slab(samples, slab) / column_length, percentile_front(samples) / column_length,
+  const double side = std::isnan(slab) ? 2 * std::sqrt(samples.mass.maxCoeff() / density) : slab;
+  return {half_full_slab(samples, side) / column_length, percentile_front(samples) / column_length,
           farthest_particle(samples) / column_length, samples.mass.sum(), static_cast<double>(in_tank)};
 }
 
@@ -114,12 +125,18 @@ std::vector<Value> DamFront::positions(const Level& level, const Samples& sample
           value(front_by + "99.5th percentile", percentile_front(samples) / l0),
           value(front_by + "farthest particle of the main body", farthest_of_body(samples, 2 * dx) / l0),
           value(front_by + "farthest particle", farthest_particle(samples) / l0),
-          value("residual height over h0, at the back wall", level_between(samples, 0, l0 / 10) / column_height)};
+          value(of_residual_height, residual_height(*this, samples))};
 }
 
 Quantity DamFront::speed_of(const std::string& front) { return {"front speed dL/dT, " + front}; }
+Quantity DamFront::speed_error_of(const std::string& front, const std::string& experiment) {
+  return {fmt::format("relative error of the front speed against {}, {}", experiment, front), "%", Kind::deviation};
+}
 Quantity DamFront::rms_of(const std::string& front, const std::string& experiment) {
   return {fmt::format("RMS error against {}, {}", experiment, front), "", Kind::error};
+}
+Quantity DamFront::rms_at_best_shift_of(const std::string& front, const std::string& experiment) {
+  return {fmt::format("RMS error against {}, with the best time shift, {}", experiment, front), "", Kind::error};
 }
 
 std::vector<Value> DamFront::against_experiments(const Level& level, const Run& run) const {
@@ -141,16 +158,18 @@ std::vector<Value> DamFront::against_experiments(const Level& level, const Run& 
   for (const Experiment& experiment : experiments_of(column_height / column_length)) {
     const FrontHistory& theirs = experiment.measured;
     Window window = experiment.is_front ? Window{judged_times.low, near_wall(theirs, tank_length / column_length)}
-                                        : Window{0.4, theirs.T.back()};
-    window.high = std::min(window.high, ours[0].T.back() - shifts.high);
+                                        : Window{std::max(0.4, theirs.T.front()), theirs.T.back()};
+    window.high = std::min(window.high, ours[0].T.back() - experiment.shifts.high);
     for (std::size_t k = 0; k < ours.size(); ++k) {
       const std::string name = measured[k].name;
       if (name.starts_with(front_by) != experiment.is_front) continue;
       const std::string front = experiment.is_front ? name.substr(front_by.size()) : name;
-      const FrontComparison judged = compare_fronts(ours[k], theirs, window, window, shifts);
+      const FrontComparison judged = compare_fronts(ours[k], theirs, window, window, experiment.shifts);
       add(rms_of(front, experiment.name), judged.rms);
-      add({fmt::format("RMS error against {}, with the best time shift, {}", experiment.name, front), "", Kind::error},
-          judged.rms_at_best_shift);
+      add(rms_at_best_shift_of(front, experiment.name), judged.rms_at_best_shift);
+      add({fmt::format("best time shift in T against {}, {}", experiment.name, front)}, judged.best_shift);
+      if (experiment.is_front)
+        add(speed_error_of(front, experiment.name), 100 * (judged.slope / judged.measured_slope - 1));
       if (experiment.is_front && std::ranges::find(found, speed_of(front), &Value::quantity) == found.end())
         add(speed_of(front), judged.slope);
     }
@@ -224,30 +243,52 @@ std::vector<Value> DamFront::against_lobovsky(const Level& level, const Run& run
   return found;
 }
 
+const Run* finest(const Results& results) {
+  const auto found = std::ranges::min_element(results.runs, {}, [](const Run& run) { return run.summary.spacing; });
+  return found == results.runs.end() || found->history.seen.empty() ? nullptr : &*found;
+}
+
 Plot DamFront::history(Figure frame, std::vector<std::string> levels) const {
-  const DataTable lobovsky = measured_by_lobovsky(*this);
-  const DataTable martin_moyce =
-      read_table(data_folder() / "experiments" / "martin_moyce_1952_front_square.csv", {"T [-]", "L [-]", "series"})
-          .only("series", "table");
-  require_geometry(martin_moyce, "column_aspect", column_height / column_length, 1e-6);
-  return [dam = *this, frame, levels, lobovsky, martin_moyce](const Results& results, Record& record) {
+  return [dam = *this, frame, levels, all = experiments_of(column_height / column_length)](const Results& results,
+                                                                                           Record& record) {
     record.figures.push_back(frame);
-    for (const std::string& level : levels)
-      if (const Run* run = results.run(level)) {
+    std::vector<const Run*> runs{finest(results)};
+    if (!levels.empty()) runs.clear();
+    for (const std::string& level : levels) runs.push_back(results.run(level));
+    for (const Run* run : runs)
+      if (run) {
         const FrontHistory ours = history_of(dam, *run, half_full);
-        record.curves.push_back({frame.id, results.method.name + " " + level, Role::ours, ours.T, ours.L, false});
+        record.curves.push_back(
+            {frame.id, results.method.name + " " + run->summary.level, Role::ours, ours.T, ours.L, false});
       }
-    record.curves.push_back({frame.id, "Lobovský et al. 2014", Role::experiment, lobovsky.numbers("T [-]"),
-                             lobovsky.numbers("L [-]"), true});
-    record.curves.push_back({frame.id, "Martin & Moyce 1952", Role::experiment, martin_moyce.numbers("T [-]"),
-                             martin_moyce.numbers("L [-]"), true});
+    for (const Experiment& one : all)
+      if (one.is_front)
+        record.curves.push_back({frame.id, one.name, Role::experiment, one.measured.T, one.measured.L, true});
     const reference::RitterFront ritter{.g = dam.gravity, .h0 = dam.column_height, .l0 = dam.column_length};
     Curve bound{frame.id, "Ritter 1892", Role::guide, {}, {}, false};
-    for (const double t : {0.0, 0.9 / dam.scaled_time(1)}) {
-      bound.x.push_back(dam.scaled_time(t));
-      bound.y.push_back(ritter(t) / dam.column_length);
+    for (const double T : {0.0, (frame.y.high.value() - 1) / 2}) {
+      bound.x.push_back(T);
+      bound.y.push_back(ritter(T / dam.scaled_time(1)) / dam.column_length);
     }
     record.curves.push_back(std::move(bound));
+  };
+}
+
+Plot DamFront::residual_heights(Figure frame) const {
+  return [dam = *this, frame, all = experiments_of(column_height / column_length)](const Results& results,
+                                                                                   Record& record) {
+    record.figures.push_back(frame);
+    if (const Run* run = finest(results)) {
+      Curve ours{frame.id, results.method.name + " " + run->summary.level, Role::ours, {}, {}, false};
+      for (const Samples& samples : run->samples) {
+        ours.x.push_back(dam.scaled_time(samples.time));
+        ours.y.push_back(residual_height(dam, samples));
+      }
+      record.curves.push_back(std::move(ours));
+    }
+    for (const Experiment& one : all)
+      if (!one.is_front)
+        record.curves.push_back({frame.id, one.name, Role::experiment, one.measured.T, one.measured.L, true});
   };
 }
 

@@ -7,13 +7,16 @@
 
 namespace touchstone::vnv {
 
+/// The run with the least spacing, or null, also where nothing of it was monitored.
+const Run* finest(const Results& results);
+
 /// A column of water at the left end of a tank, and how its front is read.
 struct DamFront {
   double column_length, column_height;  // m  l0, h0
   double tank_length, tank_height;      // m
   double density;                       // kg/m³
   double gravity;                       // m/s²
-  double slab;                          // m  side of the slab that has to be half full
+  double slab = not_a_number;           // m  side of the slab that has to be half full; not a number: two spacings
 
   // Quantities of the comparison with Lobovský et al. (2014).
   inline static const Quantity rms{"RMS error of L for T in [1, 1.5], without time shift", "", Kind::error};
@@ -22,10 +25,13 @@ struct DamFront {
   inline static const Quantity slope_error{
       "relative error of the front speed dL/dT from T = 1 to 1.58 or impact (measured 1.34)", "%", Kind::deviation};
 
-  /// Of the front by an operator, in `against_experiments`; the second follows the spacing.
-  inline static const std::string of_thin_slab = "half-full slab of two spacings";
+  /// Of the front by an operator, in `against_experiments`, or of the residual height; the slab follows the spacing.
+  inline static const std::string of_thin_slab = "half-full slab of two spacings",
+                                  of_residual_height = "residual height over h0, at the back wall";
   static Quantity speed_of(const std::string& front);
+  static Quantity speed_error_of(const std::string& front, const std::string& experiment);
   static Quantity rms_of(const std::string& front, const std::string& experiment);
+  static Quantity rms_at_best_shift_of(const std::string& front, const std::string& experiment);
 
   // Of all runs.
   inline static const Quantity mass_change{"relative mass error", "", Kind::invariant};
@@ -47,8 +53,8 @@ struct DamFront {
   std::vector<Value> positions(const Level& level, const Samples& samples) const;
 
   /// Each of them over time against each experiment with a column of this aspect, from when the gate is open until the
-  /// front is near the far wall: the RMS error with clocks as they are and with the time shift that fits best, and the
-  /// slope of our front.
+  /// front is near the far wall: the RMS error with clocks as they are and with the time shift that fits best, that
+  /// shift, at most the doubt about the experiment's origin of time, and the slope of our front, also over theirs.
   std::vector<Value> against_experiments(const Level& level, const Run& run) const;
 
   /// How far the front, as a half-full slab of two spacings or as 99.5th percentile, whichever is further, is at the
@@ -67,8 +73,12 @@ struct DamFront {
   /// Both.
   std::vector<Value> compare(const Level& level, const Run& run) const;
 
-  /// L over T for the levels named, with Lobovský et al., Martin & Moyce and Ritter's bound.
+  /// L over T for the levels named, or the finest if none is, with the experiments that had a column of this aspect and
+  /// Ritter's bound, up to where `frame`, which has to say so, ends in L.
   Plot history(Figure frame, std::vector<std::string> levels) const;
+
+  /// The residual height at the back wall, over h0, of the finest level at the times of the samples, with experiments.
+  Plot residual_heights(Figure frame) const;
 
   /// Table 5 of Sun et al. beside ours, with time per step and memory.
   Plot models() const;

@@ -4,7 +4,6 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/flows/front_comparison.hpp"
 #include "vnv/judge/validation.hpp"
-#include "vnv/measures/decay.hpp"
 #include "vnv/measures/front.hpp"
 #include "vnv/measures/impact.hpp"
 #include "vnv/measures/wall_pressure.hpp"
@@ -16,29 +15,13 @@ namespace {
 
 constexpr double until_return_wave = 5;  // of T_H, until which two runs of the experiment agree
 
-/// The particles within a strip of x, which is all that a gauge or a sensor sees.
-Samples within(const Samples& samples, double low, double high) {
-  std::vector<Eigen::Index> inside;
-  for (Eigen::Index p = 0; p < samples.size(); ++p)
-    if (samples.x(0, p) > low && samples.x(0, p) < high) inside.push_back(p);
-  return {samples.time,         samples.x(Eigen::all, inside), samples.v(Eigen::all, inside),
-          samples.mass(inside), samples.density(inside),       samples.pressure(inside)};
-}
-
-/// What compression holds [J/m]: the integral of p / rho² over the density, by Tait's law. Water that has come apart
-/// bears no tension, and its density says nothing.
-double elastic_energy(const Samples& samples) {
-  const Scalars z = (samples.density / filled_300.density).max(1);
-  return filled_300.bulk_modulus / filled_300.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum();
-}
-
 /// Energies by the nominal density, gravity and bulk modulus, also of runs that vary them.
 std::vector<double> see(const Samples& samples) {
   const double spacing = std::sqrt(samples.mass.maxCoeff() / filled_300.density);
   std::vector<double> seen(column::count);
-  seen[column::kinetic] = kinetic_energy(samples);
-  seen[column::potential] = filled_300.gravity * (samples.mass * samples.x.row(1).transpose().array()).sum();
-  seen[column::elastic] = elastic_energy(samples);
+  std::ranges::copy(
+      energies(samples, {.density = filled_300.density, .bulk_modulus = filled_300.bulk_modulus}, filled_300.gravity),
+      seen.begin() + column::kinetic);
   seen[column::front_slab] = half_full_slab(samples, 2 * spacing);
   seen[column::front_percentile] = percentile_front(samples) + spacing / 2;
   constexpr std::array sides{0.0, -1.0, 1.0};
@@ -102,30 +85,14 @@ double largest_until(const Series& pressure, double until) {
   return most;
 }
 
-double root_mean_square(const std::vector<double>& differences) {
-  double sum = 0;
-  for (const double d : differences) sum += d * d;
-  return std::sqrt(sum / static_cast<double>(differences.size()));
-}
-
 /// RMS difference of two series at the times of the measured one, within a range of T_H.
 double rms_between(const Series& ours, const Series& measured, double from, double to) {
-  std::vector<double> differences;
-  for (std::size_t k = 0; k < measured.time.size(); ++k)
-    if (measured.time[k] >= from && measured.time[k] <= to)
-      differences.push_back(value_at(ours, measured.time[k]) - measured.value[k]);
-  return differences.empty() ? not_a_number : root_mean_square(differences);
+  return root_mean_square(differences(ours, measured, from, to));
 }
 
 /// dx/dT_H by a straight line.
 double speed(const Series& front, double from, double to) {
   return slope_of("a front", {front.time, front.value}, {from, to});
-}
-
-Series scaled(Series series, double time, double offset, double value) {
-  for (double& t : series.time) t /= time;
-  for (double& v : series.value) v = (v - offset) / value;
-  return series;
 }
 
 /// T_H until which the measured front is judged: then it nears the wall.
@@ -156,12 +123,6 @@ Scene<Tait, SkinFriction> with_skin_friction(const Scene<Tait, Uniform>& scene) 
           scene.walls,
           SkinFriction{scene.body_force.per_mass, friction_coefficient, breadth, layer},
           scene.start};
-}
-
-Series followed(const Run& run, std::size_t column) {
-  Series series{run.history.time, {}};
-  for (const std::vector<double>& seen : run.history.seen) series.value.push_back(seen[column]);
-  return series;
 }
 
 Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading) {
@@ -316,13 +277,7 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
   const auto add = [&](const Quantity& quantity, double value) {
     found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
-  double least = INFINITY, rise = 0;
-  for (const std::vector<double>& seen : run.history.seen) {
-    const double total = seen[column::kinetic] + seen[column::potential] + seen[column::elastic];
-    least = std::min(least, total);
-    rise = std::max(rise, total - least);
-  }
-  add(energy_made, rise / inputs.fall());
+  add(energy_made, largest_rise_of_energy(run, column::kinetic, inputs.fall()));
   const Seen ours = seen_in(run, inputs);
   if (inputs.height != filled_300.height) {
     const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",

@@ -2,12 +2,8 @@
 /// The dam break of Lobovský et al. (2014) with what their rig has: a gate that is drawn up, level gauges along the
 /// tank and pressure sensors in its far wall. Plane: neither the breadth of the tank, 0.15 m, nor air is modelled.
 
-#include "solvers/fluids/tait.hpp"
 #include "solvers/forces/skin_friction.hpp"
-#include "solvers/forces/uniform.hpp"
-#include "solvers/scene.hpp"
-#include "vnv/case.hpp"
-#include "vnv/judge/series.hpp"
+#include "vnv/flows/open_dam.hpp"
 #include "vnv/measures/impact.hpp"
 
 #include <array>
@@ -67,10 +63,7 @@ inline constexpr std::size_t kinetic = 0, potential = 1, elastic = 2,  // J/m
     count = fit + 3 * sensors.size();
 }  // namespace column
 extern const Watch monitored;
-inline constexpr double output_interval = 1e-3;  // s  of `monitored`; holds whole numbers of steps
-
-/// One column of a run over time [s], in its unit.
-Series followed(const Run& run, std::size_t column);
+using open_dam::output_interval;  // of `monitored`
 
 /// What was seen of a dam break, computed or measured, in the numbers of the experiment, over T_H.
 struct Seen {
@@ -125,7 +118,6 @@ inline const Quantity front_rms{"RMS error of front x/H, clocks as they are", ""
     levels_rms{"RMS error of levels h/H at H2 to H4, before the return wave", "", Kind::error},
     inside_band{"fraction of T_H 2.4 to 6 within the 95 % band of P2, aligned by arrival", "", Kind::value,
                 Better::larger},
-    energy_made{"largest rise of the total energy over the fall", "", Kind::invariant, Better::smaller},
     energy_left{"mechanical energy over the fall at the end"};
 
 }  // namespace touchstone::vnv::gated_dam

@@ -1,5 +1,6 @@
 #include "vnv/flows/gated_dam_figures.hpp"
 
+#include "vnv/flows/dam_front.hpp"
 #include "vnv/plots/snapshots.hpp"
 #include "vnv/record/record.hpp"
 
@@ -14,11 +15,6 @@ Curve curve(const std::string& figure, const std::string& label, Role role, cons
   return {figure, label, role, series.time, series.value, points};
 }
 
-/// The run with the least spacing, or null.
-const Run* finest(const Results& results) {
-  const auto found = std::ranges::min_element(results.runs, {}, [](const Run& run) { return run.summary.spacing; });
-  return found == results.runs.end() || found->history.seen.empty() ? nullptr : &*found;
-}
 std::string label_of(const Results& results, const Run& run) { return results.method.name + " " + run.summary.level; }
 
 /// A figure of one of the series that were seen: ours, and the experiment's.

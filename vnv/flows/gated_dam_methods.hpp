@@ -1,27 +1,22 @@
 #pragma once
-/// The methods that run the dam break with its gate through the impact on the far wall.
+/// The methods that run a dam break, with its gate or without, through the impact on the far wall.
 
 #include "vnv/flows/gated_dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 namespace touchstone::vnv::gated_dam {
 
-inline constexpr double end_of_impact = 2;  // s
+inline constexpr double end_of_impact = open_dam::end;
 
-/// MPM on B-splines at 20, 40 and 80 particles over H, delta-SPH, shifted and corrected SPH, whose runs take ten times
-/// as long, at 20 and 40; to 2 s, with what is claimed of some of them, by name.
-inline std::vector<Method> methods_through_impact(const Inputs& inputs,
+/// MPM on B-splines at 20, 40 and 80 particles over the height of the column, delta-SPH, shifted and corrected SPH,
+/// whose runs take ten times as long, at 20 and 40; to 2 s, with what is claimed of some of them, by name.
+inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& scene, double height,
                                                   const std::map<std::string, std::vector<Claim>>& claims) {
   constexpr double end = end_of_impact;
-  const Scene<Tait, Uniform> scene = collapse(inputs);
-  Method with_friction = mpm_apic(with_skin_friction(scene), output_interval);
-  with_friction.name = "mpm_apic_friction";
-  with_friction.description +=
-      " Skin friction of floor and side walls, which a plane flow does not have, as on a plate.";
   std::vector<Method> all =
-      with_ladder(levels_across(inputs.height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}}),
-                  {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval), with_friction}, claims);
-  for (const Method& method : with_ladder(levels_across(inputs.height, {{20, end, end, end}, {40, 0, 0, end}}),
+      with_ladder(levels_across(height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}}),
+                  {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval)}, claims);
+  for (const Method& method : with_ladder(levels_across(height, {{20, end, end, end}, {40, 0, 0, end}}),
                                           {sph_delta(scene, output_interval), sph_shifted(scene, output_interval),
                                            sph_corrected(scene, output_interval)},
                                           claims))
@@ -30,6 +25,22 @@ inline std::vector<Method> methods_through_impact(const Inputs& inputs,
     method.tolerance = {method.family == Family::mpm ? 0.1 : 0.5,
                         "a sensor sees a few particles, whose pressures another rounding changes after the impact",
                         0.005};
+  return all;
+}
+
+/// Those, and APIC with skin friction, of a column behind its gate.
+inline std::vector<Method> methods_with_gate(const Inputs& inputs,
+                                             const std::map<std::string, std::vector<Claim>>& claims) {
+  const Scene<Tait, Uniform> scene = collapse(inputs);
+  std::vector<Method> all = methods_through_impact(scene, inputs.height, claims);
+  Method with_friction = mpm_apic(with_skin_friction(scene), output_interval);
+  with_friction.name = "mpm_apic_friction";
+  with_friction.description +=
+      " Skin friction of floor and side walls, which a plane flow does not have, as on a plate.";
+  with_friction.levels = all.front().levels;
+  with_friction.ladders = all.front().ladders;
+  with_friction.tolerance = all.front().tolerance;
+  all.push_back(with_friction);
   return all;
 }
 
