@@ -243,7 +243,10 @@ def try_processor(trials):
         status, said = said_by(["qemu-x86_64", "-cpu", "Nehalem", *words])
         if "TOUCHSTONE_NATIVE:BOOL=ON" not in (trials.build / "CMakeCache.txt").read_text(encoding="utf-8"):
             require(status == 0, f"ended with status {status}: {said[-300:]!r}")
-            return "runs"
+            code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", words[0]], capture_output=True, text=True, check=True).stdout
+            held = re.findall(r"\tv\w+ .*%[xyz]mm", code)
+            require(code and not held, f"holds {len(held)} instructions of AVX: {held[:1]}")
+            return f"runs, {code.count(chr(10))} lines of instructions without AVX"
         require(len(said.splitlines()) == 1, f"says not one line: {said[-300:]!r}")
         return require_refused(status, said, words[0].name, "needs avx")
 
@@ -251,7 +254,7 @@ def try_processor(trials):
     if not shutil.which("qemu-x86_64"):
         print("no qemu-x86_64: a processor without AVX is not tried")
         return
-    for words in ((trials.case, "--method", METHOD), (trials.vnv, "list"), (trials.report, "--help"), (trials.guard, "--help")):
+    for words in ((trials.case, "--method", METHOD), (trials.vnv, "list"), (trials.report, "--help"), (trials.guard, "begin", trials.scratch / "guarded")):
         trials.attempt(f"{words[0].name} without AVX", without_avx, *words)
 
 
