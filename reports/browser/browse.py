@@ -3,14 +3,18 @@
 The browser is a headless Chromium without a network. Of each page: links lead to a file and a place in it, images show,
 nothing is asked of a network, nothing is wider than a phone (390 px) or a desktop (1280 px), it prints, the headings of
 its first table sort, a filter keeps the rows that it should, no script complains; with --within the index and all
-beside it open so soon. With --pictures screenshots and prints are left in a folder.
+beside it open so soon. With --pictures screenshots and prints are left in a folder. A browser that hangs is ended, with
+all that it started: where it takes longer than --longest for an answer, or answers more than 64 MiB.
 """
 import argparse
 import base64
+import contextlib
 import json
 import math
 import os
 import pathlib
+import select
+import signal
 import subprocess
 import sys
 import tempfile
@@ -19,12 +23,13 @@ import urllib.parse
 
 WIDTHS = {"desktop": 1280, "phone": 390}  # px
 MOST_PICTURED = 8000  # px, of a page's height
+MOST_ANSWERED = 64 << 20  # bytes, of one answer
 
 
 class Browser:
     """A headless Chromium that is spoken to over two pipes (DevTools protocol)."""
 
-    def __init__(self, program, profile):
+    def __init__(self, program, profile, longest):
         to_browser, self.out = os.pipe()
         self.incoming, from_browser = os.pipe()
         # The browser reads from 3 and writes to 4.
@@ -33,32 +38,59 @@ class Browser:
             ["bash", "-c", words, "bash", program, "--headless", "--no-sandbox", "--disable-gpu",
              "--remote-debugging-pipe", f"--user-data-dir={profile}", "--no-first-run", "--disable-dev-shm-usage",
              "--disable-background-networking"],
-            pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+            pass_fds=(to_browser, from_browser), stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            start_new_session=True)
         os.close(to_browser)
         os.close(from_browser)
-        self.rest, self.events, self.number, self.session = b"", [], 0, None
+        self.longest, self.rest, self.events, self.number, self.session = longest, b"", [], 0, None
+
+    def begin(self):
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Network", "Runtime"):
             self.ask(domain + ".enable")
 
+    def expect(self):
+        """From now on an answer may take so long and hold so much, whatever else is told until then."""
+        self.until, self.may_come = time.monotonic() + self.longest, MOST_ANSWERED
+
     def message(self):
-        while b"\0" not in self.rest:
-            piece = os.read(self.incoming, 1 << 20)
-            if not piece:
-                sys.exit("browse.py: the browser ended before it answered")
-            self.rest += piece
-        line, self.rest = self.rest.split(b"\0", 1)
-        return json.loads(line)
+        pieces = [self.rest]
+        while b"\0" not in pieces[-1]:
+            pieces.append(self.piece())
+        line, self.rest = b"".join(pieces).split(b"\0", 1)
+        try:
+            message = json.loads(line)
+        except (ValueError, RecursionError):
+            message = None
+        if not isinstance(message, dict):
+            sys.exit(f"browse.py: the browser says {line[:40]!r}, expected a message in JSON")
+        return message
+
+    def piece(self):
+        left = self.until - time.monotonic()
+        if left <= 0 or not select.select([self.incoming], [], [], left)[0]:
+            sys.exit(f"browse.py: the browser did not answer within {self.longest:g} s")
+        piece = os.read(self.incoming, 1 << 20)
+        self.may_come -= len(piece)
+        if self.may_come < 0:
+            sys.exit(f"browse.py: the browser answered more than {MOST_ANSWERED >> 20} MiB")
+        if not piece:
+            sys.exit("browse.py: the browser ended before it answered")
+        return piece
 
     def ask(self, method, **parameters):
+        self.expect()
         self.number += 1
         question = {"id": self.number, "method": method, "params": parameters}
         if self.session:
             question["sessionId"] = self.session
         text = json.dumps(question).encode() + b"\0"
-        while text:
-            text = text[os.write(self.out, text):]
+        try:
+            while text:
+                text = text[os.write(self.out, text):]
+        except BrokenPipeError:
+            sys.exit("browse.py: the browser ended before it was asked")
         while True:
             message = self.message()
             if message.get("id") == self.number:
@@ -78,7 +110,8 @@ class Browser:
         self.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
         start = time.monotonic()
         self.ask("Page.navigate", url=page.as_uri())
-        while not any(event["method"] == "Page.loadEventFired" for event in self.events):
+        self.expect()
+        while not any(event.get("method") == "Page.loadEventFired" for event in self.events):
             self.events.append(self.message())
         self.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
         return time.monotonic() - start
@@ -86,7 +119,14 @@ class Browser:
     def close(self):
         self.session = None
         self.ask("Browser.close")
-        self.process.wait(20)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self.process.wait(20)
+
+    def kill(self):
+        """Ends it, where it has not ended, and all that it started."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
 
 
 LINKS = "[...document.querySelectorAll('[href],[src]')].map(e => e.getAttribute('href') ?? e.getAttribute('src'))"
@@ -150,7 +190,7 @@ def broken_links(page, links, places):
 
 def complaints_in(events):
     for event in events:
-        method, said = event["method"], event.get("params", {})
+        method, said = event.get("method"), event.get("params", {})
         if method == "Runtime.exceptionThrown":
             yield f"a script fails: {said['exceptionDetails'].get('exception', {}).get('description', '?')}"
         url = said.get("request", {}).get("url", "file:")
@@ -205,6 +245,7 @@ def main():
     arguments.add_argument("site", metavar="SITE", type=pathlib.Path)
     arguments.add_argument("--within", metavar="SECONDS", type=float, default=math.inf)
     arguments.add_argument("--pictures", metavar="FOLDER", type=pathlib.Path)
+    arguments.add_argument("--longest", metavar="SECONDS", type=float, default=120)
     named = arguments.parse_args()
     site, pictures = named.site.resolve(), named.pictures
     if pictures:
@@ -213,17 +254,21 @@ def main():
     if not pages:
         sys.exit(f"browse.py: {site}: no pages, expected a site")
     wrong = 0
-    with tempfile.TemporaryDirectory() as profile:
-        browser = Browser(named.program, profile)
-        places = {}  # that links may lead to, by page
-        for page in pages:
-            browser.open(page, WIDTHS["desktop"])
-            places[page] = browser.run(IDS)
-        for page in pages:
-            for what in check(browser, site, page, places, named.within, pictures):
-                wrong += 1
-                print(f"{page.relative_to(site)}: {what}", file=sys.stderr)
-        browser.close()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        browser = Browser(named.program, profile, named.longest)
+        try:
+            browser.begin()
+            places = {}  # that links may lead to, by page
+            for page in pages:
+                browser.open(page, WIDTHS["desktop"])
+                places[page] = browser.run(IDS)
+            for page in pages:
+                for what in check(browser, site, page, places, named.within, pictures):
+                    wrong += 1
+                    print(f"{page.relative_to(site)}: {what}", file=sys.stderr)
+            browser.close()
+        finally:
+            browser.kill()
     print(f"{len(pages)} pages opened, {wrong} faults")
     sys.exit(1 if wrong else 0)
 

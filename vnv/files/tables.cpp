@@ -1,7 +1,7 @@
 #include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
-#define CSV_IO_NO_THREAD  // tables are small
+#define CSV_IO_NO_THREAD  // of its reader, which is not used
 #include <libfccp/csv.h>
 
 #include <algorithm>
@@ -121,6 +121,18 @@ void add_line(Sheet& sheet, int number, char* line) {
     sheet.headings = std::move(row);
   else
     sheet.rows.push_back(std::move(row));
+}
+
+/// Not by io::LineReader, which takes 48 MiB however small the text is and refuses lines of 16 MiB.
+void add_lines(Sheet& sheet, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, end));
+    if (line.ends_with('\r')) line.pop_back();
+    add_line(sheet, number, line.data());  // which undoes quotes in place
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
 }
 
 /// The headings with the same name and another unit, if any; else all of them.
@@ -258,8 +270,7 @@ Sheet parse_sheet(const path& file, std::string_view text, bool may_have_no_rows
   if (text.empty()) throw BadData(file, 0, "the file is empty; expected '# key: value' lines, headings and rows");
   if (text.find('\0') != text.npos) throw BadData(file, 0, "found a zero byte, expected text in UTF-8");
   Sheet sheet{.file = file, .keys = {}, .headings = {}, .rows = {}};
-  io::LineReader lines(file.string(), text.data(), text.data() + text.size());
-  while (char* line = lines.next_line()) add_line(sheet, static_cast<int>(lines.get_file_line()), line);
+  add_lines(sheet, text);
   if (sheet.headings.cells.empty())
     throw BadData(file, 0, "no columns; expected a line of headings below the '#' lines");
   require_names(sheet);

@@ -97,6 +97,11 @@ TEST(Tables, AcceptByteOrderMarkWindowsLinesBlankLinesAndNoLastNewline) {
   EXPECT_EQ(read_text(table.substr(0, table.size() - 1)).words("series").back(), "film");
 }
 
+TEST(Tables, AcceptALineOfAnyLength) {
+  const std::string note(17 << 20, 'n');
+  EXPECT_EQ(read_text("# note: " + note + "\n" + table).provenance().notes, Headings{note});
+}
+
 TEST(Tables, AcceptQuotedCommasAndPaddedCells) {
   EXPECT_EQ(read_text(table + " 2 ,\t2.5, \"film, \"\"slow\"\"\"\n").words("series").back(), "film, \"slow\"");
 }

@@ -218,7 +218,7 @@ std::vector<Observable> observables_300() {
   // Of two runs the difference by sqrt(2) is the standard deviation of one; D, their mean, has it by sqrt(2) again.
   for (std::size_t k = 0; k < gauges.size(); ++k)
     for (const auto& [from, to] : std::vector<std::pair<double, double>>{{2.5, 3.5}, {3.5, 4.5}, {4.5, 5}}) {
-      const auto of = [=](const Seen& seen) { return time_mean(seen.levels[k], from, to); };
+      const auto of = [=, from = from, to = to](const Seen& seen) { return time_mean(seen.levels[k], from, to); };
       const double one = of(first), two = of(second);
       all.push_back({{fmt::format("level h/H at H{}, mean over T_H {:g} to {:g}", k + 1, from, to)},
                      of,

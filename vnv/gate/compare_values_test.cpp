@@ -5,6 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace touchstone::gate {
 namespace {
@@ -60,6 +63,37 @@ TEST(CompareValues, BackwardsOrByTheOtherDirectionTakesBetterForWorse) {
       EXPECT_EQ(compare_values(high, low, vnv::Better::larger, tolerance).first, Change::worse);
     }
   }
+}
+
+TEST(CompareValues, KnowsNoUnitAndNoSign) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> magnitude(0.5, 2), share(0, 1);
+  const auto any = [&](const auto& choices) {
+    return *(choices.begin() + static_cast<long>(random() % choices.size()));
+  };
+  using vnv::Better;
+  std::set<Change> found;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double before = magnitude(random),
+                 after = before * (1 + any(std::vector{0.01, 0.1, 1.0}) * (share(random) - 0.5));
+    const std::optional<double> tolerance =
+        any(std::vector<std::optional<double>>{{}, 0.0, 0.02 * before, share(random)});
+    const auto judged = [&](Better better, double unit) {
+      return compare_values(unit * before, unit * after, better,
+                            tolerance ? std::optional(std::abs(unit) * *tolerance) : std::nullopt)
+          .first;
+    };
+    const double unit = std::exp2(static_cast<double>(random() % 40) - 20);  // no digit changes
+    for (const auto& [better, of_opposite] :
+         {std::pair(Better::smaller, Better::larger), std::pair(Better::larger, Better::smaller),
+          std::pair(Better::nearer_zero, Better::nearer_zero), std::pair(Better::undeclared, Better::undeclared)}) {
+      const Change change = judged(better, 1);
+      found.insert(change);
+      EXPECT_EQ(judged(better, unit), change) << before << " " << after << " " << unit;
+      EXPECT_EQ(judged(of_opposite, -unit), change) << before << " " << after << " " << -unit;
+    }
+  }
+  EXPECT_EQ(found.size(), 5u) << "every change was met";
 }
 
 TEST(Kind, GroupsWhatQuantitiesDeclare) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
+#include <set>
 
 namespace touchstone::gate {
 namespace comparison_test {
@@ -99,6 +101,40 @@ TEST(Comparison, NamesAnErrorThatIsATenthLarger) {
 TEST(Comparison, SwappedFindsBetterWhatWasWorse) {
   const Record worse = changed([](Record& r) { r.values[0].value *= 1.1; });
   EXPECT_EQ(changes(worse, plain()).front().change, Change::better);
+}
+
+TEST(Comparison, KnowsNoOrderOfRecordsAndOfWhatTheyHoldAndNoRepetition) {
+  std::mt19937_64 random(36);
+  const auto sentences = [](const std::vector<Difference>& found) {
+    std::multiset<std::string> all;
+    for (const Difference& d : found) all.insert(sentence_of(d));
+    return all;
+  };
+  for (int trial = 0; trial < 50; ++trial) {
+    Records before, after;
+    for (const std::string method : {"mpm", "mpm_apic", "sph", "sph_delta"}) {
+      for (Records* side : {&before, &after}) {
+        Record record = plain();
+        record.method = method;
+        for (Verdict& verdict : record.verdicts) verdict.method = method;
+        for (Value& value : record.values) value.value *= random() % 2 ? 1 : 1.1;
+        side->push_back(record);
+      }
+    }
+    if (trial % 2) after.pop_back();
+    Records other_before = before, other_after = after;
+    for (Records* side : {&other_before, &other_after}) {
+      std::ranges::shuffle(*side, random);
+      for (Record& record : *side) {
+        std::ranges::shuffle(record.runs, random);
+        std::ranges::shuffle(record.values, random);
+        std::ranges::shuffle(record.verdicts, random);
+      }
+    }
+    const auto found = sentences(compare(before, after));
+    EXPECT_EQ(sentences(compare(other_before, other_after)), found);
+    EXPECT_EQ(sentences(compare_repeated({before, other_before}, {after, other_after, after})), found);
+  }
 }
 
 TEST(Comparison, NamesAStabilityLimitShrunkByATwentieth) {

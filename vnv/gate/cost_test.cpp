@@ -1,10 +1,14 @@
 #include "vnv/gate/cost.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <string>
+#include <utility>
 
 namespace touchstone::gate {
 namespace {
@@ -170,6 +174,43 @@ TEST(Cost, OfRunsTooShortToTimeIsUnjudged) {
   const auto found = judge_costs({Machine(1, 0).pairs("mpm", 0.01, 3, 24)});
   EXPECT_EQ(found.front().change, Change::unjudged);
   EXPECT_TRUE(is_settled(Machine(1, 0).pairs("mpm", 0.01, 3, 24)));
+}
+
+TEST(Cost, KnowsNoUnitOfTimeNoOrderOfMethodsAndNoneOfPairs) {
+  using Found = std::map<std::string, std::pair<Change, double>>;  // by method
+  const auto judged = [](const std::vector<Timing>& timings) {
+    Found found;
+    for (const CostChange& cost : judge_costs(timings)) found[cost.method] = {cost.change, cost.ratio.estimate};
+    return found;
+  };
+  std::mt19937_64 random(36);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Machine machine(seed, 0.02);
+    std::vector<Timing> timings;
+    for (const double slower : {1.0, 1.2, 0.8, 1.02, 1.05})
+      timings.push_back(machine.pairs(fmt::format("{}", slower), 1, slower, 20));
+    const Found found = judged(timings);
+    EXPECT_EQ(found.at("1.2").first, Change::worse);
+    EXPECT_EQ(found.at("0.8").first, Change::better);
+    auto others = timings, backwards = timings;
+    std::ranges::shuffle(others, random);
+    for (Timing& timing : others) {
+      const auto of_pairs = random();
+      for (std::vector<double>* times : {&timing.before, &timing.after}) {
+        for (double& time : *times) time *= 1024;
+        std::ranges::shuffle(*times, std::mt19937_64(of_pairs));
+      }
+    }
+    for (const auto& [method, change] : judged(others)) {
+      EXPECT_EQ(change.first, found.at(method).first) << method;
+      EXPECT_NEAR(change.second, found.at(method).second, 1e-12);
+    }
+    for (Timing& timing : backwards) std::swap(timing.before, timing.after);
+    for (const auto& [method, change] : judged(backwards))
+      EXPECT_NEAR(change.second * found.at(method).second, 1, 1e-12);
+    EXPECT_EQ(judged(backwards).at("1.2").first, Change::better);
+    EXPECT_EQ(judged(backwards).at("0.8").first, Change::worse);
+  }
 }
 
 }  // namespace

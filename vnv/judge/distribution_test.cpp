@@ -108,19 +108,56 @@ TEST(ChanceOfBeingSoUnlike, IsSmallForAnotherMeanAndForAnotherSpread) {
   EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
 }
 
-TEST(TwoSamples, AreAsUnlikeInAnyUnitAndAnyOrder) {
+/// Multiples of 2^-20, so that another unit of a power of two and another zero change no digit.
+std::vector<double> with_few_digits(std::vector<double> sample) {
+  for (double& value : sample) value = std::round(value * 0x1p20) * 0x1p-20;
+  return sample;
+}
+
+std::vector<double> in_another_unit(std::vector<double> sample, double unit, double zero) {
+  for (double& value : sample) value = unit * value + zero;
+  return sample;
+}
+
+TEST(TwoSamples, AreAsUnlikeInAnyUnitFromAnyZeroAndInAnyOrder) {
   std::mt19937_64 random(36);
   for (int trial = 0; trial < 20; ++trial) {
-    const auto a = normal(2 * trial, 0, 1, 5), b = normal(2 * trial + 1, 0.2 * trial, 1, 9);
-    const double p = p_value(a, b, 2000), distance = wasserstein_distance(a, b);
-    const auto changed = [&random](std::vector<double> sample) {
-      for (double& value : sample) value = 1024 * value;  // exactly
-      std::shuffle(sample.begin(), sample.end(), random);
-      return sample;
+    const auto a = with_few_digits(normal(2 * trial, 0, 1, 5)),
+               b = with_few_digits(normal(2 * trial + 1, 0.2 * trial, 1, 9));
+    const auto changed = [&](const std::vector<double>& sample) {
+      auto other = in_another_unit(sample, 1024, 4096);
+      std::shuffle(other.begin(), other.end(), random);
+      return other;
     };
-    EXPECT_EQ(p_value(changed(a), changed(b), 2000), p);
-    EXPECT_NEAR(p_value(b, a, 2000), p, 0.06) << "dealt at random, 2000 times: five deviations";
-    EXPECT_NEAR(wasserstein_distance(changed(b), changed(a)), 1024 * distance, 1e-9 * (1 + distance));
+    for (const Statistic statistic : {Statistic::anderson_darling, Statistic::kolmogorov_smirnov, Statistic::energy}) {
+      const double p = p_value(a, b, statistic, 2000);
+      EXPECT_EQ(p_value(changed(a), changed(b), statistic, 2000), p);
+      EXPECT_NEAR(p_value(b, a, statistic, 2000), p, 0.06) << "dealt at random, 2000 times: five deviations";
+    }
+  }
+}
+
+TEST(DistancesOfTwoSamples, AreInTheirUnitAndKnowNoZeroNoOrderAndNoRepetition) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> exponent(-6, 6), number(-10, 10);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto a = normal(2 * trial, 0, 1, 1 + static_cast<int>(random() % 12)),
+               b = normal(2 * trial + 1, 0.05 * trial, 1, 1 + static_cast<int>(random() % 12));
+    const double unit = -std::pow(10, exponent(random)), zero = unit * number(random);
+    const auto changed = [&](const std::vector<double>& sample) {  // mirrored, each twice
+      auto other = in_another_unit(sample, unit, zero);
+      other.insert(other.end(), other.begin(), other.end());
+      std::shuffle(other.begin(), other.end(), random);
+      return other;
+    };
+    const double moved = wasserstein_distance(a, b), energy = energy_distance(a, b);
+    EXPECT_NEAR(wasserstein_distance(changed(b), changed(a)), -unit * moved, -unit * 1e-12 * (1 + moved));
+    EXPECT_NEAR(energy_distance(changed(b), changed(a)), -unit * energy, -unit * 1e-12 * (1 + moved));
+    EXPECT_NEAR(kolmogorov_smirnov_distance(changed(b), changed(a)), kolmogorov_smirnov_distance(a, b), 1e-12);
+    EXPECT_NEAR(wasserstein_distance(a, in_another_unit(a, 1, zero / unit)), std::abs(zero / unit), 1e-12);
+    const double fraction = (number(random) + 10) / 20;
+    EXPECT_NEAR(quantile(in_another_unit(a, unit, zero), 1 - fraction), unit * quantile(a, fraction) + zero,
+                -unit * 1e-10);
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace touchstone::vnv {
 namespace grid_convergence_test {
@@ -38,12 +40,30 @@ TEST(GridConvergence, IsThatOfThePublishedExample) {
   EXPECT_NEAR(found.index / 6.063, 0.022, 5e-4);
 }
 
-TEST(GridConvergence, DoesNotDependOnUnits) {
-  const GridConvergence one = grid_convergence({4, 1.7}, {2, 1.4}, {1, 1.3}),
-                        other = grid_convergence({4e-3, 1.7e5}, {2e-3, 1.4e5}, {1e-3, 1.3e5});
-  EXPECT_NEAR(other.order, one.order, 1e-9);
-  EXPECT_NEAR(other.extrapolated, 1e5 * one.extrapolated, 1e-5);
-  EXPECT_NEAR(other.index, 1e5 * one.index, 1e-5);
+TEST(GridConvergence, OfAnyValuesKnowsNoUnitNoSignAndNoZero) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> value(-1, 1), ratio(1.2, 3), exponent(-3, 3);
+  int told = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<AtSpacing> ladder{{1, value(random)}};
+    for (const int coarser : {1, 2})
+      ladder.insert(ladder.begin(), {ladder.front().spacing * ratio(random), coarser * value(random)});
+    const double metre = std::pow(10, exponent(random)), unit = -std::pow(10, exponent(random)),
+                 zero = unit * value(random);
+    std::vector<AtSpacing> others;
+    for (const auto& [h, f] : ladder) others.push_back({metre * h, unit * f + zero});
+    const GridConvergence found = grid_convergence(ladder[0], ladder[1], ladder[2]),
+                          other = grid_convergence(others[0], others[1], others[2]);
+    ASSERT_EQ(other.trend, found.trend) << trial;
+    const double u = numerical_uncertainty(ladder, 2).standard;
+    EXPECT_NEAR(numerical_uncertainty(others, 2).standard, -unit * u, -unit * 1e-9 * u);
+    if (found.trend != Approach::monotone) continue;
+    ++told;
+    EXPECT_NEAR(other.order, found.order, 1e-7 * found.order);
+    EXPECT_NEAR(other.extrapolated - zero, unit * found.extrapolated, -unit * 1e-7 * (1 + found.index));
+    EXPECT_NEAR(other.index, -unit * found.index, -unit * 1e-7 * found.index);
+  }
+  EXPECT_GT(told, 20);
 }
 
 TEST(GridConvergence, IsNoNumberWhereNoPowerLawPasses) {

@@ -252,10 +252,37 @@ TEST(ObservedOrder, OfAnyErrorsKnowsNoUnit) {
     for (double& e : errors) e *= unit;
     const auto scaled = observe_order(others, errors);
     EXPECT_NEAR(scaled.order, found.order, 1e-9);
+    if (spacings.size() == 2)
+      EXPECT_EQ(scaled.half_width, found.half_width);
+    else
+      EXPECT_NEAR(scaled.half_width, found.half_width, 1e-9 * (1 + found.half_width));
     EXPECT_EQ(scaled.trend, found.trend) << trial;
     for (std::size_t k = 0; k < found.pairwise.size(); ++k) EXPECT_NEAR(scaled.pairwise[k], found.pairwise[k], 1e-9);
     for (double& e : errors) e = 1 / e;  // what shrank grows
     EXPECT_NEAR(observe_order(spacings, errors).order, -found.order, 1e-9);
+  }
+}
+
+TEST(AFloor, IsInTheUnitOfTheErrorsAndItsOrderInNone) {
+  std::mt19937_64 random(36);
+  std::uniform_real_distribution<double> scatter(-0.02, 0.02), exponent(-6, 6), slope(1, 3), share(0.3, 0.9);
+  for (int trial = 0; trial < 50; ++trial) {
+    const double p = slope(random), finest = std::pow(long_ladder.back(), p), floor = finest * share(random);
+    std::vector<double> spacings = long_ladder,
+                        errors = errors_of(
+                            [&](double h) { return std::exp(scatter(random)) * (floor + std::pow(h, p)); }, spacings);
+    const auto found = observe_order(spacings, errors);
+    const double metre = std::pow(10, exponent(random)), unit = std::pow(10, exponent(random));
+    for (double& h : spacings) h *= metre;
+    for (double& e : errors) e *= unit;
+    const auto scaled = observe_order(spacings, errors);
+    ASSERT_EQ(std::isnan(scaled.floor), std::isnan(found.floor)) << trial;
+    if (std::isnan(found.floor)) continue;
+    EXPECT_NEAR(scaled.floor / unit, found.floor, 1e-5 * found.floor);
+    EXPECT_NEAR(scaled.floor_half_width / unit, found.floor_half_width, 1e-4 * found.floor);
+    EXPECT_NEAR(scaled.order_to_floor, found.order_to_floor, 1e-5);
+    EXPECT_EQ(scaled.trend, found.trend);
+    EXPECT_EQ(scaled.asymptotic, found.asymptotic);
   }
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Strange surroundings: programs of a build run by who may not write, two at once in one folder, under other locales, in
-folders with strange names, on one core, and with a gnuplot that fails, is not there or hangs.
+folders with strange names, on one core, on a processor without AVX, and with a gnuplot or a browser that fails, is not
+there or hangs.
 
 What is written is bit-equal to what it would be elsewhere, or one line says where and why, the exit status is not 0, and
 what was there before stands. The build folder is only read; other users need root. A trial is a line. Exit status: 0 all
@@ -9,10 +10,12 @@ held; 1 something did not; 3 bad input.
 Example: vnv/trials/surroundings/try.py build
 """
 
+import contextlib
 import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -235,7 +238,24 @@ def try_processor(trials):
         status, said = said_by(["taskset", "-c", "0", trials.vnv, "run", CASE, "--records", folder / "records", "-j", "2"])
         require(status == 0, said[-300:])
 
+    def without_avx(_, *words):
+        """What was built for this machine says so on another one; what was built for any runs there."""
+        status, said = said_by(["qemu-x86_64", "-cpu", "Nehalem", *words])
+        if "TOUCHSTONE_NATIVE:BOOL=ON" not in (trials.build / "CMakeCache.txt").read_text(encoding="utf-8"):
+            require(status == 0, f"ended with status {status}: {said[-300:]!r}")
+            code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", words[0]], capture_output=True, text=True, check=True).stdout
+            held = re.findall(r"\tv\w+ .*%[xyz]mm", code)
+            require(code and not held, f"holds {len(held)} instructions of AVX: {held[:1]}")
+            return f"runs, {code.count(chr(10))} lines of instructions without AVX"
+        require(len(said.splitlines()) == 1, f"says not one line: {said[-300:]!r}")
+        return require_refused(status, said, words[0].name, "needs avx")
+
     trials.attempt("one core", on_one_core)
+    if not shutil.which("qemu-x86_64"):
+        print("no qemu-x86_64: a processor without AVX is not tried")
+        return
+    for words in ((trials.case, "--method", METHOD), (trials.vnv, "list"), (trials.report, "--help"), (trials.guard, "begin", trials.scratch / "guarded")):
+        trials.attempt(f"{words[0].name} without AVX", without_avx, *words)
 
 
 # gnuplot.
@@ -277,7 +297,43 @@ def try_gnuplot(trials):
     trials.attempt("a gnuplot that hangs", shown, "exec sleep 1000\n", "longer than", 90)
 
 
-PARTS = {"user": try_user, "at_once": try_at_once, "locale": try_locale, "path": try_path, "processor": try_processor, "gnuplot": try_gnuplot}
+# The browser that opens the pages.
+
+
+def processes_of(mark):
+    """Those that have it in their environment."""
+    found = []
+    for file in pathlib.Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            found += [file.parent.name] if mark.encode() in file.read_bytes() else []
+    return found
+
+
+def try_browser(trials):
+    def opened(folder, script, cause, longest=30):
+        (folder / "site").mkdir()
+        (folder / "site" / "index.html").write_text("<p>A page.</p>", encoding="utf-8")
+        fake = folder / "chromium"
+        fake.write_text("#!/bin/bash\n" + script + "\n", encoding="utf-8")
+        fake.chmod(0o755)
+        gigabyte = (1 << 30, 1 << 30)
+        status, said = said_by([sys.executable, "-B", ROOT / "reports" / "browser" / "browse.py", "chromium", folder / "site", "--longest", longest],
+                               env=os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"}, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, gigabyte))
+        require(len(said.splitlines()) == 1, f"says not one line: {said[-300:]!r}")
+        line = require_refused(status, said, "browse.py", cause)
+        require(not processes_of(f"PATH={folder}:"), "it or one of its children lives on")
+        return line
+
+    trials.attempt("a browser that fails", opened, "exit 1", "ended before")
+    trials.attempt("a browser that hangs", opened, "trap '' TERM; sleep 1000 & sleep 1000", "not answer within 2 s", 2)
+    trials.attempt("a browser that prints without end", opened, "yes & yes >&2", "not answer within 2 s", 2)
+    trials.attempt("a browser that answers without end", opened, "tr '\\0' x </dev/zero >&4", "more than 64 MiB")
+    trials.attempt("a browser that tells without end of something else", opened, """yes '{"method": "Page.frameNavigated"}' | tr '\\n' '\\0' >&4""", "more than 64 MiB|within", 5)
+    trials.attempt("a browser that speaks otherwise", opened, "printf 'no JSON\\0' >&4; sleep 1000", "expected a message in JSON")
+
+
+PARTS = {"user": try_user, "at_once": try_at_once, "locale": try_locale, "path": try_path, "processor": try_processor, "gnuplot": try_gnuplot,
+         "browser": try_browser}
 
 
 def main(arguments):
