@@ -13,7 +13,7 @@ namespace touchstone::reports {
 namespace {
 
 constexpr int width = 760;                                                              // px
-constexpr int left = 62, right = 12, top = 42, gap_x = 18, gap_y = 30, axis_band = 52;  // px  around the panels
+constexpr int left = 72, right = 12, top = 42, gap_x = 18, gap_y = 30, axis_band = 52;  // px  around the panels
 constexpr int bar_bottom = 46, bar_height = 11, bar_band = 70;  // px  the colour bar and its labels
 constexpr double tallest_panel = 560;                           // px
 constexpr double default_ratio = 0.62;                          // height to width of a panel

@@ -106,9 +106,10 @@ Plot peaks_beside_repeats() {
       const std::vector<double> ours = members(record, k);
       const auto of = [&](const char* column) { return measured.numbers(column)[static_cast<std::size_t>(k - 1)]; };
       if (!ours.empty())
-        table.rows.push_back({results.method.name, static_cast<double>(k), quantile(ours, 0.5) / 100,
+        table.rows.push_back({results.method.name, static_cast<double>(k),
+                              fmt::format("{:.0f}", quantile(ours, 0.5) / 100),
                               fmt::format("{:.0f} to {:.0f}", quantile(ours, 0.1) / 100, quantile(ours, 0.9) / 100),
-                              of("median [mbar]"),
+                              fmt::format("{:.0f}", of("median [mbar]")),
                               fmt::format("{:.0f} ± {:.0f}", of("mean [mbar]"), 2 * of("deviation [mbar]")),
                               fmt::format("{:.0f} to {:.0f}", of("least [mbar]"), of("largest [mbar]"))});
     }

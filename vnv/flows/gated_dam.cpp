@@ -115,16 +115,6 @@ Scene<Tait, Uniform> collapse(const Inputs& inputs) {
       .start = {.pressure = [=](const Vec2& x) { return inputs.density * inputs.gravity * (inputs.height - x.y()); }}};
 }
 
-Scene<Tait, SkinFriction> with_skin_friction(const Scene<Tait, Uniform>& scene) {
-  constexpr double breadth = 0.15, layer = 7.5e-3;  // m  the layer is a fortieth of H, as thin as the front's tip
-  return {scene.domain,
-          scene.fluid,
-          scene.filled,
-          scene.walls,
-          SkinFriction{scene.body_force.per_mass, friction_coefficient, breadth, layer},
-          scene.start};
-}
-
 Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading) {
   const double unit = inputs.unit_of_time();
   Seen seen{.front = scaled(followed(run, reading.front), unit, column_length, inputs.height)};

@@ -2,7 +2,6 @@
 /// The dam break of Lobovský et al. (2014) with what their rig has: a gate that is drawn up, level gauges along the
 /// tank and pressure sensors in its far wall. Plane: neither the breadth of the tank, 0.15 m, nor air is modelled.
 
-#include "solvers/forces/skin_friction.hpp"
 #include "vnv/flows/open_dam.hpp"
 #include "vnv/measures/impact.hpp"
 
@@ -46,11 +45,10 @@ inline constexpr Inputs filled_300{}, filled_600{.height = 0.6, .gate_speed = 4.
 /// Water under its own weight behind the gate, in a tank so high that no splash leaves it.
 Scene<Tait, Uniform> collapse(const Inputs& inputs);
 
-/// The same with skin friction of the floor and of the side walls of the tank, 0.15 m apart, by the middle of what a
-/// flat plate 0.6 m long has at the front's speed, 2 m/s (Re = 1.2e6): 0.664 Re^(-1/2) = 0.0006 if all of it is
-/// laminar, 0.0592 Re^(-1/5) = 0.0036 if all is turbulent (Schlichting, Boundary-Layer Theory).
-Scene<Tait, SkinFriction> with_skin_friction(const Scene<Tait, Uniform>& scene);
-inline constexpr double friction_coefficient = 0.002;
+/// With skin friction of the floor and of the side walls, by the middle of what a flat plate as long as the column has
+/// at the front's speed, 2 m/s (Re = 1.2e6): 0.664 Re^(-1/2) = 0.0006 if all of it is laminar, 0.0592 Re^(-1/5) =
+/// 0.0036 if all is turbulent (Schlichting, Boundary-Layer Theory).
+inline constexpr Friction friction{.coefficient = 0.002, .layer = 7.5e-3, .breadth = 0.15};
 
 /// What is followed, SI.
 namespace column {

@@ -4,6 +4,8 @@
 #include "vnv/flows/gated_dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
+#include <fmt/format.h>
+
 namespace touchstone::vnv::gated_dam {
 
 inline constexpr double end_of_impact = open_dam::end;
@@ -28,20 +30,24 @@ inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& sc
   return all;
 }
 
-/// Those, and APIC with skin friction, of a column behind its gate.
+/// Those, and APIC with skin friction.
+inline std::vector<Method> methods_with_friction(const Scene<Tait, Uniform>& scene, double height,
+                                                 const Friction& of_walls,
+                                                 const std::map<std::string, std::vector<Claim>>& claims) {
+  std::vector<Method> all = methods_through_impact(scene, height, claims);
+  Method rough = mpm_apic(with_friction(scene, of_walls), output_interval);
+  rough.name = "mpm_apic_friction";
+  rough.description +=
+      fmt::format(" Skin friction of the walls, which a plane flow does not have, c_f = {:g}.", of_walls.coefficient);
+  rough.levels = all.front().levels;
+  rough.ladders = all.front().ladders;
+  rough.tolerance = all.front().tolerance;
+  all.push_back(rough);
+  return all;
+}
 inline std::vector<Method> methods_with_gate(const Inputs& inputs,
                                              const std::map<std::string, std::vector<Claim>>& claims) {
-  const Scene<Tait, Uniform> scene = collapse(inputs);
-  std::vector<Method> all = methods_through_impact(scene, inputs.height, claims);
-  Method with_friction = mpm_apic(with_skin_friction(scene), output_interval);
-  with_friction.name = "mpm_apic_friction";
-  with_friction.description +=
-      " Skin friction of floor and side walls, which a plane flow does not have, as on a plate.";
-  with_friction.levels = all.front().levels;
-  with_friction.ladders = all.front().ladders;
-  with_friction.tolerance = all.front().tolerance;
-  all.push_back(with_friction);
-  return all;
+  return methods_with_friction(collapse(inputs), inputs.height, friction, claims);
 }
 
 }  // namespace touchstone::vnv::gated_dam

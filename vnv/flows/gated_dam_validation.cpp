@@ -200,7 +200,7 @@ Method validated(const MethodOn& method_on, const Starts& starts) {
           Scene<Tait, Uniform> scene = collapse(group.inputs);
           scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(start)](
                                    const Vectors& lattice) { return disturbed(lattice, by, seed); };
-          return (group.with_friction ? method_on.with_friction(with_skin_friction(scene))
+          return (group.with_friction ? method_on.with_friction(with_friction(scene, friction))
                                       : method_on.without_friction(scene))
               .run(level, when);
         }

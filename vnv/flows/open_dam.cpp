@@ -61,6 +61,15 @@ double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall) 
   return rise / fall;
 }
 
+Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, const Friction& friction) {
+  return {scene.domain,
+          scene.fluid,
+          scene.filled,
+          scene.walls,
+          SkinFriction{scene.body_force.per_mass, friction.coefficient, friction.breadth, friction.layer},
+          scene.start};
+}
+
 namespace open_dam {
 namespace {
 

@@ -3,6 +3,7 @@
 /// Zhou, De Kat & Buchner (1999) and Buchner (2002); and what any dam break is read and compared by.
 
 #include "solvers/fluids/tait.hpp"
+#include "solvers/forces/skin_friction.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "vnv/flows/dam_front.hpp"
@@ -34,6 +35,15 @@ inline const Quantity energy_made{"largest rise of the total energy over the fal
                                   Better::smaller};
 /// Over `fall` [J/m], of the sum of three columns that were monitored, of which `kinetic` is the first.
 double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall);
+
+/// What a plane flow leaves out of the walls of a tank.
+struct Friction {
+  double coefficient;         // -  c_f
+  double layer;               // m  above the floor, as thin as the front's tip
+  double breadth = INFINITY;  // m  between the side walls
+};
+/// The same column, which slides with skin friction.
+Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, const Friction& friction);
 
 namespace open_dam {
 
