@@ -1,5 +1,7 @@
+#include "vnv/flows/gated_dam_ensemble.hpp"
 #include "vnv/flows/gated_dam_validation.hpp"
 #include "vnv/judge/input_uncertainty.hpp"
+#include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,6 +114,51 @@ TEST(Validation, FindsAnErrorOfTheModelAndWhatResolutionLeavesOpen) {
   EXPECT_NEAR(front.validation.error, 0.105 * D, 1e-9);
   EXPECT_NEAR(front.validation.parts.numerical, 1.25 * 0.005 * D / 1.15, 1e-9);
   EXPECT_EQ(front.validation.outcome, Validation::Outcome::model_error) << words(front.validation, "");
+}
+
+/// A run that has the level H2 of the experiment, and at P2 the median of the repeats, `times` as high and `late`
+/// [T_H].
+Run run_like_the_repeats(const std::string& level, double times, double late) {
+  const Series pressure = band_of_P2()[1].second, of_level = measured_300().levels[1];
+  Run run;
+  run.summary = {.level = level, .spacing = 0.3 / 80, .end_time = 1.3, .finished = true};
+  for (int k = 0; k <= 700; ++k) {
+    const double T = 0.01 * k, p = value_at(pressure, T - late), h = value_at(of_level, T);
+    std::vector<double> seen(column::count, 0.0);
+    seen[column::fit + 3] = times * filled_300.unit_of_pressure() * (std::isnan(p) ? 0 : p);
+    seen[column::level + 3] = filled_300.height * (std::isnan(h) ? 0 : h);
+    run.history.time.push_back(T * filled_300.unit_of_time());
+    run.history.seen.push_back(seen);
+  }
+  return run;
+}
+std::map<std::string, double> ensemble_of_runs(double times, double late) {
+  const Method method{.name = "made_up"};
+  Results results{method, Suite::validation, {}};
+  for (int start = 1; start <= 6; ++start)  // about the median
+    results.runs.push_back(
+        run_like_the_repeats(fmt::format("80 across, start {}", start), times * (1 + 0.005 * (start - 3.5)), late));
+  std::map<std::string, double> found;
+  for (const Value& value : ensemble_values(results, {})) found[value.quantity.name] = value.value;
+  return found;
+}
+
+TEST(AnEnsemble, ThatIsTheExperimentIsWithinItsBandAndNotUnlikeIt) {
+  const auto alike = ensemble_of_runs(1, 0.1);
+  EXPECT_NEAR(alike.at(median_inside_band.name), 1, 0.02);
+  EXPECT_EQ(alike.at(unlike_repeats.name), 0);
+  const auto higher = ensemble_of_runs(1.5, 0);
+  EXPECT_LT(higher.at(median_inside_band.name), 0.2);
+  EXPECT_GE(higher.at(unlike_repeats.name), 8);
+}
+
+TEST(AnEnsemble, IsSetNoEarlierThanItsClockIsInDoubt) {
+  const double doubt = clock_doubt / filled_300.unit_of_time();
+  const auto late = run_like_the_repeats("", 1, 0.4), little = run_like_the_repeats("", 1, 0.1);
+  const auto arrival = [](const Series& pressure) { return impact_on(pressure).arrival; };
+  const double measured = arrival(band_of_P2()[1].second);
+  EXPECT_NEAR(arrival(aligned_by_arrival(seen_in(little, filled_300).pressures[1])), measured, 1e-3);
+  EXPECT_NEAR(arrival(aligned_by_arrival(seen_in(late, filled_300).pressures[1])), measured + 0.4 - doubt, 0.01);
 }
 
 TEST(Validation, RunsNoLevelThatIsNotItsOwn) {
