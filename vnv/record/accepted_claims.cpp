@@ -21,8 +21,8 @@ auto place_of(const ClaimCount& c) { return std::tie(c.case_name, c.suite, c.met
 
 long count_in(const Sheet& sheet, const Sheet::Row& row, std::size_t column) {
   const double count = sheet.number(row, column);
-  if (count < 0 || count != std::floor(count))
-    throw BadData(sheet.file, row.line, fmt::format("{} claims, expected a whole number", count));
+  if (count < 0 || count > 1e6 || count != std::floor(count))
+    throw BadData(sheet.file, row.line, fmt::format("{} claims, expected a whole number from 0 to a million", count));
   return static_cast<long>(count);
 }
 

@@ -58,6 +58,9 @@ TEST_F(AcceptedClaimsFile, IsRefusedWhereACountIsNoneOrStandsTwice) {
   EXPECT_EQ(read(head + "nightly,mpm,1,2,3\n").rows.front().total(), 6);
   EXPECT_NE(refusal(head + "nightly,mpm,1,-2,3\n").find("couette.csv:6: -2 claims, expected a whole number"),
             std::string::npos);
+  EXPECT_NE(refusal(head + "nightly,mpm,1,1e81,3\n").find("1e+81 claims, expected a whole number from 0 to a million"),
+            std::string::npos)
+      << "no long holds it: none would be missing";
   EXPECT_NE(refusal(head + "nightly,mpm,1,2,3\nnightly,mpm,1,2,4\n").find("mpm of nightly again, expected it once"),
             std::string::npos);
 }
