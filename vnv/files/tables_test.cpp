@@ -498,7 +498,7 @@ TEST(Data, IsComplete) {
                                                 {"experiments/lobovsky_2014_pressure_band_300.csv", 2344},
                                                 {"experiments/lobovsky_2014_peaks_300.csv", 4},
                                                 {"experiments/lobovsky_2014_statistics.csv", 9},
-                                                {"experiments/lobovsky_2014_inputs_300.csv", 8},
+                                                {"experiments/lobovsky_2014_inputs_300.csv", 9},
                                                 {"experiments/zhou_1999_levels.csv", 232},
                                                 {"experiments/zhou_1999_pressure.csv", 261},
                                                 {"experiments/buchner_2002_pressure.csv", 279},
