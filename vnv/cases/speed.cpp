@@ -32,6 +32,7 @@
 #include "vnv/record/record.hpp"
 #include "vnv/run/soundness.hpp"
 
+#include <optional>
 #include <thread>
 
 using namespace touchstone;
@@ -85,12 +86,38 @@ Run race_affine_mpm(const Level& level, const Schedule&) {
               MlsMpm(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 
-/// MPM with quadratic B-splines in the dam break from 0.1 s on, against the 88-line algorithm.
+/// A solver that goes back to where it was after `lead` steps whenever it has gone `stretch` steps from there. A race
+/// has as many steps as the machine and its load allow, and some time after the impact a dam break leaves its tank.
+template <class Solver>
+class Repeated {
+ public:
+  Repeated(Solver solver, long lead, long stretch) : now_(std::move(solver)), lead_(lead), stretch_(stretch) {}
+
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    if (now_->steps() == lead_) start_.emplace(*now_);
+    if (now_->steps() == lead_ + stretch_) now_.emplace(*start_);
+    now_->step(lap);
+  }
+  Index particles() const { return now_->particles(); }
+  Index boundary_particles() const { return now_->boundary_particles(); }
+  long steps() const { return now_->steps(); }
+  double time() const { return now_->time(); }
+  double time_step() const { return now_->time_step(); }
+
+ private:
+  std::optional<Solver> now_, start_;
+  long lead_, stretch_;
+};
+
+/// MPM with quadratic B-splines in the dam break from 0.1 to 0.4 s, against the 88-line algorithm.
 template <class Transfer>
 Run race_splines(const Level& level, const Schedule&) {
   constexpr double time_step = 2 * dam_mpm_step;
-  return race(mpm::on_splines<Transfer, mpm::AffineDensity>(dam(), mpm_settings(level, time_step)),
-              MlsMpm(plain(dam()), level.cell, level.spacing, time_step), 1000);
+  constexpr long lead = 1000, stretch = 3000;
+  return race(
+      Repeated(mpm::on_splines<Transfer, mpm::AffineDensity>(dam(), mpm_settings(level, time_step)), lead, stretch),
+      MlsMpm(plain(dam()), level.cell, level.spacing, time_step), lead);
 }
 
 /// Printed SPH with pressure and one viscous term against the plain loop, which has laminar viscosity.
