@@ -1,7 +1,8 @@
 /// The dam break of Zhou, De Kat & Buchner (1999) and Buchner (2002), released at once: levels at two gauges and the
 /// pressure in the far wall.
 
-#include "vnv/flows/gated_dam_methods.hpp"
+#include "vnv/flows/buchner_dam.hpp"
+#include "vnv/flows/dam_methods.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -21,12 +22,10 @@ std::vector<Claim> finest(const std::string& level) {
 }
 
 std::vector<Method> three_methods() {
-  std::vector<Method> all = gated_dam::methods_through_impact(
-      collapse(buchner), buchner.column_height,
-      {{"mpm_apic", finest("80 across")}, {"mpm_xpic", finest("80 across")}, {"sph_delta", finest("40 across")}});
-  std::erase_if(all,
-                [](const Method& method) { return method.name == "sph_shifted" || method.name == "sph_corrected"; });
-  return all;
+  return without({"sph_shifted", "sph_corrected"}, methods_through_impact(collapse(buchner), buchner.column_height,
+                                                                          {{"mpm_apic", finest("80 across")},
+                                                                           {"mpm_xpic", finest("80 across")},
+                                                                           {"sph_delta", finest("40 across")}}));
 }
 
 }  // namespace

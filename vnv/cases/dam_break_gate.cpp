@@ -1,8 +1,8 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, with its gate, through the impact on the far wall to
 /// 2 s: front, levels and wall pressures beside the experiment's, and the books of the energy.
 
+#include "vnv/flows/dam_methods.hpp"
 #include "vnv/flows/gated_dam_figures.hpp"
-#include "vnv/flows/gated_dam_methods.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -34,7 +34,7 @@ Case vnv::the_case() {
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
-      .methods = methods_with_gate(filled_300, claims()),
+      .methods = methods_with_friction(collapse(filled_300), filled_300.height, friction, claims()),
       .plots = {front_over_time(), levels_over_time(), pressures_over_time(), energies_over_time(),
                 particles_coloured_by_pressure({"mpm_apic", "sph_delta", "sph_shifted"}, {0.2, 0.42, 0.7, 1.1})}};
 }

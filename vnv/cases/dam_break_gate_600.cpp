@@ -1,6 +1,7 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.6 m, with its gate: the column that Sun et al. compute.
 
-#include "vnv/flows/gated_dam_methods.hpp"
+#include "vnv/flows/dam_methods.hpp"
+#include "vnv/flows/gated_dam.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -16,11 +17,9 @@ std::map<std::string, std::vector<Claim>> claims() {
 }
 
 /// Without corrected gradients: there a few particles end so dense, and alone, that the energy of their compression is
-/// 6 % of the fall.
+/// 1.5 % of the fall at 20 across and 3.7 % at 40.
 std::vector<Method> methods_that_gain_no_energy() {
-  std::vector<Method> all = methods_with_gate(filled_600, claims());
-  std::erase_if(all, [](const Method& method) { return method.name == "sph_corrected"; });
-  return all;
+  return without({"sph_corrected"}, methods_with_friction(collapse(filled_600), filled_600.height, friction, claims()));
 }
 
 }  // namespace

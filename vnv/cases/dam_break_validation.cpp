@@ -9,7 +9,7 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::gated_dam;
 
 Case vnv::the_case() {
-  const auto apic = [](const auto& scene) { return mpm_apic(scene, output_interval); };
+  const auto apic = [](const auto& scene) { return mpm_apic(scene, sampled_every); };
   return {
       .title = "Dam break with its gate: validation",
       .description =
@@ -24,7 +24,7 @@ Case vnv::the_case() {
       .findings = {validation_values, ensemble_values},
       .claims = {at_least(planted_noticed, 5, baseline("each moves the level in the reservoir by more than 2 u_val"))},
       .methods = {validated({apic, apic}),
-                  validated({[](const auto& scene) { return sph_delta(scene, output_interval); }},
+                  validated({[](const auto& scene) { return sph_delta(scene, sampled_every); }},
                             {.of_across = {{20, 4}, {40, 4}, {80, 1}}, .varied = 1})},
       .plots = {ensemble_beside_repeats(), validation_tables()}};
 }

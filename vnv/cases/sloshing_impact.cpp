@@ -41,8 +41,8 @@ std::vector<double> see(const Samples& samples) {
   return {fitted_wall_pressure(mirrored, {length, depth, 4.2e-3}, std::sqrt(samples.mass.maxCoeff() / density))};
 }
 
-constexpr int peaks = 4;
-Quantity peak(int number) { return {fmt::format("peak {} of the pressure", number), "Pa"}; }
+constexpr std::size_t peaks = 4;
+Quantity peak(std::size_t k) { return {fmt::format("peak {} of the pressure", k + 1), "Pa"}; }
 
 /// The largest pressure within half a period from each impact on: the first begins at 5 mbar, the others come a period
 /// later each.
@@ -52,29 +52,39 @@ std::vector<Value> peaks_of(const Level& level, const Run& run) {
   if (!run.summary.finished || begun == history.seen.end()) return {};
   const double first = history.time[static_cast<std::size_t>(begun - history.seen.begin())];
   std::vector<Value> found;
-  for (int k = 0; k < peaks; ++k) {
+  for (std::size_t k = 0; k < peaks; ++k) {
     double most = 0;
     for (std::size_t i = 0; i < history.time.size(); ++i)
-      if (const double since = history.time[i] - first - k * period; since > -0.1 * period && since < 0.4 * period)
+      if (const double since = history.time[i] - first - static_cast<double>(k) * period;
+          since > -0.1 * period && since < 0.4 * period)
         most = std::max(most, history.seen[i][0]);
-    found.push_back({level.name, level.spacing, end, peak(k + 1), most});
+    found.push_back({level.name, level.spacing, end, peak(k), most});
   }
   return found;
 }
 
-DataTable repeats() {
-  const DataTable table =
-      read_table(data_folder() / "experiments" / "botia_vera_2010_lateral_peaks.csv",
-                 {"peak", "mean [mbar]", "deviation [mbar]", "median [mbar]", "least [mbar]", "largest [mbar]"});
+/// Of one peak over the repeats [Pa].
+struct Repeats {
+  double mean, deviation, median, least, largest;
+};
+std::vector<Repeats> repeats() {
+  const std::array columns{"mean [mbar]", "deviation [mbar]", "median [mbar]", "least [mbar]", "largest [mbar]"};
+  const DataTable table = read_table(data_folder() / "experiments" / "botia_vera_2010_lateral_peaks.csv",
+                                     {"peak", columns[0], columns[1], columns[2], columns[3], columns[4]});
   require_geometry(table, "water_depth", depth, 1e-6);
   require_geometry(table, "tank_length", length, 1e-6);
-  return table;
+  std::vector<Repeats> all;
+  for (std::size_t k = 0; k < peaks; ++k) {
+    const auto of = [&](std::size_t column) { return 100 * table.numbers(columns[column])[k]; };
+    all.push_back({of(0), of(1), of(2), of(3), of(4)});
+  }
+  return all;
 }
 
-std::vector<double> members(const Record& record, int number) {
+std::vector<double> members(const Record& record, std::size_t k) {
   std::vector<double> all;
   for (const Value& value : record.values)
-    if (value.quantity == peak(number)) all.push_back(value.value);
+    if (value.quantity == peak(k)) all.push_back(value.value);
   return all;
 }
 
@@ -82,37 +92,34 @@ const Quantity within_repeats{"peaks whose median is within the least and the la
                               Better::larger};
 
 std::vector<Value> count_within(const Results&, const Record& record) {
-  const DataTable table = repeats();
+  const std::vector<Repeats> measured = repeats();
   double count = 0;
-  for (int k = 1; k <= peaks; ++k)
-    count += median_is_inside(members(record, k), 100 * table.numbers("least [mbar]")[static_cast<std::size_t>(k - 1)],
-                              100 * table.numbers("largest [mbar]")[static_cast<std::size_t>(k - 1)]);
+  for (std::size_t k = 0; k < peaks; ++k)
+    count += median_is_inside(members(record, k), measured[k].least, measured[k].largest);
   return {{"", not_a_number, end, within_repeats, count}};
 }
 
-/// Peak by peak.
+/// Peak by peak, in mbar.
 Plot peaks_beside_repeats() {
   return [](const Results& results, Record& record) {
-    Table table{
-        "peaks",
-        "Pressure peaks and those of 100 repeats",
-        "At the level of the water at rest, in mbar; of the starts, and of the repeats of Botia-Vera et al. (2010), whose gap of 62 mm and air the plane flow "
-        "does not have.",
-        {"method", "peak", "median", "10 to 90 %", "measured median", "measured mean and two deviations",
-         "measured least to largest"},
-        {}};
-    const DataTable measured = repeats();
-    for (int k = 1; k <= peaks; ++k) {
-      const std::vector<double> ours = members(record, k);
-      const auto of = [&](const char* column) { return measured.numbers(column)[static_cast<std::size_t>(k - 1)]; };
-      if (!ours.empty())
-        table.rows.push_back({results.method.name, static_cast<double>(k),
-                              fmt::format("{:.0f}", quantile(ours, 0.5) / 100),
-                              fmt::format("{:.0f} to {:.0f}", quantile(ours, 0.1) / 100, quantile(ours, 0.9) / 100),
-                              fmt::format("{:.0f}", of("median [mbar]")),
-                              fmt::format("{:.0f} ± {:.0f}", of("mean [mbar]"), 2 * of("deviation [mbar]")),
-                              fmt::format("{:.0f} to {:.0f}", of("least [mbar]"), of("largest [mbar]"))});
-    }
+    Table table{"peaks",
+                "Pressure peaks and those of 100 repeats",
+                "At the level of the water at rest, in mbar; of the starts, and of the repeats of Botia-Vera et al. "
+                "(2010), whose gap of 62 mm and air the plane flow does not have.",
+                {"method", "peak", "median", "10 to 90 %", "measured median", "measured mean and two deviations",
+                 "measured least to largest"},
+                {}};
+    const std::vector<Repeats> measured = repeats();
+    const auto mbar = [](const char* format, double a, double b = 0) {
+      return Cell(fmt::format(fmt::runtime(format), a / 100, b / 100));
+    };
+    for (std::size_t k = 0; k < peaks; ++k)
+      if (const std::vector<double> ours = members(record, k); !ours.empty())
+        table.rows.push_back({results.method.name, static_cast<double>(k + 1), mbar("{:.0f}", quantile(ours, 0.5)),
+                              mbar("{:.0f} to {:.0f}", quantile(ours, 0.1), quantile(ours, 0.9)),
+                              mbar("{:.0f}", measured[k].median),
+                              mbar("{:.0f} ± {:.0f}", measured[k].mean, 2 * measured[k].deviation),
+                              mbar("{:.0f} to {:.0f}", measured[k].least, measured[k].largest)});
     record.tables.push_back(std::move(table));
   };
 }

@@ -100,7 +100,7 @@ constexpr double front_until = 2.4;
 
 }  // namespace
 
-const Watch monitored{.every = output_interval, .see = see, .quantities = names()};
+const Watch monitored{.every = sampled_every, .see = see, .quantities = names()};
 
 Scene<Tait, Uniform> collapse(const Inputs& inputs) {
   const Tait water{.density = inputs.density, .bulk_modulus = inputs.bulk_modulus};
@@ -164,8 +164,8 @@ Impact impact_on(const Series& pressure) {
 }
 
 Series aligned_by_arrival(const Series& pressure) {
-  const double bound = clock_doubt / filled_300.unit_of_time(),
-               shift = impact_on(band_of_P2()[1].second).arrival - impact_on(pressure).arrival;
+  static const double measured = impact_on(band_of_P2()[1].second).arrival;
+  const double bound = clock_doubt / filled_300.unit_of_time(), shift = measured - impact_on(pressure).arrival;
   return std::isnan(shift) ? pressure : shifted(pressure, std::clamp(shift, -bound, bound));
 }
 

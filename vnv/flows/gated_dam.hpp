@@ -2,7 +2,7 @@
 /// The dam break of Lobovský et al. (2014) with what their rig has: a gate that is drawn up, level gauges along the
 /// tank and pressure sensors in its far wall. Plane: neither the breadth of the tank, 0.15 m, nor air is modelled.
 
-#include "vnv/flows/open_dam.hpp"
+#include "vnv/flows/dam.hpp"
 #include "vnv/measures/impact.hpp"
 
 #include <array>
@@ -48,7 +48,7 @@ Scene<Tait, Uniform> collapse(const Inputs& inputs);
 /// With skin friction of the floor and of the side walls, by the middle of what a flat plate as long as the column has
 /// at the front's speed, 2 m/s (Re = 1.2e6): 0.664 Re^(-1/2) = 0.0006 if all of it is laminar, 0.0592 Re^(-1/5) =
 /// 0.0036 if all is turbulent (Schlichting, Boundary-Layer Theory).
-inline constexpr Friction friction{.coefficient = 0.002, .layer = 7.5e-3, .breadth = 0.15};
+inline const SkinFriction friction{.coefficient = 0.002, .layer = 7.5e-3, .breadth = 0.15};
 
 /// What is followed, SI.
 namespace column {
@@ -61,7 +61,6 @@ inline constexpr std::size_t kinetic = 0, potential = 1, elastic = 2,  // J/m
     count = fit + 3 * sensors.size();
 }  // namespace column
 extern const Watch monitored;
-using open_dam::output_interval;  // of `monitored`
 
 /// What was seen of a dam break, computed or measured, in the numbers of the experiment, over T_H.
 struct Seen {

@@ -39,9 +39,8 @@ std::vector<double> times() {
   return all;
 }
 
-std::vector<Compared> comparisons(const std::vector<Seen>& members) {
+std::vector<Compared> comparisons(const std::vector<Seen>& members, const std::vector<Series>& pressures) {
   std::vector<Compared> all;
-  const std::vector<Series> pressures = pressures_at_P2(members);
   const auto band = band_of_P2();
   for (const double time : {2.6, 2.8, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0}) {
     Compared one{fmt::format("p/(rho g H) at P2, T_H = {:g}", time), {}, {}};
@@ -103,15 +102,16 @@ Plot ensemble_beside_repeats() {
     const std::vector<const Run*> runs = ensemble_of(results);
     if (!runs.empty()) {
       const std::vector<Seen> members = seen_of(runs);
+      const std::vector<Series> pressures = pressures_at_P2(members);
       const std::string of = fmt::format("{}, {} starts at {:g} across", name, runs.size(),
                                          std::round(filled_300.height / runs.front()->summary.spacing));
       for (const auto& [fraction, what] :
            std::vector<std::pair<double, std::string>>{{0.5, ""}, {0.025, ", 2.5 %"}, {0.975, ", 97.5 %"}}) {
-        const Series curve = quantile_of(pressures_at_P2(members), times(), fraction);
+        const Series curve = quantile_of(pressures, times(), fraction);
         record.curves.push_back({id, what.empty() ? of : name + what, Role::ours, curve.time, curve.value, false});
       }
       const auto range = [](double low, double high) { return fmt::format("{:.3g} to {:.3g}", low, high); };
-      for (const Compared& one : comparisons(members)) {
+      for (const Compared& one : comparisons(members, pressures)) {
         const AgainstQuantiles test = one.test();
         table.rows.push_back({name, one.name, static_cast<double>(one.members.size()), quantile(one.members, 0.5),
                               range(quantile(one.members, 0.025), quantile(one.members, 0.975)), one.repeats[1],
@@ -134,11 +134,12 @@ std::vector<Value> ensemble_values(const Results& results, const Record&) {
     found.push_back({"", not_a_number, end_of_validation, quantity, value});
   };
   const auto band = band_of_P2();
-  const Series median = quantile_of(pressures_at_P2(members), times(), 0.5);
+  const std::vector<Series> pressures = pressures_at_P2(members);
+  const Series median = quantile_of(pressures, times(), 0.5);
   add(median_inside_band, fraction_inside(median, band.front().second, band.back().second, from, to));
 
   add(levels_inside_ensemble, late_levels_inside(members));
-  const std::vector<Compared> all = comparisons(members);
+  const std::vector<Compared> all = comparisons(members, pressures);
   add(unlike_repeats,
       static_cast<double>(std::ranges::count_if(all, [](const Compared& one) { return one.test().p_value < 0.01; })));
   return found;

@@ -1,97 +1,26 @@
 #include "vnv/flows/open_dam.hpp"
 
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/files/tables.hpp"
-#include "vnv/measures/decay.hpp"
-#include "vnv/measures/impact.hpp"
-#include "vnv/measures/wall_pressure.hpp"
-#include "vnv/measures/water_level.hpp"
-#include "vnv/plots/snapshots.hpp"
 #include "vnv/record/record.hpp"
 
-namespace touchstone::vnv {
+namespace touchstone::vnv::open_dam {
 
-Series followed(const Run& run, std::size_t column) {
-  Series series{run.history.time, {}};
-  for (const std::vector<double>& seen : run.history.seen) series.value.push_back(seen[column]);
-  return series;
-}
-
-Series scaled(Series series, double time, double offset, double value) {
-  for (double& t : series.time) t /= time;
-  for (double& v : series.value) v = (v - offset) / value;
-  return series;
-}
-
-std::vector<double> differences(const Series& ours, const Series& measured, double from, double to) {
-  std::vector<double> found;
-  for (std::size_t k = 0; k < measured.time.size(); ++k)
-    if (measured.time[k] >= from && measured.time[k] <= to)
-      found.push_back(value_at(ours, measured.time[k]) - measured.value[k]);
-  return found;
-}
-
-double root_mean_square(const std::vector<double>& differences) {
-  double sum = 0;
-  for (const double d : differences) sum += d * d;
-  return std::sqrt(sum / static_cast<double>(differences.size()));
-}
-
-Samples within(const Samples& samples, double low, double high) {
-  std::vector<Eigen::Index> inside;
-  for (Eigen::Index p = 0; p < samples.size(); ++p)
-    if (samples.x(0, p) > low && samples.x(0, p) < high) inside.push_back(p);
-  return {samples.time,         samples.x(Eigen::all, inside), samples.v(Eigen::all, inside),
-          samples.mass(inside), samples.density(inside),       samples.pressure(inside)};
-}
-
-std::array<double, 3> energies(const Samples& samples, const Tait& water, double gravity) {
-  const Scalars z = (samples.density / water.density).max(1);  // the integral of p / rho² over the density
-  return {kinetic_energy(samples), gravity * (samples.mass * samples.x.row(1).transpose().array()).sum(),
-          water.bulk_modulus / water.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum()};
-}
-
-double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall) {
-  double least = INFINITY, rise = 0;
-  for (const std::vector<double>& seen : run.history.seen) {
-    const double total = seen[kinetic] + seen[kinetic + 1] + seen[kinetic + 2];
-    least = std::min(least, total);
-    rise = std::max(rise, total - least);
-  }
-  return rise / fall;
-}
-
-Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, const Friction& friction) {
-  return {scene.domain,
-          scene.fluid,
-          scene.filled,
-          scene.walls,
-          SkinFriction{scene.body_force.per_mass, friction.coefficient, friction.breadth, friction.layer},
-          scene.start};
-}
-
-namespace open_dam {
-namespace {
-
-// Columns after those of a front.
-const std::size_t kinetic = DamFront::quantities.size(), gauges_from = kinetic + 3, pressure_from = gauges_from + 2;
-
-std::vector<double> seen_of_front(const DamFront& dam, const Samples& samples) {
+std::vector<double> monitored(const DamFront& dam, const Samples& samples) {
   std::vector<double> seen = dam.monitored(samples);
   std::ranges::copy(energies(samples, water_of(dam.column_height), dam.gravity), std::back_inserter(seen));
   return seen;
 }
 
-std::vector<Quantity> names_of_front() {
+std::vector<Quantity> monitored_quantities() {
   std::vector<Quantity> names = DamFront::quantities;
   for (const char* energy : {"kinetic energy", "potential energy", "elastic energy"}) names.push_back({energy, "J/m"});
   return names;
 }
 
-/// Of a run that lived: what is kept, and what energy it made.
 std::vector<Value> books(const DamFront& dam, const Level& level, const Run& run) {
   std::vector<Value> found = dam.kept(level, run);
   if (!found.empty()) {
+    const std::size_t kinetic = DamFront::quantities.size();
     const double fall = dam.density * dam.gravity * dam.column_length * dam.column_height * dam.column_height / 2 *
                         (1 - dam.column_length / dam.tank_length);
     found.push_back(
@@ -104,213 +33,12 @@ Case to_the_end(std::string title, std::string description, const DamFront& dam)
   return {
       .title = std::move(title),
       .description = std::move(description),
-      .times = {end},
+      .times = {end_of_impact},
       .measurements = {},
       .claims = {between(dam.mass_change, -1e-12, 1e-12, theory("particle masses are constant; rounding of the sum")),
                  between(dam.lost, 0, 0, theory("water does not cross walls")),
                  at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
       .methods = {}};
-}
-
-constexpr std::array gauges{2.228, 2.725};         // m    h2 and h1, in the order in which they are wet
-constexpr double disc = 0.09, disc_height = 0.16;  // m
-const double unit_of_time = std::sqrt(buchner.column_height / buchner.gravity),    // s
-    unit_of_pressure = buchner.density * buchner.gravity * buchner.column_height;  // Pa
-constexpr double before_return = 5.5, at_the_end = 7.9;  // of T_H; the wave that comes back is at h1 at 5.7
-
-std::vector<double> seen_of_buchner(const Samples& samples) {
-  std::vector<double> seen = seen_of_front(buchner, samples);
-  const double spacing = std::sqrt(samples.mass.maxCoeff() / buchner.density), half_width = std::max(5e-3, spacing);
-  for (const double gauge : gauges) {
-    const Samples near = within(samples, gauge - 2 * spacing - half_width, gauge + 2 * spacing + half_width);
-    seen.push_back(near.size() == 0 ? 0 : water_level(near, gauge, half_width, spacing).volume);
-  }
-  const WallSensor sensor{buchner.tank_length, disc_height, disc};
-  const Samples near = within(samples, sensor.wall - disc - 4 * spacing, sensor.wall + spacing);
-  seen.push_back(near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing));
-  seen.push_back(near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing));
-  return seen;
-}
-
-/// h/H at both gauges and p/(rho g H) over T_H, computed or measured.
-struct SeenByBuchner {
-  std::array<Series, gauges.size()> levels{};
-  Series pressure{}, fitted{};
-};
-
-SeenByBuchner seen_in(const Run& run) {
-  SeenByBuchner seen{.pressure = scaled(followed(run, pressure_from), unit_of_time, 0, unit_of_pressure),
-                     .fitted = scaled(followed(run, pressure_from + 1), unit_of_time, 0, unit_of_pressure)};
-  for (std::size_t k = 0; k < gauges.size(); ++k)
-    seen.levels[k] = scaled(followed(run, gauges_from + k), unit_of_time, 0, buchner.column_height);
-  return seen;
-}
-
-/// What was measured, and how much the origin of its clock is in doubt, of T_H.
-struct Measured {
-  SeenByBuchner seen;
-  double origin;
-};
-
-DataTable measured_table(const std::string& name, const std::vector<std::string>& headings) {
-  DataTable table = read_table(data_folder() / "experiments" / name, headings);
-  require_geometry(table, "column_length", buchner.column_length, 1e-6);
-  require_geometry(table, "column_height", buchner.column_height, 1e-6);
-  require_geometry(table, "tank_length", buchner.tank_length, 1e-6);
-  return table;
-}
-
-DataTable pressure_table(const std::string& name, const std::vector<std::string>& headings) {
-  DataTable table = measured_table(name, headings);
-  require_geometry(table, "sensor_height", disc_height, 1e-6);
-  require_geometry(table, "sensor_diameter", disc, 1e-6);
-  return table;
-}
-
-Measured measured_by_zhou() {
-  const DataTable levels = measured_table("zhou_1999_levels.csv", {"gauge", "t [s]", "T_H [-]", "h [m]"}),
-                  pressure = pressure_table("zhou_1999_pressure.csv", {"t [s]", "T_H [-]", "p [Pa]", "P2 [-]"});
-  Measured found{{.pressure = series_of(pressure, "T_H [-]", "P2 [-]")},
-                 levels.provenance().uncertainty.at("T_H.origin").value};
-  constexpr std::array names{"h2", "h1"};
-  for (std::size_t k = 0; k < gauges.size(); ++k) {
-    require_geometry(levels, std::string(names[k]) + "_place", gauges[k], 1e-6);
-    found.seen.levels[k] =
-        scaled(series_of(levels.only("gauge", names[k]), "T_H [-]", "h [m]"), 1, 0, buchner.column_height);
-  }
-  return found;
-}
-
-Measured measured_by_buchner() {
-  const DataTable table = pressure_table("buchner_2002_pressure.csv", {"T_H [-]", "P1 [-]", "series"});
-  return {{.pressure = series_of(table.only("series", "trixi"), "T_H [-]", "P1 [-]")},
-          table.provenance().uncertainty.at("T_H.origin").value};
-}
-
-/// When a gauge is wet: a dry one reads 5 mm, and is known to 12.
-double wet(const Series& level) { return impacts::first_above(level, 0.02 / buchner.column_height); }
-
-/// The largest sample between two times; not a number where the series does not reach.
-double largest(const Series& series, double from, double to) {
-  if (!(series.time.front() <= from && series.time.back() >= to)) return not_a_number;
-  double most = -INFINITY;
-  for (std::size_t k = 0; k < series.time.size(); ++k)
-    if (series.time[k] >= from && series.time[k] <= to) most = std::max(most, series.value[k]);
-  return most;
-}
-
-/// What is told of an impact on the disc, T_H after its rise; the wave that comes back falls on it between 2.5 and 4.5.
-struct ImpactOnDisc {
-  double first_peak, impulse, plateau, second_peak;
-};
-ImpactOnDisc impact_on(const Series& pressure, double rise) {
-  return {largest(pressure, rise, rise + 1), time_integral(pressure, rise, rise + 1),
-          time_mean(pressure, rise + 1, rise + 2), largest(pressure, rise + 2.5, rise + 4.5)};
-}
-
-std::vector<Value> compared_with_buchner(const Level& level, const Run& run) {
-  std::vector<Value> found = books(buchner, level, run);
-  if (found.empty()) return found;
-  const auto add = [&](const Quantity& quantity, double value) {
-    found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
-  };
-  const auto rms = [](const std::string& name) { return Quantity{name, "", Kind::error}; };
-  const SeenByBuchner ours = seen_in(run);
-  const Measured zhou = measured_by_zhou(), disc_of_buchner = measured_by_buchner();
-  // Measured pressures rise from 0 to 0.5 within 0.15, ours slowly. The read-out of Zhou, De Kat & Buchner has noise up
-  // to 0.16.
-  const double rise = impacts::first_above(ours.pressure, 0.05),
-               rise_of_zhou = impacts::first_above(zhou.seen.pressure, 0.2),
-               rise_of_buchner = impacts::first_above(disc_of_buchner.seen.pressure, 0.05);
-  const ImpactOnDisc impact = impact_on(ours.pressure, rise), fitted = impact_on(ours.fitted, rise),
-                     measured = impact_on(disc_of_buchner.seen.pressure, rise_of_buchner);
-  const double h2 = wet(ours.levels[0]), measured_h2 = wet(zhou.seen.levels[0]);
-
-  add({"arrival T_H at h2"}, h2);
-  add({"arrival T_H at h1"}, wet(ours.levels[1]));
-  add({"rise of the pressure, T_H"}, rise);
-  const ClockShift by_level = clock_shift(measured_h2, h2, zhou.origin),
-                   by_rise = clock_shift(rise_of_buchner, rise, disc_of_buchner.origin);
-  add({"clock shift that h2 needs, T_H"}, by_level.needed);
-  add({"clock shift by h2, T_H, at most 0.1"}, by_level.applied);
-  add({"clock shift that the rise of Buchner needs, T_H"}, by_rise.needed);
-  add({"clock shift by the rise of Buchner, T_H, at most 0.3"}, by_rise.applied);
-  add(travel, (rise - h2) / (rise_of_zhou - measured_h2));
-
-  const auto rms_of_levels = [&](double until) {
-    std::vector<double> all;
-    for (std::size_t k = 0; k < gauges.size(); ++k)
-      std::ranges::copy(
-          differences(shifted(ours.levels[k], by_level.applied), zhou.seen.levels[k], wet(zhou.seen.levels[k]), until),
-          std::back_inserter(all));
-    return root_mean_square(all);
-  };
-  add(levels_rms, rms_of_levels(before_return));
-  add(rms("RMS error of levels h/H, T_H to 7.9, clock of h2"), rms_of_levels(at_the_end));
-  const auto rms_of_pressure = [&](double until) {
-    return root_mean_square(
-        differences(shifted(ours.pressure, by_rise.applied), disc_of_buchner.seen.pressure, rise_of_buchner, until));
-  };
-  add(rms("RMS error of p/(rho g H), rise to T_H = 5.5, clock of the rise"), rms_of_pressure(before_return));
-  add(rms("RMS error of p/(rho g H), rise to the end of the data, clock of the rise"), rms_of_pressure(at_the_end));
-  add({"first peak, over the measured"}, impact.first_peak / measured.first_peak);
-  add({"first peak, by a fit at the wall, over the measured"}, fitted.first_peak / measured.first_peak);
-  add({"impulse, 1 of T_H after the rise, over the measured"}, impact.impulse / measured.impulse);
-  add(plateau, impact.plateau / measured.plateau);
-  add({"second peak, over the measured"}, impact.second_peak / measured.second_peak);
-  return found;
-}
-
-Plot over_time(const Figure& frame, const std::function<Series(const SeenByBuchner&)>& of,
-               const std::vector<Curve>& measured) {
-  return [=](const Results& results, Record& record) {
-    record.figures.push_back(frame);
-    if (const Run* run = finest(results)) {
-      const Series ours = of(seen_in(*run));
-      record.curves.push_back(
-          {frame.id, results.method.name + " " + run->summary.level, Role::ours, ours.time, ours.value, false});
-    }
-    record.curves.insert(record.curves.end(), measured.begin(), measured.end());
-  };
-}
-
-std::vector<Plot> beside_what_buchner_measured() {
-  const Measured zhou = measured_by_zhou(), disc_of_buchner = measured_by_buchner();
-  const auto measured = [](const std::string& figure, const std::string& label, const Series& series, Role role) {
-    return Curve{figure, label, role, series.time, series.value, true};
-  };
-  const Axis time{"T_H = t sqrt(g/H)", 1, false, 0, 8};
-  std::vector<Plot> plots;
-  constexpr std::array names{"h2", "h1"};
-  for (std::size_t k = 0; k < gauges.size(); ++k) {
-    const std::string id = std::string("level_") + names[k];
-    plots.push_back(
-        over_time({id,
-                   fmt::format("Water level at {}, {:g} m from the back wall", names[k], gauges[k]),
-                   "Ours as volume over width. Clocks as they are: that of the experiment is in doubt by 0.1.",
-                   time,
-                   {"h/H", 1, false, 0, 1.2}},
-                  [k](const SeenByBuchner& seen) { return seen.levels[k]; },
-                  {measured(id, "Zhou, De Kat & Buchner 1999", zhou.seen.levels[k], Role::experiment)}));
-  }
-  plots.push_back(over_time(
-      {"pressure",
-       "Pressure in the far wall, 0.16 m above the floor",
-       "Mean over a height of 90 mm, ours sampled every ms. Clocks as they are: that of Buchner is in doubt by "
-       "0.3, that of Zhou, De Kat & Buchner by 0.1; both read one event.",
-       {"T_H = t sqrt(g/H)", 1, false, 2, 8},
-       {"p/(rho g H)", 1, false, -0.2, 1.5}},
-      [](const SeenByBuchner& seen) { return seen.pressure; },
-      {measured("pressure", "Buchner 2002", disc_of_buchner.seen.pressure, Role::experiment),
-       measured("pressure", "Zhou, De Kat & Buchner 1999", zhou.seen.pressure, Role::published)}));
-  return plots;
-}
-
-}  // namespace
-
-ClockShift clock_shift(double measured, double ours, double most) {
-  const double needed = measured - ours;
-  return {needed, std::clamp(needed, -most, most)};
 }
 
 Scene<Tait, Uniform> collapse(const DamFront& dam) {
@@ -330,13 +58,13 @@ Case beside_fronts(std::string title, std::string description, const DamFront& d
   const double most = until + 0.3 + dam.scaled_time(frame_every);
   declared.times.clear();
   for (int k = 0; dam.scaled_time(k * frame_every) <= most; ++k) declared.times.push_back(k * frame_every);
-  declared.times.push_back(end);
-  declared.watch = {.every = output_interval,
-                    .see = [=](const Samples& samples) { return seen_of_front(dam, samples); },
-                    .quantities = names_of_front()};
+  declared.times.push_back(end_of_impact);
+  declared.watch = {.every = sampled_every,
+                    .see = [=](const Samples& samples) { return monitored(dam, samples); },
+                    .quantities = monitored_quantities()};
   declared.measurements = {[=](const Level& level, const Run& run) {
     std::vector<Value> found = books(dam, level, run);
-    if (run.summary.end_time < end) return found;
+    if (run.summary.end_time < end_of_impact) return found;
     for (const Value& value : dam.against_experiments(level, run)) {
       const auto is_of = [&](const std::string& what) { return value.quantity.name.ends_with(what); };
       if (is_of(dam.of_thin_slab) || is_of("99.5th percentile") || is_of(dam.of_residual_height))
@@ -363,17 +91,4 @@ Case beside_fronts(std::string title, std::string description, const DamFront& d
   return declared;
 }
 
-Case beside_buchner(std::string title, std::string description) {
-  Case declared = to_the_end(std::move(title), std::move(description), buchner);
-  std::vector<Quantity> names = names_of_front();
-  names.insert(
-      names.end(),
-      {{"level h2", "m"}, {"level h1", "m"}, {"pressure, mean over the disc", "Pa"}, {"pressure, affine fit", "Pa"}});
-  declared.watch = {.every = output_interval, .see = seen_of_buchner, .quantities = names};
-  declared.measurements = {compared_with_buchner};
-  declared.plots = beside_what_buchner_measured();
-  return declared;
-}
-
-}  // namespace open_dam
-}  // namespace touchstone::vnv
+}  // namespace touchstone::vnv::open_dam

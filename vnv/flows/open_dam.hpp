@@ -1,59 +1,11 @@
 #pragma once
-/// Columns of water that are released at once, beside the experiments of Martin & Moyce (1952), Koshizuka & Oka (1995),
-/// Zhou, De Kat & Buchner (1999) and Buchner (2002); and what any dam break is read and compared by.
+/// Columns of water that are released at once, and their fronts beside those of Martin & Moyce (1952), Koshizuka & Oka
+/// (1995) and Lobovský et al. (2014).
 
-#include "solvers/fluids/tait.hpp"
-#include "solvers/forces/skin_friction.hpp"
-#include "solvers/forces/uniform.hpp"
-#include "solvers/scene.hpp"
+#include "vnv/flows/dam.hpp"
 #include "vnv/flows/dam_front.hpp"
-#include "vnv/judge/series.hpp"
 
-#include <array>
-
-namespace touchstone::vnv {
-
-/// One column of what a run monitored, over time [s], in its unit.
-Series followed(const Run& run, std::size_t column);
-
-/// Times over `time`, values less `offset` over `value`.
-Series scaled(Series series, double time, double offset, double value);
-
-/// The differences of two series at the times of the measured one, from one time to another.
-std::vector<double> differences(const Series& ours, const Series& measured, double from, double to);
-/// Not a number of none.
-double root_mean_square(const std::vector<double>& differences);
-
-/// The particles within a strip of x, which is all that a gauge or a sensor sees.
-Samples within(const Samples& samples, double low, double high);
-
-/// Kinetic and potential energy of water and what compression holds [J/m]. Water that has come apart bears no tension,
-/// and its density says nothing.
-std::array<double, 3> energies(const Samples& samples, const Tait& water, double gravity);
-
-inline const Quantity energy_made{"largest rise of the total energy over the fall", "", Kind::invariant,
-                                  Better::smaller};
-/// Over `fall` [J/m], of the sum of three columns that were monitored, of which `kinetic` is the first.
-double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall);
-
-/// What a plane flow leaves out of the walls of a tank.
-struct Friction {
-  double coefficient;         // -  c_f
-  double layer;               // m  above the floor, as thin as the front's tip
-  double breadth = INFINITY;  // m  between the side walls
-};
-/// The same column, which slides with skin friction.
-Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, const Friction& friction);
-
-namespace open_dam {
-
-/// How much later our clock is to be set, for an event of a computation to come when it came in the experiment, whose
-/// origin of time is in doubt by `most`.
-struct ClockShift {
-  double needed;   // of what puts both events at one time; not a number without both
-  double applied;  // that, but at most the doubt to either side: the rest stays a difference
-};
-ClockShift clock_shift(double measured, double ours, double most);
+namespace touchstone::vnv::open_dam {
 
 /// Water in which sound is 29 sqrt(g h0) fast at g = 9.81 m/s², 17 times as fast as the front: 50 m/s at 0.3 m, as in
 /// the dam breaks with a gate.
@@ -72,22 +24,22 @@ inline DamFront column(double length, double height, double tank) {
 /// Water under its own weight that nothing holds from t = 0 on.
 Scene<Tait, Uniform> collapse(const DamFront& dam);
 
-inline constexpr double output_interval = 1e-3;  // s  holds whole numbers of steps
-inline constexpr double end = 2;                 // s
+/// What is monitored of such a column: its front, mass and particles, then its energies.
+std::vector<double> monitored(const DamFront& dam, const Samples& samples);
+std::vector<Quantity> monitored_quantities();
+
+/// Of a run that lived: mass and particles kept, and what energy it made.
+std::vector<Value> books(const DamFront& dam, const Level& level, const Run& run);
+
+/// A case, short of methods and of what is compared, of a column that has to live through the impact on the far wall,
+/// to 2 s.
+Case to_the_end(std::string title, std::string description, const DamFront& dam);
 
 /// A case, short of its methods, of a column whose front and residual height are compared with each experiment that
-/// had one of its aspect, T up to `until`, and which has to live through the impact on the far wall, to 2 s. The tank
-/// has to be so long that no front that is 0.3 of T early meets its wall while the data last.
+/// had one of its aspect, T up to `until`. The tank has to be so long that no front that is 0.3 of T early meets its
+/// wall while the data last.
 Case beside_fronts(std::string title, std::string description, const DamFront& dam, double until);
 
-/// The column and tank of Zhou, De Kat & Buchner (1999) and Buchner (2002).
-inline const DamFront buchner = column(1.2, 0.6, 3.22);
-/// A case, short of its methods, of that column: levels at two gauges and the pressure in the far wall.
-Case beside_buchner(std::string title, std::string description);
-/// Levels h/H at both gauges, from when they are wet until the wave returns, by the clock of h2.
-inline const Quantity levels_rms{"RMS error of levels h/H, T_H to 5.5, clock of h2", "", Kind::error},
-    travel{"time from gauge h2 to the sensor, over the measured"},
-    plateau{"plateau, 1 to 2 of T_H after the rise, over the measured"};
+inline const std::string of_slab = DamFront::of_thin_slab, martin_moyce = "Martin & Moyce 1952";
 
-}  // namespace open_dam
-}  // namespace touchstone::vnv
+}  // namespace touchstone::vnv::open_dam

@@ -66,6 +66,12 @@ Series shifted(Series series, double shift) {
   return series;
 }
 
+Series scaled(Series series, double time, double offset, double value) {
+  for (double& t : series.time) t /= time;
+  for (double& v : series.value) v = (v - offset) / value;
+  return series;
+}
+
 void require_series(std::string_view who, const Series& series) {
   if (series.time.size() != series.value.size() || series.time.size() < 2)
     throw std::invalid_argument(fmt::format("{}: {} times and {} values, expected two or more of each", who,
@@ -83,6 +89,20 @@ double value_at(const Series& series, double time) {
   if (series.time[k - 1] == time) return series.value[k - 1];
   const double part = (time - series.time[k - 1]) / (series.time[k] - series.time[k - 1]);
   return series.value[k - 1] + part * (series.value[k] - series.value[k - 1]);
+}
+
+std::vector<double> differences(const Series& ours, const Series& measured, double from, double to) {
+  std::vector<double> found;
+  for (std::size_t k = 0; k < measured.time.size(); ++k)
+    if (measured.time[k] >= from && measured.time[k] <= to)
+      found.push_back(value_at(ours, measured.time[k]) - measured.value[k]);
+  return found;
+}
+
+double root_mean_square(const std::vector<double>& differences) {
+  double sum = 0;
+  for (const double d : differences) sum += d * d;
+  return std::sqrt(sum / static_cast<double>(differences.size()));
 }
 
 double time_integral(const Series& series, double from, double to) {

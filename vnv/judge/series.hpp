@@ -19,12 +19,20 @@ Series series_of(const DataTable& table, std::string_view time, std::string_view
 /// With its clock set later by `shift`.
 Series shifted(Series series, double shift);
 
+/// Times over `time`, values less `offset` over `value`.
+Series scaled(Series series, double time, double offset, double value);
+
 /// Throws std::invalid_argument with one line that begins with `who`, unless there are two samples or more, equally
 /// many times and values, and finite rising times.
 void require_series(std::string_view who, const Series& series);
 
 /// The value at a time; not a number outside of the series.
 double value_at(const Series& series, double time);
+
+/// Ours less measured at the times of the measured one, from one time to another, both included.
+std::vector<double> differences(const Series& ours, const Series& measured, double from, double to);
+/// Not a number of none.
+double root_mean_square(const std::vector<double>& differences);
 
 /// The integral over time from one time to a later one, and the mean: exact for what is linear between the samples. Not
 /// a number where the series does not reach, or holds what is no number there. Throw as `require_series`.

@@ -81,5 +81,18 @@ TEST(ASeries, OfATableIsInTheOrderOfTimeWithTheMeanOfEqualOnes) {
   EXPECT_EQ(series.value, (std::vector<double>{3, 5}));
 }
 
+TEST(ASeries, IsScaledAfterItsOffset) {
+  const Series found = scaled({{0, 2, 4}, {1, 2, 5}}, 2, 1, 4);
+  EXPECT_EQ(found.time, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(found.value, (std::vector<double>{0, 0.25, 1}));
+}
+
+TEST(ASeries, DiffersFromAMeasuredOneAtItsTimesWithinARange) {
+  const Series ours{{0, 2}, {0, 4}}, measured{{0, 0.5, 1, 2}, {5, 0, 3, 1}};
+  EXPECT_EQ(differences(ours, measured, 0.5, 1), (std::vector<double>{1, -1}));
+  EXPECT_EQ(root_mean_square({3, -4}), std::sqrt(12.5));
+  EXPECT_TRUE(std::isnan(root_mean_square({})));
+}
+
 }  // namespace series_test
 }  // namespace touchstone::vnv

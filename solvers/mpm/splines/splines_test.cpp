@@ -178,7 +178,7 @@ TEST(SkinFriction, SlowsASlabAsItsWallsBear) {
                                  .fluid = water,
                                  .filled = {.high = {0.4, 0.2}},
                                  .walls = {floor_at(0, free_slip()), ceiling_at(0.2, free_slip())},
-                                 .body_force = {Vec2::Zero(), c_f, breadth, layer}};
+                                 .body_force = {Vec2::Zero(), c_f, layer, breadth}};
   slab.start.velocity = [=](const Vec2&) -> Vec2 { return {U, 0}; };
   auto run = on_splines<Apic, AffineDensity>(slab, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3});
   for (int step = 0; step < 1000; ++step) run.step();
@@ -188,7 +188,7 @@ TEST(SkinFriction, SlowsASlabAsItsWallsBear) {
 }
 
 TEST(SkinFriction, IsNothingOnWaterAtRestAndHasTheFloorsPartNearTheFloor) {
-  const SkinFriction force{{0, -10}, 0.01, 0.5, 0.1};
+  const SkinFriction force{{0, -10}, 0.01, 0.1, 0.5};
   EXPECT_EQ(force({0, 0.01}, 0, Vec2::Zero()), Vec2(0, -10));
   EXPECT_LT((force({0, 0.2}, 0, {3, 4}) - Vec2(-0.3, -10.4)).norm(), 1e-12) << "c_f / 2 |v| v 2 / breadth";
   EXPECT_LT((force({0, 0.05}, 0, {3, 4}) - Vec2(-1.05, -11.4)).norm(), 1e-12) << "and the floor's";

@@ -1,14 +1,12 @@
 #pragma once
 /// The methods that run a dam break, with its gate or without, through the impact on the far wall.
 
-#include "vnv/flows/gated_dam.hpp"
+#include "vnv/flows/dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 #include <fmt/format.h>
 
-namespace touchstone::vnv::gated_dam {
-
-inline constexpr double end_of_impact = open_dam::end;
+namespace touchstone::vnv {
 
 /// MPM on B-splines at 20, 40 and 80 particles over the height of the column, delta-SPH, shifted and corrected SPH,
 /// whose runs take ten times as long, at 20 and 40; to 2 s, with what is claimed of some of them, by name.
@@ -17,11 +15,11 @@ inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& sc
   constexpr double end = end_of_impact;
   std::vector<Method> all =
       with_ladder(levels_across(height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}}),
-                  {mpm_apic(scene, output_interval), mpm_xpic(scene, output_interval)}, claims);
-  for (const Method& method : with_ladder(levels_across(height, {{20, end, end, end}, {40, 0, 0, end}}),
-                                          {sph_delta(scene, output_interval), sph_shifted(scene, output_interval),
-                                           sph_corrected(scene, output_interval)},
-                                          claims))
+                  {mpm_apic(scene, sampled_every), mpm_xpic(scene, sampled_every)}, claims);
+  for (const Method& method : with_ladder(
+           levels_across(height, {{20, end, end, end}, {40, 0, 0, end}}),
+           {sph_delta(scene, sampled_every), sph_shifted(scene, sampled_every), sph_corrected(scene, sampled_every)},
+           claims))
     all.push_back(method);
   for (Method& method : all)
     method.tolerance = {method.family == Family::mpm ? 0.1 : 0.5,
@@ -32,22 +30,24 @@ inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& sc
 
 /// Those, and APIC with skin friction.
 inline std::vector<Method> methods_with_friction(const Scene<Tait, Uniform>& scene, double height,
-                                                 const Friction& of_walls,
+                                                 const SkinFriction& friction,
                                                  const std::map<std::string, std::vector<Claim>>& claims) {
   std::vector<Method> all = methods_through_impact(scene, height, claims);
-  Method rough = mpm_apic(with_friction(scene, of_walls), output_interval);
+  Method rough = mpm_apic(with_friction(scene, friction), sampled_every);
   rough.name = "mpm_apic_friction";
   rough.description +=
-      fmt::format(" Skin friction of the walls, which a plane flow does not have, c_f = {:g}.", of_walls.coefficient);
+      fmt::format(" Skin friction of the walls, which a plane flow does not have, c_f = {:g}.", friction.coefficient);
   rough.levels = all.front().levels;
   rough.ladders = all.front().ladders;
   rough.tolerance = all.front().tolerance;
   all.push_back(rough);
   return all;
 }
-inline std::vector<Method> methods_with_gate(const Inputs& inputs,
-                                             const std::map<std::string, std::vector<Claim>>& claims) {
-  return methods_with_friction(collapse(inputs), inputs.height, friction, claims);
+
+/// All but those of some names.
+inline std::vector<Method> without(const std::vector<std::string>& names, std::vector<Method> methods) {
+  std::erase_if(methods, [&](const Method& method) { return std::ranges::find(names, method.name) != names.end(); });
+  return methods;
 }
 
-}  // namespace touchstone::vnv::gated_dam
+}  // namespace touchstone::vnv

@@ -1,4 +1,4 @@
-#include "vnv/flows/open_dam.hpp"
+#include "vnv/flows/buchner_dam.hpp"
 
 #include "vnv/files/tables.hpp"
 

@@ -1,0 +1,36 @@
+#pragma once
+/// What dam breaks have in common: how a run through the impact on the far wall is read, its energy, skin friction.
+
+#include "solvers/fluids/tait.hpp"
+#include "solvers/forces/skin_friction.hpp"
+#include "solvers/forces/uniform.hpp"
+#include "solvers/scene.hpp"
+#include "vnv/case.hpp"
+#include "vnv/judge/series.hpp"
+
+#include <array>
+
+namespace touchstone::vnv {
+
+inline constexpr double sampled_every = 1e-3;  // s  holds whole numbers of steps
+inline constexpr double end_of_impact = 2;     // s
+
+/// One column of what a run monitored, over time [s], in its unit.
+Series followed(const Run& run, std::size_t column);
+
+/// The particles within a strip of x, which is all that a gauge or a sensor sees.
+Samples within(const Samples& samples, double low, double high);
+
+/// Kinetic and potential energy of water and what compression holds [J/m]. Water that has come apart bears no tension,
+/// and its density says nothing.
+std::array<double, 3> energies(const Samples& samples, const Tait& water, double gravity);
+
+inline const Quantity energy_made{"largest rise of the total energy over the fall", "", Kind::invariant,
+                                  Better::smaller};
+/// Over `fall` [J/m], of the sum of three columns that were monitored, of which `kinetic` is the first.
+double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall);
+
+/// The same column, with the skin friction of its tank, to which gravity is added.
+Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, SkinFriction friction);
+
+}  // namespace touchstone::vnv
