@@ -26,5 +26,5 @@ Case vnv::the_case() {
       .methods = {validated({apic, apic}),
                   validated({[](const auto& scene) { return sph_delta(scene, sampled_every); }},
                             {.of_across = {{20, 4}, {40, 4}, {80, 1}}, .varied = 1})},
-      .plots = {ensemble_beside_repeats(), validation_tables()}};
+      .plots = {validation_tables(), ensemble_beside_repeats()}};
 }
