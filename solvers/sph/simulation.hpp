@@ -24,6 +24,7 @@ class Simulation : public Clock {
     return near_.samples(time(), scene_.fluid);
   }
   Extremes extremes() const { return extremes_of(near_.all); }
+  const Integrator& integrator() const { return integrator_; }
 
  protected:
   /// Throws std::invalid_argument for settings that are not positive, and as `Neighbourhood` does. `carried` fields of

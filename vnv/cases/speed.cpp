@@ -380,7 +380,7 @@ std::vector<Method> of_accurate_sph() {
           [](const Level& level, const Schedule&) {
             return race_second_order(vortices, level, step_in_vortices(level));
           },
-          in_square, 2.2),
+          in_square, 2.6),
       rates(
           "sph_transport_velocity", transport + " in Poiseuille flow, two passes",
           [](const Level& level, const Schedule&) {

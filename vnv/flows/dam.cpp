@@ -1,5 +1,6 @@
 #include "vnv/flows/dam.hpp"
 
+#include "solvers/stepping/energy_book.hpp"
 #include "vnv/measures/decay.hpp"
 
 namespace touchstone::vnv {
@@ -19,9 +20,9 @@ Samples within(const Samples& samples, double low, double high) {
 }
 
 std::array<double, 3> energies(const Samples& samples, const Tait& water, double gravity) {
-  const Scalars z = (samples.density / water.density).max(1);  // the integral of p / rho² over the density
+  const auto elastic = [&](double density) { return elastic_energy(water, density); };
   return {kinetic_energy(samples), gravity * (samples.mass * samples.x.row(1).transpose().array()).sum(),
-          water.bulk_modulus / water.density * (samples.mass * (z.pow(6) / 6 + 1 / z - 7.0 / 6)).sum()};
+          (samples.mass * samples.density.unaryExpr(elastic)).sum()};
 }
 
 double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall) {

@@ -15,6 +15,8 @@ namespace touchstone::mpm {
 template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 class Composed : public Simulation<FluidLaw, Force> {
   using Base = Simulation<FluidLaw, Force>;
+
+ protected:
   using Base::grid_, Base::scene_, Base::threads_;
 
  public:
@@ -73,7 +75,7 @@ class Composed : public Simulation<FluidLaw, Force> {
             scene_.fluid.density / (1 + particles_.expansion.minCoeff())};
   }
 
- private:
+ protected:  // for one that measures between its sub-steps
   struct Held {
     int node;
     std::size_t wall;

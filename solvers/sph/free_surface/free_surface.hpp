@@ -34,7 +34,9 @@ struct Finds {
                         correction = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ||
                                      ReadsSurroundings<decltype(PartsOfMethod::pressure)>,
                         rise = ReadsSurroundings<decltype(PartsOfMethod::diffusion)> || shifting,
-                        surroundings = correction || rise, slopes = correction || shifting;
+                        surroundings = correction || rise, slopes = correction || shifting, book = requires {
+    PartsOfMethod::books_diffusion_in;
+  };
   static constexpr std::size_t carried = shifting ? drift_fields : rise ? 2 : 0, first_of_rise = carried - 2;
 };
 template <class Real, class PartsOfMethod>
@@ -106,6 +108,8 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
         }
         all.drho[i] = -all.rho[i] * divergence;
         if constexpr (Found::diffusion) all.drho[i] += sums[At::diffusion];
+        if constexpr (Found::diffusion && Found::book)
+          all.past[PartsOfMethod::books_diffusion_in][i] = sums[At::diffusion];
         all.ax[i] = sums[At::pull];
         all.ay[i] = sums[At::pull + 1];
       });

@@ -1,0 +1,93 @@
+#include "solvers/sph/free_surface/booked_kick_drift_kick.hpp"
+
+#include "solvers/forces/uniform.hpp"
+#include "solvers/sph/free_surface/diffusion/antuono.hpp"
+#include "solvers/sph/free_surface/free_surface.hpp"
+#include "solvers/sph/free_surface/gradients/bonet_lok.hpp"
+#include "solvers/sph/free_surface/shifting/tangential.hpp"
+#include "solvers/sph/kernels/wendland_c2.hpp"
+#include "solvers/sph/terms/artificial_viscosity.hpp"
+#include "solvers/sph/terms/bonet_lok_pressure.hpp"
+#include "solvers/testing.hpp"
+#include "solvers/walls/free_slip.hpp"
+
+namespace touchstone::sph {
+namespace booked_test {
+
+constexpr double spacing = 0.05, h = 2 * spacing, c = 30, g = 9.81;
+constexpr double potential = 1000 * 0.5 * 0.5 * g * 0.5 / 2;  // J/m  that the column begins with
+constexpr Antuono diffusion{.sound_speed = c, .h = h};
+constexpr Parts delta{.pressure = PressureSum{}, .diffusion = diffusion};
+constexpr Parts shifted{.pressure = PressureSum{},
+                        .diffusion = diffusion,
+                        .gradient = PlainGradient{},
+                        .shifting = TangentialShifting{spacing}};
+constexpr Parts corrected{.pressure = BonetLokPressure{}, .diffusion = diffusion, .gradient = BonetLok{}};
+
+/// A column of water that meets the far wall at about 0.3 s.
+const Scene<Tait, Uniform> dam{
+    .domain = {.box = {.high = {1, 4}}},
+    .fluid = {.density = 1000, .bulk_modulus = 1000 * c * c / 7},
+    .filled = {.high = {0.5, 0.5}},
+    .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(1, free_slip())},
+    .body_force = {{0, -g}},
+    .start = {.pressure = [](const Vec2& x) { return 1000 * g * (0.5 - x.y()); }},
+};
+constexpr int steps = 600;  // of 1 ms
+
+template <class Integrator>
+auto solver(const auto& parts, double alpha = 0.02) {
+  return free_surface<WendlandC2, Integrator>(dam, {.spacing = spacing, .smoothing_length = h, .time_step = 0.001},
+                                              momentum(ArtificialViscosity{.alpha = alpha, .sound_speed = c, .h = h}),
+                                              parts);
+}
+template <class PartsOfMethod>
+EnergyBook book_of(const PartsOfMethod& parts, double alpha = 0.02) {
+  auto simulation = solver<BookedKickDriftKick>(Booked<PartsOfMethod>{parts}, alpha);
+  for (int k = 0; k < steps; ++k) simulation.step();
+  return *simulation.integrator().book;
+}
+
+template <class PartsOfMethod>
+void expect_the_same_run(const PartsOfMethod& parts) {
+  auto plain = solver<KickDriftKick>(parts);
+  auto booked = solver<BookedKickDriftKick>(Booked<PartsOfMethod>{parts});
+  for (int k = 0; k < steps; ++k) plain.step(), booked.step();
+  const Samples a = plain.samples(), b = booked.samples();
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.v, b.v);
+  EXPECT_TRUE((a.density == b.density).all());
+}
+
+TEST(EnergyBookOfSph, KeepingItChangesNoBitOfARun) {
+  expect_the_same_run(delta);
+  expect_the_same_run(shifted);
+  expect_the_same_run(corrected);
+}
+
+TEST(EnergyBookOfSph, AccountsForAllEnergyButRounding) {
+  for (const EnergyBook& book : {book_of(delta), book_of(shifted), book_of(corrected)}) {
+    EXPECT_NEAR(book.start.total(), potential, 0.01 * potential);
+    EXPECT_LT(book.now.total(), 0.99 * book.start.total());
+    EXPECT_NEAR(book.residual(), 0, 1e-12 * potential);
+  }
+}
+
+TEST(EnergyBookOfSph, PartsThatAMethodDoesNotHaveAddNothing) {
+  const EnergyBook without_shifting = book_of(delta), with_shifting = book_of(shifted);
+  EXPECT_NEAR(without_shifting.shifting, 0, 1e-14 * potential);
+  EXPECT_EQ(without_shifting.transfer, 0);
+  EXPECT_GT(std::abs(with_shifting.shifting), 1e-6 * potential);
+  EXPECT_EQ(book_of(delta, 0).viscosity, 0);
+}
+
+TEST(EnergyBookOfSph, ViscosityDiffusionAndContactTakeEnergy) {
+  const EnergyBook book = book_of(delta);
+  EXPECT_LT(book.viscosity, -0.01 * potential);
+  EXPECT_LT(book.smoothing, 0);
+  EXPECT_LT(book.walls, 0);
+  EXPECT_GT(book_of(delta, 0.01).viscosity, book.viscosity);
+}
+
+}  // namespace booked_test
+}  // namespace touchstone::sph

@@ -1,0 +1,158 @@
+/// Where the energy of a dam break goes: what each part of a method adds to it, found from its own forces in each step.
+
+#include "vnv/flows/gated_dam.hpp"
+#include "vnv/methods/energy_books.hpp"
+#include "vnv/record/record.hpp"
+
+#include <fmt/format.h>
+
+using namespace touchstone;
+using namespace touchstone::vnv;
+using namespace touchstone::vnv::gated_dam;
+
+namespace {
+
+/// The column of Lobovský et al. (2014), 0.3 m high, released at once: a gate takes no energy, but MPM's plain
+/// reference has none.
+Scene<Tait, Uniform> without_gate() {
+  Scene<Tait, Uniform> scene = collapse(filled_300);
+  std::erase_if(scene.walls, [](const Wall& wall) { return wall.is_partial(); });
+  return scene;
+}
+
+constexpr std::size_t energies_monitored = 3;
+const std::size_t unaccounted = energies_monitored + parts_of_energy.size() - 1;  // its column
+
+Quantity over_fall(const Quantity& part) { return {part.name + " over the fall", "%"}; }
+const Quantity residual{"largest energy that no part accounts for, over the fall", "", Kind::invariant,
+                        Better::smaller};
+
+double percent_of_fall(const Run& run, std::size_t row, std::size_t column) {
+  return 100 * run.history.seen[row][column] / filled_300.fall();
+}
+
+/// At the end, of each part, in percent of the fall.
+std::vector<Value> at_end(const Results& results, const Record&) {
+  std::vector<Value> found;
+  for (const Run& run : results.runs) {
+    if (!run.summary.finished) continue;
+    const auto add = [&](const Quantity& quantity, double value) {
+      found.push_back({run.summary.level, run.summary.spacing, end_of_impact, quantity, value});
+    };
+    for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
+      add(over_fall(parts_of_energy[part]),
+          percent_of_fall(run, run.history.seen.size() - 1, energies_monitored + part));
+    double largest = 0;
+    for (const std::vector<double>& seen : run.history.seen) largest = std::max(largest, std::abs(seen[unaccounted]));
+    add(residual, largest / filled_300.fall());
+    add(energy_made, largest_rise_of_energy(run, 0, filled_300.fall()));
+  }
+  return found;
+}
+
+/// What each part of each method has added, before the impact, after it and at the end.
+void tabulate(const Results& results, Record& record) {
+  Table table{
+      "parts_of_energy",
+      "What each part of a method adds to the energy",
+      "Since the start, in percent of what the column loses until it lies flat. Pressure and gravity: their work on the motion "
+      "together with the energy of compression and of height that answers it. Density smoothing: diffusion in SPH, the way over the "
+      "nodes in MPM. Walls: contact in SPH, the reaction of nodes on walls in MPM. Transfer: between particles and nodes.",
+      {"method", "level", "t [s]"},
+      {}};
+  for (const char* name :
+       {"pressure", "gravity", "viscosity", "density smoothing", "walls", "transfer", "shifting", "all together"})
+    table.columns.push_back(name);
+  for (const Run& run : results.runs)
+    for (const double time : {0.4, 0.8, 1.2, 2.0})
+      for (std::size_t row = 0; row < run.history.time.size(); ++row) {
+        if (std::abs(run.history.time[row] - time) > sampled_every / 2) continue;
+        std::vector<Cell> cells{results.method.name, run.summary.level, fmt::format("{:g}", time)};
+        double sum = 0;
+        for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part) {
+          const double value = percent_of_fall(run, row, energies_monitored + part);
+          sum += value;
+          cells.push_back(value == 0 ? Cell("") : Cell(fmt::format("{:.2g}", value)));
+        }
+        cells.push_back(fmt::format("{:.2g}", sum));
+        table.rows.push_back(std::move(cells));
+      }
+  record.tables.push_back(std::move(table));
+}
+
+/// The energy lost over time, of all methods in one figure; and its parts, of a method.
+void draw(const Results& results, Record& record) {
+  const double fall = filled_300.fall();
+  const Axis time{"t [s]", 1, false, 0, end_of_impact};
+  const std::string& name = results.method.name;
+  record.figures.push_back({"lost",
+                            "Energy over time",
+                            "Kinetic, potential and elastic energy together, less those at the start.",
+                            time,
+                            {"change of energy over the fall [%]", 1}});
+  if (results.runs.empty()) return;
+  const Run& run = results.runs.back();
+  const auto curve = [&](const std::string& figure, const std::string& label, const auto& of) {
+    Curve found{figure, label, Role::ours, run.history.time, {}, false};
+    for (const std::vector<double>& seen : run.history.seen) found.y.push_back(100 * of(seen) / fall);
+    record.curves.push_back(std::move(found));
+  };
+  const auto sum = [](const std::vector<double>& seen) {
+    double all = 0;
+    for (std::size_t part = energies_monitored; part < seen.size(); ++part) all += seen[part];
+    return all;
+  };
+  curve("lost", fmt::format("{} {}", name, run.summary.level), sum);
+  const std::string id = "parts_" + name;
+  record.figures.push_back(
+      {id,
+       fmt::format("Energy over time by part, {}", name),
+       "What each part of the method has added since the start; those that added nothing are left out.",
+       time,
+       {"energy added over the fall [%]", 1}});
+  for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
+    if (std::ranges::any_of(run.history.seen,
+                            [&](const auto& seen) { return std::abs(seen[energies_monitored + part]) > 1e-4 * fall; }))
+      curve(id, parts_of_energy[part].name.substr(std::string("energy by ").size()),
+            [&](const auto& seen) { return seen[energies_monitored + part]; });
+}
+
+std::vector<Method> methods() {
+  std::vector<Method> all;
+  for (const Method& method : methods_with_books(without_gate(), sampled_every)) {
+    all.push_back(with_ladder(levels_across(filled_300.height, {{20, 0, end_of_impact, end_of_impact}}), method));
+    std::vector<Claim>& claims = all.back().claims;
+    if (!method.as_printed)
+      claims.push_back(at_most(energy_made, 0.01, theory("gravity is the only source of energy")));
+    if (method.family == Family::sph)
+      claims.push_back(at_most(over_fall(parts_of_energy[2]), 0, theory("artificial viscosity opposes approach")));
+  }
+  return all;
+}
+
+}  // namespace
+
+Case vnv::the_case() {
+  std::vector<Quantity> quantities{{"kinetic energy", "J/m"}, {"potential energy", "J/m"}, {"elastic energy", "J/m"}};
+  quantities.insert(quantities.end(), parts_of_energy.begin(), parts_of_energy.end());
+  return {
+      .title = "Energy of a dam break",
+      .description =
+          "The column of Lobovský et al. (2014), 0.6 m long and 0.3 m high, released at once in a tank 1.61 m long, to 2 s. In each step, work is "
+          "found from each part's own forces and the way they go: pressure, gravity, viscosity, walls; and what changes the energy without a force: "
+          "diffusion of density, transfers between particles and nodes, shifting. Together they are the change of the "
+          "energy to rounding.",
+      .times = {end_of_impact},
+      .watch = {.every = sampled_every,
+                .see =
+                    [](const Samples& samples) {
+                      const auto parts = energies(samples, without_gate().fluid, filled_300.gravity);
+                      return std::vector<double>(parts.begin(), parts.end());
+                    },
+                .quantities = quantities},
+      .measurements = {},
+      .findings = {at_end},
+      .claims = {at_most(residual, 1e-10, theory("work is force times way, in each step"))},
+      .methods = methods(),
+      .plots = {tabulate, draw}};
+}
