@@ -59,16 +59,21 @@ class SimulationInCells : public Simulation<FluidLaw, Force> {
   }
 
   /// Ends a step: carries particles that left their cells to those they are in, and calls list_near() if other blocks
-  /// hold particles than before. Throws Diverged.
-  template <class Laps, class ListNear>
-  void end_step(const Laps& lap, const ListNear& list_near) {
+  /// hold particles than before; meet_walls(slot, cell) sees them first. Throws Diverged.
+  template <class Laps, class ListNear, class MeetWalls>
+  void end_step(const Laps& lap, const ListNear& list_near, const MeetWalls& meet_walls) {
     lap(SubStep::gather);
     this->tick();
     const auto settle_here = [&](int slot, int cell) {
+      meet_walls(slot, cell);
       return settle(particles_, slot, cell, this->grid_, this->scene_.fluid, this->steps(), this->time());
     };
     if (keep_order(particles_, calm_, settle_here)) list_near();
     lap(SubStep::sorting);
+  }
+  template <class Laps, class ListNear>
+  void end_step(const Laps& lap, const ListNear& list_near) {
+    end_step(lap, list_near, [](int /*slot*/, int /*cell*/) {});
   }
 
   Particles particles_;

@@ -38,9 +38,11 @@ class Booked : public Composed<Shape, Transfer, Density, Tait, Uniform> {
     const Scalars carried = particles_.expansion;
     this->strain_and_stress();
     book_strain(carried);
+    const Energy strained = energy();
     this->tick();
     this->settle();
     book->now = energy();
+    book->walls += book->now.total() - strained.total();
   }
 
  private:

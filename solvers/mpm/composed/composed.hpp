@@ -5,6 +5,7 @@
 #include "solvers/mpm/composed/densities/carried_density.hpp"
 #include "solvers/mpm/composed/plain_transfer.hpp"
 #include "solvers/mpm/simulation.hpp"
+#include "solvers/mpm/walls/contact.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {
@@ -28,7 +29,8 @@ class Composed : public Simulation<FluidLaw, Force> {
       : Base(scene, settings),
         lattice_(lattice(scene.filled, settings.spacing, scene.domain.box)),
         weights_(grid_, lattice_.step),
-        nodes_(weights_.nodes()) {
+        nodes_(weights_.nodes()),
+        contact_(scene.walls, grid_) {
     for (std::size_t wall = 0; wall < scene.walls.size(); ++wall)
       for (int node : weights_.nodes_on(scene.walls[wall]))
         held_.push_back({node, wall, scene.start.velocity_at(weights_.place(node))});
@@ -149,10 +151,14 @@ class Composed : public Simulation<FluidLaw, Force> {
     density_.begin(particles_, gradients, has_room(particles_.mass * static_cast<double>(n), scene_));
   }
 
-  /// Takes particles back across periodic boundaries. Throws Diverged for one that has left the domain or has no
-  /// plausible density.
+  /// Holds particles at walls and takes them back across periodic boundaries. Throws Diverged for one that has left the
+  /// domain or has no plausible density.
   void settle() {
     for (Index p = 0; p < particles_.count(); ++p) {
+      contact_.meet(particles_.mass, particles_.x.col(p), [&](const Wall& wall) -> double& {
+        particles_.x(wall.axis, p) = wall.position;
+        return particles_.v(wall.axis, p);
+      });
       const Vec2 place = particles_.x.col(p);
       const auto refuse = [&](std::string quantity, double value, double low, double high) {
         if (low <= value && value <= high) return;
@@ -174,6 +180,7 @@ class Composed : public Simulation<FluidLaw, Force> {
   PlainParticles particles_;
   Weights<Shape> weights_;
   PlainNodes nodes_;
+  WallContact contact_;
   std::vector<Held> held_;  // by node, then in the order of the scene
   Transfer transfer_;
   Density density_;

@@ -6,6 +6,7 @@
 #include "solvers/mpm/printed/node_motion.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/splines/densities.hpp"
+#include "solvers/mpm/walls/contact.hpp"
 
 namespace touchstone::mpm {
 
@@ -21,7 +22,10 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
 
   /// Throws std::invalid_argument as its base does, and for a wall anywhere but at an edge of the domain.
   Splines(const Scene<FluidLaw, Force>& scene, const Settings& settings)
-      : Base(scene, settings), walls_(scene.walls, scene.start, grid_, nodes_), transfer_(nodes_) {
+      : Base(scene, settings),
+        walls_(scene.walls, scene.start, grid_, nodes_),
+        contact_(scene.walls, grid_),
+        transfer_(nodes_) {
     begin_gradients();
     list_near();
   }
@@ -44,8 +48,11 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
     DensityInCells<Density>::update(transfer_, nodes_, StepOf<FluidLaw>{grid_, scene_.fluid, dt, threads_, has_room_},
                                     particles_,
                                     calm_);  // (18), (19), (32), (33), (15)
-    this->end_step(lap, [&] { list_near(); });
+    this->end_step(
+        lap, [&] { list_near(); }, [&](int slot, int cell) { meet_walls(slot, cell); });
   }
+  /// What contact with walls has taken from the fluid so far.
+  const Contacts& contacts() const { return contact_.sum; }
 
  private:
   /// By a force that is not the same everywhere (13).
@@ -63,6 +70,14 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
       transfer_.template give<Local<Force>>(particles_, index, block, grid_, dt_per_cell, to);
     };
     give_by_rows<InCells<Transfer>::given>(particles_.order, threads_, nodes_, give);
+  }
+
+  void meet_walls(int slot, int cell) {
+    contact_.meet(particles_.mass, grid_.place(cell, particles_.X[slot], particles_.Y[slot]),
+                  [&](const Wall& wall) -> double& {
+                    (wall.axis == 0 ? particles_.X : particles_.Y)[slot] = wall.inward > 0 ? 0 : 1;
+                    return (wall.axis == 0 ? particles_.x : particles_.y).v[slot];
+                  });
   }
 
   void begin_gradients() {
@@ -85,6 +100,7 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
 
   bool has_room_ = has_room(particles_.mass * static_cast<double>(particles_.count), scene_);
   SplineWalls walls_;
+  WallContact contact_;
   InCells<Transfer> transfer_;
 };
 

@@ -227,5 +227,44 @@ TEST(AffineDensity, ForgetsHowFarLoneParticlesWereTorn) {
   }
 }
 
+/// One particle under tension, a thousandth of a cell above the floor, in a tank open at the top.
+auto beside_the_floor() {
+  Scene<Tait> scene{.domain = {.box = {.high = {1, 1}}}, .fluid = water, .filled = {.high = {1, 1}}};
+  scene.walls = {floor_at(0, free_slip())};
+  scene.start.places = [](const Vectors&) -> Vectors { return Vec2(0.47, 1e-4); };
+  scene.start.pressure = [](const Vec2&) { return -0.01 * water.density * std::pow(water.sound_speed(), 2); };
+  return on_splines<Xpic<5>>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
+}
+
+TEST(ContactOfMpm, HoldsWhatItsTensionDrawsThroughAWall) {
+  auto drop = beside_the_floor();
+  for (int step = 0; step < 20; ++step) drop.step();
+  EXPECT_GE(drop.contacts().particles, 1);
+  EXPECT_GE(drop.contacts().energy, 0);
+  EXPECT_GE(drop.contacts().impulse.y(), 0);
+  EXPECT_GE(drop.samples().x(1, 0), 0);
+}
+
+TEST(ContactOfMpm, DoesNotTouchWaterAtRest) {
+  auto tank = on_splines<Xpic<5>, AffineDensity>(behind_a_gate([](double) {
+                                                   return Range{0, 1};
+                                                 }),
+                                                 {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  for (int step = 0; step < 500; ++step) tank.step();
+  EXPECT_EQ(tank.contacts().particles, 0);
+}
+
+TEST(ContactOfMpm, IsNoneFartherBehindAWallAndNoneWithoutOne) {
+  Scene<Tait> scene{.domain = {.box = {.high = {1, 1}}}, .fluid = water, .filled = {.high = {1, 1}}};
+  scene.walls = {floor_at(0, free_slip())};
+  const auto fly = [&](const Vec2& from, const Vec2& v) {
+    scene.start.places = [=](const Vectors&) -> Vectors { return from; };
+    scene.start.velocity = [=](const Vec2&) -> Vec2 { return v; };
+    auto drop = on_splines<Apic>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
+    for (int step = 0; step < 20; ++step) drop.step();
+  };
+  EXPECT_THROW(fly({0.05, 0.5}, {-10, 0}), Diverged);
+}
+
 }  // namespace
 }  // namespace touchstone::mpm

@@ -89,5 +89,32 @@ TEST(EnergyBookOfSph, ViscosityDiffusionAndContactTakeEnergy) {
   EXPECT_GT(book_of(delta, 0.01).viscosity, book.viscosity);
 }
 
+/// By how much the energy of a single particle that flies against a wall changes, over what it has, while it bounces
+/// off the ghosts there.
+template <class PartsOfMethod>
+double change_in_a_bounce(const PartsOfMethod& parts) {
+  Scene<Tait, Uniform> scene = dam;
+  scene.filled = {.low = {0.3, 0.5}, .high = {0.3 + spacing, 0.5 + spacing}};
+  scene.walls = {left_at(0, free_slip())};
+  scene.body_force = {{0, 0}};
+  scene.start = {.velocity = [](const Vec2&) -> Vec2 { return {-5, 0}; }};
+  auto simulation = free_surface<WendlandC2, BookedKickDriftKick>(
+      scene, {.spacing = spacing, .smoothing_length = h, .time_step = 5e-5},
+      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), Booked<PartsOfMethod>{parts});
+  double most = 0;
+  const EnergyBook& book = *simulation.integrator().book;
+  for (int k = 0; k < 2400; ++k) {
+    simulation.step();
+    most = std::max(most, std::abs(book.now.total() - book.start.total()) / book.start.total());
+  }
+  EXPECT_GT(simulation.samples().v(0, 0), 0);
+  return most;
+}
+
+TEST(EnergyBookOfSph, ADropThatBouncesOffAWallKeepsItsEnergyAllTheWhile) {
+  EXPECT_LT(change_in_a_bounce(delta), 0.02);
+  EXPECT_LT(change_in_a_bounce(shifted), 0.02);
+}
+
 }  // namespace booked_test
 }  // namespace touchstone::sph

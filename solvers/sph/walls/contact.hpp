@@ -5,25 +5,12 @@
 /// next to it sinks at an even speed, in pressures that balance, and is through after half a spacing.
 
 #include "solvers/sph/particles.hpp"
+#include "solvers/walls/contacts.hpp"
 
 namespace touchstone::sph {
 
 /// How near to a wall particles may come or start [spacings]. Fluid at rest stands at half a spacing.
 inline constexpr double contact_distance = 0.1;
-
-/// What contact with walls has done to a fluid since the start.
-struct Contacts {
-  long particles = 0;           // how often one was held, once a step and wall
-  Vec2 impulse = Vec2::Zero();  // N s/m  that the fluid was given
-  double energy = 0;            // J/m    of motion that it lost
-
-  /// One particle whose velocity into the fluid, along a normal, was changed.
-  void add(double mass, const Vec2& normal, double before, double after) {
-    ++particles;
-    impulse += mass * (after - before) * normal;
-    energy += mass / 2 * (before * before - after * after);
-  }
-};
 
 /// Takes from velocities [m/s] what would carry particles nearer to a wall than `least` [m] in `dt` [s]: a contact that
 /// is unilateral, inelastic and without friction (Moreau 1988), which neither pulls nor pushes out. Calls
