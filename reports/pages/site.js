@@ -32,16 +32,22 @@ for (const heading of document.querySelectorAll("table:not(.matrix *) th")) {
   heading.addEventListener("keydown", (event) => { if (event.key === "Enter") sortBy(heading); });
 }
 
-// A field above a long table, which keeps the rows that hold every word typed into it.
-for (const box of document.querySelectorAll(".filtered .scroll")) {
-  const field = document.createElement("input"), rows = [...box.querySelector("tbody").rows];
+// A field above many tables, which keeps the rows that hold, or whose caption holds, every word typed into it.
+for (const box of document.querySelectorAll(".filtered")) {
+  const field = document.createElement("input"), sections = [...box.querySelectorAll("section")];
   Object.assign(field, {type: "search", placeholder: "filter: poiseuille sph order", ariaLabel: "filter"});
-  const texts = rows.map((row) => row.textContent.toLowerCase());
   field.addEventListener("input", () => {
     const words = field.value.toLowerCase().split(/\s+/);
-    rows.forEach((row, i) => { row.hidden = !words.every((word) => texts[i].includes(word)); });
+    for (const section of sections) {
+      const rows = [...section.querySelector("tbody").rows], title = section.querySelector(".caption").textContent;
+      for (const row of rows) {
+        const text = (title + row.textContent).toLowerCase();
+        row.hidden = !words.every((word) => text.includes(word));
+      }
+      section.hidden = rows.every((row) => row.hidden);
+    }
   });
-  box.before(field);
+  box.prepend(field);
 }
 
 const nights = (document.querySelector("main")?.dataset.nights ?? "").split(",");

@@ -10,7 +10,6 @@
 namespace touchstone::reports {
 namespace {
 
-// The case stands first on the page of all of them.
 const std::vector<std::string> claim_columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
                                              "time [s]", "value",  "limit", "margin",       "limit set by"};
 
@@ -36,6 +35,13 @@ HtmlRow verdict_row(const vnv::Record& record, const vnv::Verdict& v) {
           HtmlCell(printed_limit(v.lower, v.upper) + unit, "number limit"),
           HtmlCell(has_margin(v) ? margin_bar(v.margin) : "", "number"),
           words_cell(escape(v.author))};
+}
+
+std::string claims_html(const CaseRecords& records, const std::string& title, const std::string& text) {
+  HtmlTable table{title, text, claim_columns};
+  for_each(records, &vnv::Record::verdicts,
+           [&](const auto& record, const auto& verdict) { table.rows.push_back(verdict_row(record, verdict)); });
+  return to_html(table);
 }
 
 constexpr const char* caption =
@@ -68,12 +74,7 @@ std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdi
   return html_list(word(outcome), items);
 }
 
-std::string verdict_table(const CaseRecords& records) {
-  HtmlTable table{"Claims.", caption, claim_columns};
-  for_each(records, &vnv::Record::verdicts,
-           [&](const auto& record, const auto& verdict) { table.rows.push_back(verdict_row(record, verdict)); });
-  return to_html(table);
-}
+std::string verdict_table(const CaseRecords& records) { return claims_html(records, "Claims.", caption); }
 
 std::string diagnosis_table(const CaseRecords& records) {
   HtmlTable table{
@@ -98,21 +99,21 @@ std::string diagnosis_table(const CaseRecords& records) {
 }
 
 std::string verdicts_page(const std::vector<CaseRecords>& cases) {
-  HtmlTable table{"Claims of all cases.", caption, claim_columns};
-  table.columns.insert(table.columns.begin(), "case");
-  for_each(cases, &vnv::Record::verdicts, [&](const vnv::Record& record, const vnv::Verdict& verdict) {
-    HtmlRow row = verdict_row(record, verdict);
-    row.emplace(row.begin(),
-                fmt::format("<a href=\"{}/index.html\">{}</a>", record.case_name, name_html(record.case_name)));
-    table.rows.push_back(std::move(row));
-  });
+  std::string tables;
+  for (const CaseRecords& records : cases) {
+    const std::string& name = records.name;
+    const std::size_t rows = verdicts_of(records).size();
+    // A browser lays out what is near the window alone, and takes this height for the rest.
+    tables +=
+        fmt::format("<section style=\"contain-intrinsic-size:auto {}rem\">\n{}</section>\n", 4 + 3 * rows,
+                    claims_html(records, fmt::format("<a href=\"{}/index.html\">{}</a>.", name, name_html(name)), ""));
+  }
   const Tally sum = tally(verdicts_of(cases));
   return html_page_beside_index(
       "Verdicts", "verdicts", fmt::format("<p class=\"sum {}\">{}</p>\n", word(sum.worst()), sentence(sum)),
       "<p>Every claim of every method: the value that was computed, the limit that it is held against, and who set that "
-      "limit: theory, literature or the value last accepted (baseline).</p>\n"
-      "<div class=\"wide filtered\">\n" +
-          to_html(table) +
+      "limit: theory, literature or the value last accepted (baseline). " +
+          std::string(caption) + "</p>\n<div class=\"wide filtered\">\n" + tables +
           "</div>\n"
           "<p class=\"files\">Table for other programs: <a href=\"verdicts.csv\">verdicts</a></p>\n");
 }
