@@ -72,7 +72,7 @@ void tabulate(const Results& results, Record& record) {
         for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part) {
           const double value = percent_of_fall(run, row, energies_monitored + part);
           sum += value;
-          cells.push_back(value == 0 ? Cell("") : Cell(fmt::format("{:.2g}", value)));
+          cells.push_back(std::abs(value) < 1e-6 ? Cell("") : Cell(fmt::format("{:.2g}", value)));
         }
         cells.push_back(fmt::format("{:.2g}", sum));
         table.rows.push_back(std::move(cells));
