@@ -125,7 +125,7 @@ std::vector<Method> methods() {
     if (!method.as_printed)
       claims.push_back(at_most(energy_made, 0.01, theory("gravity is the only source of energy")));
     if (method.family == Family::sph)
-      claims.push_back(at_most(over_fall(parts_of_energy[2]), 0, theory("artificial viscosity opposes approach")));
+      claims.push_back(at_most(over_fall(energy_by_viscosity), 0, theory("artificial viscosity opposes approach")));
   }
   return all;
 }

@@ -5,13 +5,14 @@
 
 namespace touchstone::vnv {
 
-/// What a run of such a method monitors, after what its case does [J/m]: what each part of it added so far, then what
-/// no part accounts for.
+inline const Quantity energy_by_viscosity{"energy by viscosity", "J/m"};
+/// What a run of such a method monitors, after what its case does: what each part of it added so far, then what no part
+/// accounts for.
 inline const std::vector<Quantity> parts_of_energy{
-    {"energy by pressure", "J/m"},  {"energy by gravity", "J/m"},
-    {"energy by viscosity", "J/m"}, {"energy by density smoothing", "J/m"},
-    {"energy by walls", "J/m"},     {"energy by transfer", "J/m"},
-    {"energy by shifting", "J/m"},  {"energy that no part accounts for", "J/m"}};
+    {"energy by pressure", "J/m"}, {"energy by gravity", "J/m"},
+    energy_by_viscosity,           {"energy by density smoothing", "J/m"},
+    {"energy by walls", "J/m"},    {"energy by transfer", "J/m"},
+    {"energy by shifting", "J/m"}, {"energy that no part accounts for", "J/m"}};
 
 /// delta-SPH, shifted and corrected SPH, and, as the plain `mpm::composed`, APIC, XPIC(5) and MPM as printed. Walls
 /// with an extent are refused by MPM.
