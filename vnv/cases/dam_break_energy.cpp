@@ -14,11 +14,7 @@ namespace {
 
 /// The column of Lobovský et al. (2014), 0.3 m high, released at once: a gate takes no energy, but MPM's plain
 /// reference has none.
-Scene<Tait, Uniform> without_gate() {
-  Scene<Tait, Uniform> scene = collapse(filled_300);
-  std::erase_if(scene.walls, [](const Wall& wall) { return wall.is_partial(); });
-  return scene;
-}
+const Scene<Tait, Uniform> scene = without_gates(collapse(filled_300));
 
 constexpr std::size_t energies_monitored = 3;
 const std::size_t unaccounted = energies_monitored + parts_of_energy.size() - 1;  // its column
@@ -119,7 +115,7 @@ void draw(const Results& results, Record& record) {
 
 std::vector<Method> methods() {
   std::vector<Method> all;
-  for (const Method& method : methods_with_books(without_gate(), sampled_every)) {
+  for (const Method& method : methods_with_books(scene, sampled_every)) {
     all.push_back(with_ladder(levels_across(filled_300.height, {{20, 0, end_of_impact, end_of_impact}}), method));
     std::vector<Claim>& claims = all.back().claims;
     if (!method.as_printed)
@@ -146,7 +142,7 @@ Case vnv::the_case() {
       .watch = {.every = sampled_every,
                 .see =
                     [](const Samples& samples) {
-                      const auto parts = energies(samples, without_gate().fluid, filled_300.gravity);
+                      const auto parts = energies(samples, scene.fluid, filled_300.gravity);
                       return std::vector<double>(parts.begin(), parts.end());
                     },
                 .quantities = quantities},

@@ -42,12 +42,6 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-/// The same without a gate, which some methods do not have.
-Scene<Tait, Uniform> at_once(Scene<Tait, Uniform> scene) {
-  std::erase_if(scene.walls, [](const Wall& wall) { return wall.is_partial(); });
-  return scene;
-}
-
 /// So many particles over the height, from so many starts, of which a night runs the first few.
 struct Starts {
   int across, all, nightly;
@@ -81,7 +75,7 @@ Method from_all_starts(const std::vector<Starts>& all_starts, bool with_gate, bo
   method.run = [=](const Level& level, Schedule when) {
     const Member& member = *std::ranges::find(*members, level.name, &Member::name);
     const Column& column = *member.column;
-    Scene<Tait, Uniform> scene = with_gate ? column.scene : at_once(column.scene);
+    Scene<Tait, Uniform> scene = with_gate ? column.scene : without_gates(column.scene);
     scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(member.start)](
                              const Vectors& lattice) { return disturbed(lattice, by, seed); };
     when.watch.see = [&](const Samples& samples) {
@@ -100,12 +94,12 @@ const Quantity first_end{"earliest end of a run", "s", Kind::value, Better::larg
 const Quantity most_energy_made{energy_made.name + ", of all runs", "", Kind::invariant, Better::smaller};
 
 /// What came of the runs whose levels begin so.
-struct Outcome {
+struct Group {
   double starts = 0, reached = 0, first_end = end_of_impact, most_energy_made = 0;
 
-  Outcome(const Results& results, std::string_view group) {
+  Group(const Results& results, std::string_view name) {
     for (const Run& run : results.runs) {
-      if (!run.summary.level.starts_with(group)) continue;
+      if (!run.summary.level.starts_with(name)) continue;
       ++starts;
       reached += run.summary.finished;
       first_end = std::min(first_end, run.summary.end_time);
@@ -115,7 +109,7 @@ struct Outcome {
 };
 
 std::vector<Value> of_all_runs(const Results& results, const Record&) {
-  const Outcome all(results, "");
+  const Group all(results, "");
   return {{"", not_a_number, end_of_impact, ended, all.starts - all.reached},
           {"", not_a_number, end_of_impact, first_end, all.first_end},
           {"", not_a_number, end_of_impact, most_energy_made, all.most_energy_made}};
@@ -131,7 +125,7 @@ void tabulate(const Results& results, Record& record) {
               {}};
   for (const Column& column : columns())
     for (const int across : {20, 40, 80, 160}) {
-      const Outcome one(results, fmt::format("{}, {} across, ", column.name, across));
+      const Group one(results, fmt::format("{}, {} across, ", column.name, across));
       if (one.starts == 0) continue;
       table.rows.push_back({results.method.name, column.name, static_cast<double>(across), one.starts, one.reached,
                             one.reached < one.starts ? Cell(one.first_end) : Cell(""),

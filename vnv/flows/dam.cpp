@@ -35,6 +35,11 @@ double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall) 
   return rise / fall;
 }
 
+Scene<Tait, Uniform> without_gates(Scene<Tait, Uniform> scene) {
+  std::erase_if(scene.walls, [](const Wall& wall) { return wall.is_partial(); });
+  return scene;
+}
+
 Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, SkinFriction friction) {
   friction.gravity = scene.body_force.per_mass;
   return {scene.domain, scene.fluid, scene.filled, scene.walls, friction, scene.start};

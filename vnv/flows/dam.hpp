@@ -30,6 +30,9 @@ inline const Quantity energy_made{"largest rise of the total energy over the fal
 /// Over `fall` [J/m], of the sum of three columns that were monitored, of which `kinetic` is the first.
 double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall);
 
+/// The same column released at once, for methods that have no walls with an extent.
+Scene<Tait, Uniform> without_gates(Scene<Tait, Uniform> scene);
+
 /// The same column, with the skin friction of its tank, to which gravity is added.
 Scene<Tait, SkinFriction> with_friction(const Scene<Tait, Uniform>& scene, SkinFriction friction);
 

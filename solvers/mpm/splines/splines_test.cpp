@@ -254,16 +254,23 @@ TEST(ContactOfMpm, DoesNotTouchWaterAtRest) {
   EXPECT_EQ(tank.contacts().particles, 0);
 }
 
-TEST(ContactOfMpm, IsNoneFartherBehindAWallAndNoneWithoutOne) {
-  Scene<Tait> scene{.domain = {.box = {.high = {1, 1}}}, .fluid = water, .filled = {.high = {1, 1}}};
-  scene.walls = {floor_at(0, free_slip())};
-  const auto fly = [&](const Vec2& from, const Vec2& v) {
-    scene.start.places = [=](const Vectors&) -> Vectors { return from; };
-    scene.start.velocity = [=](const Vec2&) -> Vec2 { return v; };
-    auto drop = on_splines<Apic>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
-    for (int step = 0; step < 20; ++step) drop.step();
+TEST(ContactOfMpm, TakesWhatGoesIntoAWallUpToAHundredthOfACellBehindIt) {
+  const Grid grid({.box = {.high = {1, 1}}}, 0.1);
+  const Wall gate{0, 0.5, -1, free_slip(), [](double) { return Range{0, 1}; }};
+  const auto after = [&](const Vec2& x, double velocity, WallContact& contact) {
+    contact.meet(2, x, [&](const Wall&) -> double& { return velocity; });
+    return velocity;
   };
-  EXPECT_THROW(fly({0.05, 0.5}, {-10, 0}), Diverged);
+  WallContact contact({floor_at(0, free_slip()), right_at(1, free_slip()), gate}, grid);
+  EXPECT_EQ(after({0.5, -0.0009}, -3, contact), 0);
+  EXPECT_EQ(after({1.0009, 0.5}, 3, contact), 0);
+  EXPECT_EQ(after({0.5, -0.0009}, 1, contact), 1) << "it leaves the wall";
+  EXPECT_EQ(contact.sum.particles, 3);
+  EXPECT_EQ(contact.sum.energy, 18);
+  EXPECT_EQ(contact.sum.impulse, Vec2(-6, 6));
+  for (const Vec2& x : {Vec2(0.5, 0), Vec2(0.5, -0.0011), Vec2(-0.0009, 0.5), Vec2(0.5, 1.0009), Vec2(0.5009, 0.5)})
+    EXPECT_EQ(after(x, -3, contact), -3) << "at " << x.transpose();
+  EXPECT_EQ(contact.sum.particles, 3);
 }
 
 }  // namespace
