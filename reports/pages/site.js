@@ -4,7 +4,7 @@
 // "1.2 × 10−7" and "12 345 of 6" as numbers; a date or a name is none.
 function numberOf(text) {
   const plain = text.replace(/\u202f×\u202f10/, "e").replace(/−/g, "-").replace(/(\d)\u202f(?=\d)/g, "$1");
-  const found = plain.match(/^(?:≤\s*)?(-?\d*\.?\d+(?:e-?\d+)?)(?![\w-])/);
+  const found = plain.match(/^(?:≤\s*)?(-?\d*\.?\d+(?:e[+-]?\d+)?)(?![\w-])/);
   return found ? Number(found[1]) : /^-?inf/.test(plain) ? (plain[0] === "-" ? -Infinity : Infinity) : NaN;
 }
 

@@ -63,14 +63,14 @@ void tabulate(const Results& results, Record& record) {
     for (const double time : {0.4, 0.8, 1.2, 2.0})
       for (std::size_t row = 0; row < run.history.time.size(); ++row) {
         if (std::abs(run.history.time[row] - time) > sampled_every / 2) continue;
-        std::vector<Cell> cells{results.method.name, run.summary.level, fmt::format("{:g}", time)};
+        std::vector<Cell> cells{results.method.name, run.summary.level, time};
         double sum = 0;
         for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part) {
           const double value = percent_of_fall(run, row, energies_monitored + part);
           sum += value;
-          cells.push_back(std::abs(value) < 1e-6 ? Cell("") : Cell(fmt::format("{:.2g}", value)));
+          cells.push_back(std::abs(value) < 1e-6 ? Cell("") : Cell(value));
         }
-        cells.push_back(fmt::format("{:.2g}", sum));
+        cells.push_back(sum);
         table.rows.push_back(std::move(cells));
       }
   record.tables.push_back(std::move(table));

@@ -4,7 +4,28 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
 namespace touchstone::vnv {
+
+/// Adds a profile to a curve, of points less than a 2000th of the height and of the largest value apart but the first:
+/// in a flow along a channel all particles of a row are one point.
+inline void add_points(Curve& curve, const Profile& profile, double height) {
+  double largest = 0;
+  for (const double value : profile.value) largest = std::max(largest, std::abs(value));
+  const auto place = [](double value, double whole) {
+    return std::isfinite(value / whole) ? std::lround(2000 * value / whole) : std::numeric_limits<long>::min();
+  };
+  std::set<std::pair<long, long>> drawn;
+  for (std::size_t k = 0; k < profile.at.size(); ++k)
+    if (drawn.insert({place(profile.at[k], height), place(profile.value[k], largest)}).second) {
+      curve.x.push_back(profile.at[k]);
+      curve.y.push_back(profile.value[k]);
+    }
+}
 
 /// A measured profile at each time of the levels named, as points over the exact lines.
 inline Plot profiles(Figure frame, std::function<Measure(const Level&)> measure, Truth truth, double height,
@@ -16,9 +37,7 @@ inline Plot profiles(Figure frame, std::function<Measure(const Level&)> measure,
       if (!run || std::ranges::find(levels, level.name) == levels.end()) continue;
       Curve ours{frame.id, results.method.name + " " + level.name, Role::ours, {}, {}, true};
       for (const Samples& samples : run->samples) {
-        const Profile profile = measure(level)(samples);
-        ours.x.insert(ours.x.end(), profile.at.begin(), profile.at.end());
-        ours.y.insert(ours.y.end(), profile.value.begin(), profile.value.end());
+        add_points(ours, measure(level)(samples), height);
         Curve exact{frame.id, fmt::format("exact, t = {:.3g} s", samples.time), Role::exact, {}, {}, false};
         for (int k = 0; k <= 200; ++k) {
           exact.x.push_back(height * k / 200);
