@@ -67,7 +67,9 @@ ClaimsStanding claims_standing(const std::vector<CaseRecords>& cases, const vnv:
       return !std::ranges::all_of(one.records, &vnv::Record::another_code);
     };
     if (std::ranges::any_of(cases, is_ours))
-      standing.note = fmt::format("No claims of the suite {} were accepted yet: vnv accept --claims RECORDS", suite);
+      standing.note = fmt::format(
+          "No claims of the suite {0} were accepted yet; accept them with: build/vnv/vnv accept CASE --suite {0} --claims RECORDS --reason \"...\"",
+          suite);
     return standing;
   }
   long not_run = 0;
@@ -77,8 +79,9 @@ ClaimsStanding claims_standing(const std::vector<CaseRecords>& cases, const vnv:
         fmt::format("{} fewer than accepted: {}", counted(missing.claims, "claim"), fmt::join(missing.names, ", "));
   if (not_run > 0) standing.note = fmt::format("{} of {} accepted methods were not run. ", not_run, rows.size());
   if (more.claims > 0)
-    standing.note += fmt::format("{} more than accepted: {}; accept them with: vnv accept --claims RECORDS",
-                                 counted(more.claims, "claim"), fmt::join(more.names, ", "));
+    standing.note += fmt::format(
+        "{} more than accepted: {}; accept them with: build/vnv/vnv accept CASE --suite {} --claims RECORDS --reason \"...\"",
+        counted(more.claims, "claim"), fmt::join(more.names, ", "), suite);
   return standing;
 }
 

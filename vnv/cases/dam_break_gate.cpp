@@ -11,13 +11,18 @@ using namespace touchstone::vnv::gated_dam;
 namespace {
 
 std::map<std::string, std::vector<Claim>> claims() {
-  const std::vector<Claim> at_80{
-      at_most(front_rms, 0.05,
-              baseline("0.032 (APIC) and 0.043 (XPIC) when first measured; what the gate may do moves it to 0.10"))
-          .on("80 across"),
-      at_most(levels_rms, 0.02, baseline("twice the RMS difference of the two runs of the experiment, 0.010"))
-          .on("80 across")};
-  return {{"mpm_apic", at_80}, {"mpm_xpic", at_80}};
+  const Claim front = at_most(
+      front_rms, 0.05,
+      baseline("0.027 (shifted SPH) to 0.043 (XPIC) when first measured; what the gate may do moves it to 0.10"));
+  const Claim levels =
+      at_most(levels_rms, 0.02, baseline("twice the RMS difference of the two runs of the experiment, 0.010"));
+  const std::vector<Claim> of_sph{front.on("80 across"), levels.on("80 across")},
+      of_mpm{front.on("80 across"), levels.on("80 across"), front.on("160 across"), levels.on("160 across")};
+  return {{"mpm_apic", of_mpm},
+          {"mpm_xpic", of_mpm},
+          {"sph_delta", of_sph},
+          {"sph_shifted", of_sph},
+          {"sph_corrected", of_sph}};
 }
 
 }  // namespace

@@ -47,7 +47,12 @@ std::string authors(const std::vector<ClaimDescription>& claims, long accepted) 
 }
 
 void print_levels(const MethodDescription& method) {
+  long only_of_work = 0;  // hundreds
   for (const LevelDescription& level : method.levels) {
+    if (level.until.size() == 1 && level.until.contains("work")) {
+      ++only_of_work;
+      continue;
+    }
     std::string text = fmt::format("{}: spacing {:g} m", level.name, level.spacing);
     if (level.cell) text += fmt::format(", cell {:g} m", *level.cell);
     if (level.smoothing_length) text += fmt::format(", smoothing length {:g} m", *level.smoothing_length);
@@ -55,6 +60,8 @@ void print_levels(const MethodDescription& method) {
     for (const auto& [suite, until] : level.until) text += fmt::format("; {} to {:g} s", suite, until);
     print_wrapped(text, 6);
   }
+  if (only_of_work > 0)
+    print_wrapped(fmt::format("and {} of the suite work alone, which vnv list --suite work names", only_of_work), 6);
 }
 
 void print_method(const MethodDescription& method, bool whole) {

@@ -36,6 +36,13 @@ void print_json(const std::vector<Chosen>& methods) {
   fmt::print("{}\n", all.dump(2));
 }
 
+/// Of a suite that was not asked for, many levels are a number.
+std::string words_of(const std::vector<std::string>& levels, const std::string& suite, const std::string& only) {
+  constexpr std::size_t few = 24;
+  return levels.size() <= few || suite == only ? fmt::format("{}", fmt::join(levels, ", "))
+                                               : fmt::format("{} levels; --suite {} names them", levels.size(), suite);
+}
+
 void print_for_people(const std::vector<Chosen>& methods, const std::string& only) {
   const Description* last = nullptr;
   for (const Chosen& one : methods) {
@@ -44,7 +51,7 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
     fmt::print("  {}\n", one.method->name);
     for (const std::string& suite : suites)
       if (one.method->is_run_in(suite) && (only.empty() || suite == only))
-        fmt::print("    {:<10}  {}\n", suite, fmt::join(levels_of(*one.method, suite), ", "));
+        fmt::print("    {:<10}  {}\n", suite, words_of(levels_of(*one.method, suite), suite, only));
   }
 }
 

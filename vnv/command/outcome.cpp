@@ -45,6 +45,8 @@ MethodOutcome outcome_in(const Record& record) {
     else
       outcome.failures.push_back(verdict.sentence);
   }
+  outcome.is_inconclusive = !outcome.failures.empty() && std::ranges::find(record.verdicts, Outcome::fails,
+                                                                           &Verdict::outcome) == record.verdicts.end();
   outcome.is_of_method = is_of_method(record);
   return outcome;
 }

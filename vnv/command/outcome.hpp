@@ -13,7 +13,8 @@ struct MethodOutcome {
   long held = 0, judged = 0;            // claims
   double spent = 0;                     // s  of all its runs
   Resource resource = Resource::cpu;    // of which
-  std::vector<std::string> failures{};  // sentences
+  std::vector<std::string> failures{};  // sentences, also of what is inconclusive
+  bool is_inconclusive = false;         // nothing failed, and something cannot be told
   bool is_of_method = true;  // not of a crash or of what kept it from being assessed, which may be the machine's
 };
 

@@ -64,6 +64,12 @@ TEST_F(AnOutcome, OfAProgramThatCouldNotWriteQuotesIt) {
       "small.mpm: its program ended with status 1: small.mpm.json: cannot be written: No space left; " + log.string());
 }
 
+TEST_F(AnOutcome, IsInconclusiveWhereNothingFailed) {
+  EXPECT_TRUE(outcome_in(read_record(record_with({Outcome::holds, Outcome::inconclusive}))).is_inconclusive);
+  EXPECT_FALSE(outcome_in(read_record(record_with({Outcome::inconclusive, Outcome::fails}))).is_inconclusive);
+  EXPECT_FALSE(outcome_in(read_record(record_with({Outcome::holds}))).is_inconclusive);
+}
+
 TEST_F(AnOutcome, ThatMayBeTheMachinesIsTriedAgain) {
   Record record;
   record.verdicts.emplace_back().outcome = Outcome::fails;

@@ -34,7 +34,11 @@ fs::path records_of(const Build& build, const std::string& named, const std::str
 
 /// How touchstone_report ends.
 int ended_with(const Build& build, const Words& arguments, bool refusals_speak_for_themselves) {
-  Words call = {(build.folder / "reports" / "touchstone_report").string()};
+  const fs::path program = build.folder / "reports" / "touchstone_report";
+  if (!fs::exists(program))
+    throw std::runtime_error(fmt::format("{}: not built; build it with: cmake --build {} --target touchstone_report",
+                                         program.string(), build.folder.string()));
+  Words call = {program.string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
   const programs::Ending ending = programs::run_here(call);
   if (refusals_speak_for_themselves && ending.signal == 0 && ending.status == bad_input) return bad_input;

@@ -25,11 +25,11 @@ struct Sum {
 };
 
 void print_line(const std::string& name, const MethodOutcome& outcome, std::string_view how) {
-  const bool holds = outcome.failures.empty();
-  fmt::print("{} {}: {} of {} claims hold, {:.3g} {} s{}\n",
-             coloured(holds ? Colour::green : Colour::red, holds ? "holds" : "FAILS"), name, outcome.held,
-             outcome.judged, outcome.spent, words(outcome.resource).at(static_cast<std::size_t>(outcome.resource)),
-             how);
+  const std::string word = outcome.failures.empty()  ? coloured(Colour::green, "holds")
+                           : outcome.is_inconclusive ? coloured(Colour::yellow, "inconclusive")
+                                                     : coloured(Colour::red, "FAILS");
+  fmt::print("{} {}: {} of {} claims hold, {:.3g} {} s{}\n", word, name, outcome.held, outcome.judged, outcome.spent,
+             words(outcome.resource).at(static_cast<std::size_t>(outcome.resource)), how);
   std::fflush(stdout);
 }
 

@@ -460,11 +460,13 @@ TEST(Data, ZhousAreScaledAsTheySay) {
 }
 
 TEST(Data, EachInputOfLobovskyIsKnownToAHalfWidthWithAReason) {
-  const auto inputs = read_any(data / "experiments/lobovsky_2014_inputs_300.csv");
-  for (std::size_t i = 0; i < inputs.rows(); ++i) {
-    EXPECT_GT(inputs.numbers("half_width [SI]")[i], 0) << inputs.words("input")[i];
-    EXPECT_TRUE(inputs.words("distribution")[i] == "rectangular" || inputs.words("distribution")[i] == "normal");
-    EXPECT_GT(inputs.words("basis")[i].size(), 20) << inputs.words("input")[i];
+  for (const char* file : {"lobovsky_2014_inputs_300.csv", "lobovsky_2014_inputs_600.csv"}) {
+    const auto inputs = read_any(data / "experiments" / file);
+    for (std::size_t i = 0; i < inputs.rows(); ++i) {
+      EXPECT_GT(inputs.numbers("half_width [SI]")[i], 0) << inputs.words("input")[i];
+      EXPECT_TRUE(inputs.words("distribution")[i] == "rectangular" || inputs.words("distribution")[i] == "normal");
+      EXPECT_GT(inputs.words("basis")[i].size(), 20) << inputs.words("input")[i];
+    }
   }
 }
 
@@ -499,6 +501,7 @@ TEST(Data, IsComplete) {
                                                 {"experiments/lobovsky_2014_peaks_300.csv", 4},
                                                 {"experiments/lobovsky_2014_statistics.csv", 9},
                                                 {"experiments/lobovsky_2014_inputs_300.csv", 9},
+                                                {"experiments/lobovsky_2014_inputs_600.csv", 6},
                                                 {"experiments/zhou_1999_levels.csv", 232},
                                                 {"experiments/zhou_1999_pressure.csv", 261},
                                                 {"experiments/buchner_2002_pressure.csv", 279},

@@ -45,15 +45,16 @@ Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, c
   std::vector<Across> all;
   for (const int particles : across) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
   const std::vector<Level> levels = levels_across(H, all);
+  const std::vector<int> shown{across.front(), across.back()};
   Case declared{.times = times,
                 .measurements = {norms_of("v_x, per particle", by_particles, exact)},
                 .methods = {},
                 .plots = {profiles({"profile",
                                     "Velocity profiles",
-                                    "All particles of the runs with 40 and 80 across.",
+                                    fmt::format("All particles of the runs with {} across.", fmt::join(shown, " and ")),
                                     {"y [mm]", 1e3},
                                     {"v_x [mm/s]", 1e3}},
-                                   by_particles, exact, H, {"40 across", "80 across"})}};
+                                   by_particles, exact, H, {levels.front().name, levels.back().name})}};
   declared = with_plots(std::move(declared), errors_of_velocity("convergence", "L2 v_x [%]", l2, end));
   const auto of_second_order = [&](const std::string& words) -> std::vector<Claim> {
     return {order_at_least(ladder_across, l2, 1.8, 1.5, theory(words)).at(end).over(5)};

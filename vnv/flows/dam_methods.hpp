@@ -9,15 +9,17 @@
 namespace touchstone::vnv {
 
 /// MPM on B-splines at 20, 40 and 80 particles over the height of the column, delta-SPH, shifted and corrected SPH,
-/// whose runs take ten times as long, at 20 and 40; to 2 s, with what is claimed of some of them, by name.
+/// whose runs take ten times as long, at 20 and 40; to 2 s, with what is claimed of some of them, by name. The suite
+/// `validation` runs each at twice the resolution, until `validation` [s]; 0: not at all.
 inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& scene, double height,
-                                                  const std::map<std::string, std::vector<Claim>>& claims) {
+                                                  const std::map<std::string, std::vector<Claim>>& claims,
+                                                  double validation = 0) {
   constexpr double end = end_of_impact;
-  std::vector<Method> all =
-      with_ladder(levels_across(height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}}),
-                  {mpm_apic(scene, sampled_every), mpm_xpic(scene, sampled_every)}, claims);
+  std::vector<Method> all = with_ladder(
+      levels_across(height, {{20, end, end, end}, {40, 0, end, end}, {80, 0, 0, end}, {160, 0, 0, 0, validation}}),
+      {mpm_apic(scene, sampled_every), mpm_xpic(scene, sampled_every)}, claims);
   for (const Method& method : with_ladder(
-           levels_across(height, {{20, end, end, end}, {40, 0, 0, end}}),
+           levels_across(height, {{20, end, end, end}, {40, 0, 0, end}, {80, 0, 0, 0, validation}}),
            {sph_delta(scene, sampled_every), sph_shifted(scene, sampled_every), sph_corrected(scene, sampled_every)},
            claims))
     all.push_back(method);
@@ -28,11 +30,11 @@ inline std::vector<Method> methods_through_impact(const Scene<Tait, Uniform>& sc
   return all;
 }
 
-/// Those, and APIC with skin friction.
+/// Those, in the suite `validation` too, and APIC with skin friction.
 inline std::vector<Method> methods_with_friction(const Scene<Tait, Uniform>& scene, double height,
                                                  const SkinFriction& friction,
                                                  const std::map<std::string, std::vector<Claim>>& claims) {
-  std::vector<Method> all = methods_through_impact(scene, height, claims);
+  std::vector<Method> all = methods_through_impact(scene, height, claims, end_of_impact);
   Method rough = mpm_apic(with_friction(scene, friction), sampled_every);
   rough.name = "mpm_apic_friction";
   rough.description +=

@@ -24,6 +24,7 @@ std::vector<double> see(const Samples& samples) {
       seen.begin() + column::kinetic);
   seen[column::front_slab] = half_full_slab(samples, 2 * spacing);
   seen[column::front_percentile] = percentile_front(samples) + spacing / 2;
+  seen[column::front_of_film] = half_full_slab(samples, 2 * capillary_length);
   constexpr std::array sides{0.0, -1.0, 1.0};
   const double gauge = std::max(5e-3, spacing), wall_strip = sensor_diameter + 4 * spacing;
   for (std::size_t k = 0; k < gauges.size(); ++k) {
@@ -43,11 +44,9 @@ std::vector<double> see(const Samples& samples) {
 }
 
 std::vector<Quantity> names() {
-  std::vector<Quantity> all{{"kinetic energy", "J/m"},
-                            {"potential energy", "J/m"},
-                            {"elastic energy", "J/m"},
-                            {"front, half-full slab of two spacings", "m"},
-                            {"front, 99.5th percentile", "m"}};
+  std::vector<Quantity> all{{"kinetic energy", "J/m"},         {"potential energy", "J/m"},
+                            {"elastic energy", "J/m"},         {"front, half-full slab of two spacings", "m"},
+                            {"front, 99.5th percentile", "m"}, {"front, half-full slab of two capillary lengths", "m"}};
   constexpr std::array at{"", ", 1 mm before", ", 1 mm behind"}, height{"", ", 0.5 mm lower", ", 0.5 mm higher"};
   for (std::size_t k = 0; k < gauges.size(); ++k)
     for (const char* where : at) all.push_back({fmt::format("level H{}{}", k + 1, where), "m"});
@@ -65,6 +64,18 @@ DataTable experiment(const std::string& name, const std::vector<std::string>& he
 }
 DataTable front_table() {
   return experiment("lobovsky_2014_front_300.csv", {"T [-]", "L [-]", "t [s]", "x_gate [m]", "T_H [-]", "X_H [-]"});
+}
+/// Of the filling of 0.6 m, x/H from the gate over T_H, which is T of this table.
+DataTable front_table_600() {
+  DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
+                               {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  require_geometry(table, "column_height", filled_600.height, 1e-6);
+  return table;
+}
+Series front_of_600(const DataTable& table) {
+  Series front = series_of(table, "T [-]", "L [-]");
+  for (double& x : front.value) x -= 1;
+  return front;
 }
 DataTable level_table() {
   return experiment("lobovsky_2014_levels_300.csv", {"T_H [-]", "H1_run_1 [-]", "H2_run_1 [-]", "H2_run_2 [-]",
@@ -90,9 +101,44 @@ double rms_between(const Series& ours, const Series& measured, double from, doub
   return root_mean_square(differences(ours, measured, from, to));
 }
 
+/// A series that is sampled more often at some times than at others, at 361 times as far apart.
+Series evenly(const Series& series, double from, double to) {
+  Series all;
+  for (int k = 0; k <= 360; ++k) {
+    all.time.push_back(from + (to - from) * k / 360);
+    all.value.push_back(value_at(series, all.time.back()));
+  }
+  return all;
+}
+
 /// dx/dT_H by a straight line.
 double speed(const Series& front, double from, double to) {
   return slope_of("a front", {front.time, front.value}, {from, to});
+}
+
+double speed_of_front(const Seen& seen) { return speed(seen.front, 1, 1.58); }
+
+/// x/H at some T_H, and the speed. There is one curve of each filling: its repeatability is that between fillings, its
+/// frames are half of 1/300 s apart.
+std::vector<Observable> observables_of_front(const Seen& measured, const std::vector<double>& times, double repeat) {
+  std::vector<Observable> all;
+  for (const double T : times) {
+    const auto of = [T](const Seen& seen) { return value_at(seen.front, T); };
+    all.push_back({{fmt::format("front x/H at T_H = {:g}", T)},
+                   of,
+                   of(measured),
+                   repeat,
+                   "RMS difference between fillings of 300 and 600 mm",
+                   0.1,
+                   clock_of_front});
+  }
+  all.push_back({{"front speed dx/dT_H over T_H 1 to 1.58, by H"},
+                 speed_of_front,
+                 speed_of_front(measured),
+                 not_a_number,
+                 "one curve",
+                 0.1});
+  return all;
 }
 
 /// T_H until which the measured front is judged: then it nears the wall.
@@ -174,32 +220,15 @@ std::vector<Observable> observables_300() {
   const DataTable band = band_table(), front = front_table();
   std::vector<Observable> all;
 
-  // One curve of the front: its repeatability is that between fillings, its frames are half of 1/300 s apart.
   const double front_repeat = 2 * front.provenance().uncertainty.at("L.repeat").value;  // x/H is 2 L
-  for (const double T : {1.0, 1.5, 2.0, 2.4}) {
-    const auto of = [T](const Seen& seen) { return value_at(seen.front, T); };
-    all.push_back({{fmt::format("front x/H at T_H = {:g}", T)},
-                   of,
-                   of(first),
-                   front_repeat,
-                   "RMS difference between fillings of 300 and 600 mm",
-                   0.1,
-                   clock_of_front});
-  }
-  const auto front_speed = [](const Seen& seen) { return speed(seen.front, 1, 1.58); };
-  all.push_back({{"front speed dx/dT_H over T_H 1 to 1.58, by H"},
-                 front_speed,
-                 front_speed(first),
-                 not_a_number,
-                 "one curve",
-                 0.1});
+  all = observables_of_front(first, {1.0, 1.5, 2.0, 2.4}, front_repeat);
   for (std::size_t k = 1; k < gauges.size(); ++k) {
     const double station = (gauges[k] - column_length) / filled_300.height;
     const auto of = [station](const Seen& seen) { return impacts::first_above(seen.front, station); };
     all.push_back({{fmt::format("passing time T_H of the front at H{}", k + 1)},
                    of,
                    of(first),
-                   front_repeat / front_speed(first),
+                   front_repeat / speed_of_front(first),
                    "repeatability of the front by its speed",
                    0.1,
                    clock_of_front});
@@ -261,6 +290,12 @@ std::vector<Observable> observables_300() {
   return all;
 }
 
+std::vector<Observable> observables_600() {
+  const DataTable table = front_table_600();
+  return observables_of_front({.front = front_of_600(table)}, {0.5, 0.75, 1.0, 1.25, 1.5},
+                              table.provenance().uncertainty.at("L.repeat").value);
+}
+
 std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run& run) {
   std::vector<Value> found;
   if (!run.summary.finished) return found;
@@ -270,11 +305,7 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
   add(energy_made, largest_rise_of_energy(run, column::kinetic, inputs.fall()));
   const Seen ours = seen_in(run, inputs);
   if (inputs.height != filled_300.height) {
-    const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
-                                       {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
-    require_geometry(table, "column_height", inputs.height, 1e-6);
-    Series front = series_of(table, "T [-]", "L [-]");
-    for (double& x : front.value) x -= 1;
+    const Series front = front_of_600(front_table_600());
     add(front_rms, rms_between(ours.front, front, 0.2, 1.5));
     add(front_speed_error, 100 * (speed(ours.front, 1, 1.58) / speed(front, 1, 1.58) - 1));
     return found;
@@ -290,8 +321,9 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
     }
   add(levels_rms, root_mean_square(before));
   const auto band = band_of_P2();
-  add(inside_band,
-      fraction_inside(aligned_by_arrival(ours.pressures[1]), band.front().second, band.back().second, 2.4, 6));
+  const Series at_P2 = aligned_by_arrival(ours.pressures[1]);
+  add(pressure_rms, rms_between(at_P2, evenly(band[1].second, 2.4, 6), 2.4, 6));
+  add(inside_band, fraction_inside(at_P2, band.front().second, band.back().second, 2.4, 6));
   add({"arrival T_H at P2"}, impact_on(ours.pressures[1]).arrival);
   for (std::size_t k = 0; k < sensors.size(); ++k) {
     const Impact impact = impact_on(ours.pressures[k]);

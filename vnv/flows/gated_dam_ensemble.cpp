@@ -57,6 +57,12 @@ std::vector<Compared> comparisons(const std::vector<Seen>& members, const std::v
   return all;
 }
 
+/// The fraction of the time in which the median is within the band of the repeats.
+double median_inside(const std::vector<Series>& pressures) {
+  const auto band = band_of_P2();
+  return fraction_inside(quantile_of(pressures, times(), 0.5), band.front().second, band.back().second, from, to);
+}
+
 /// The fraction of T_H 5 to 7, after the return wave, in which a level as both runs of the experiment have it in the
 /// mean lies within the range of the ensemble; of the gauges H2 to H4 the mean.
 double late_levels_inside(const std::vector<Seen>& members) {
@@ -125,6 +131,10 @@ Plot ensemble_beside_repeats() {
       for (const Value& value : ensemble_values(results, record))
         whole.rows.push_back({name, value.quantity.name, value.value});
     }
+    for (const double coefficient : friction_coefficients)
+      if (const auto rough = runs_with_friction(results, coefficient); !rough.empty())
+        whole.rows.push_back({name, fmt::format("{}, skin friction {:g}", median_inside_band.name, coefficient),
+                              median_inside(pressures_at_P2(seen_of(rough)))});
     for (Table* one : {&table, &whole}) record.tables.push_back(std::move(*one));
   };
 }
@@ -135,13 +145,10 @@ std::vector<Value> ensemble_values(const Results& results, const Record&) {
   const std::vector<Seen> members = seen_of(runs);
   std::vector<Value> found;
   const auto add = [&](const Quantity& quantity, double value) {
-    found.push_back({"", not_a_number, end_of_validation, quantity, value});
+    found.push_back({"", not_a_number, with_300.end, quantity, value});
   };
-  const auto band = band_of_P2();
   const std::vector<Series> pressures = pressures_at_P2(members);
-  const Series median = quantile_of(pressures, times(), 0.5);
-  add(median_inside_band, fraction_inside(median, band.front().second, band.back().second, from, to));
-
+  add(median_inside_band, median_inside(pressures));
   add(levels_inside_ensemble, late_levels_inside(members));
   const std::vector<Compared> all = comparisons(members, pressures);
   add(unlike_repeats,

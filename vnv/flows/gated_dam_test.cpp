@@ -57,9 +57,19 @@ TEST(GatedDam, ReadsGaugesAndSensorsAsFarOffAsTheirTableSays) {
   EXPECT_EQ(input_named(place_of_gauges, doubts).half_width, gauge_doubt);
   EXPECT_EQ(input_named(height_of_sensors, doubts).half_width, sensor_doubt);
   EXPECT_EQ(input_named(clock_of_pressures, doubts).half_width, clock_doubt);
-  EXPECT_EQ(input_named("gate speed", doubts).value, filled_300.gate_speed);
-  EXPECT_EQ(input_named("gate acceleration", doubts).value, filled_300.gate_acceleration);
-  EXPECT_EQ(input_named("column height", doubts).value, filled_300.height);
+}
+
+TEST(GatedDam, TakesItsInputsFromTheTableOfTheirUncertainties) {
+  for (const Experiment* experiment : {&with_300, &with_600}) {
+    const Inputs& inputs = experiment->inputs;
+    const auto doubts = read_inputs(data_folder() / "experiments" / experiment->inputs_file);
+    EXPECT_EQ(input_named("gate speed", doubts).value, inputs.gate_speed);
+    EXPECT_EQ(input_named("gate acceleration", doubts).value, inputs.gate_acceleration);
+    EXPECT_EQ(input_named("column height", doubts).value, inputs.height);
+    EXPECT_EQ(input_named("density", doubts).value, inputs.density);
+    EXPECT_EQ(input_named("gravity", doubts).value, inputs.gravity);
+    for (const Observable& one : experiment->observables()) EXPECT_TRUE(std::isfinite(one.measured));
+  }
 }
 
 TEST(GatedDam, HasAGateThatLeavesTheWaterAtItsMeanSpeedHoweverItComesToIt) {
@@ -95,7 +105,7 @@ Run run_with(const std::string& level, double spacing, double error) {
   run.summary = {.level = level, .spacing = spacing, .end_time = 1.3, .finished = true};
   for (std::size_t k = 0; k < measured.front.time.size(); ++k) {
     std::vector<double> seen(column::count, 0.0);
-    seen[column::front_slab] = column_length + (1 + error) * measured.front.value[k] * filled_300.height;
+    seen[column::front_of_film] = column_length + (1 + error) * measured.front.value[k] * filled_300.height;
     run.history.time.push_back(measured.front.time[k] * filled_300.unit_of_time());
     run.history.seen.push_back(seen);
   }
@@ -104,11 +114,11 @@ Run run_with(const std::string& level, double spacing, double error) {
 
 TEST(Validation, FindsAnErrorOfTheModelAndWhatResolutionLeavesOpen) {
   Method named{.name = "made_up"};
-  const Method method = validated({[&](const auto&) { return named; }});
+  const Method method = validated(with_300, {[&](const auto&) { return named; }});
   Results results{method, Suite::validation, {}};
   for (const Level& level : method.levels)  // of first order: 4, 2, 1 and 1/2 % too far, and 10 % in any case
     results.runs.push_back(run_with(level.name, level.spacing, 0.1 + 0.01 * level.spacing / (0.3 / 80)));
-  const Judgement front = judgements(results)[2];
+  const Judgement front = judgements(results, with_300)[2];
   ASSERT_EQ(front.observable.quantity.name, "front x/H at T_H = 2");
   const double D = front.observable.measured;
   EXPECT_NEAR(front.validation.error, 0.105 * D, 1e-9);
@@ -161,8 +171,34 @@ TEST(AnEnsemble, IsSetNoEarlierThanItsClockIsInDoubt) {
   EXPECT_NEAR(arrival(aligned_by_arrival(seen_in(late, filled_300).pressures[1])), measured + 0.4 - doubt, 0.01);
 }
 
+TEST(Validation, RunsSkinFrictionOfALaminarAndOfATurbulentPlate) {
+  std::vector<double> coefficients;
+  const auto smooth = [](const auto&) { return Method{.name = "made_up"}; };
+  const auto rough = [&](const Scene<Tait, SkinFriction>& scene) {
+    return Method{.name = "made_up", .run = [&, scene](const Level& level, const Schedule&) {
+                    coefficients.push_back(scene.body_force.coefficient);
+                    return run_with(level.name, level.spacing, 0);
+                  }};
+  };
+  const Method method = validated(with_300, {smooth, rough}, {.of_across = {}, .varied = 2});
+  Results results{method, Suite::validation, {}};
+  for (const Level& level : method.levels)
+    if (level.name.starts_with("skin friction")) results.runs.push_back(method.run(level, {}));
+  EXPECT_EQ(coefficients, (std::vector{0.0006, 0.0006, 0.002, 0.002, 0.0036, 0.0036}));
+  for (const double coefficient : friction_coefficients)
+    EXPECT_EQ(runs_with_friction(results, coefficient).size(), 2) << coefficient;
+  results.runs.front().summary.finished = false;
+  EXPECT_TRUE(runs_with_friction(results, laminar_friction).empty());
+}
+
+TEST(Moves, AreConvergedIfAllThreeAreKnownAndSmall) {
+  EXPECT_TRUE((Moves{.grid = 0.05, .modulus = -0.08, .sensor = 0.1}.converged()));
+  EXPECT_FALSE((Moves{.grid = 0.05, .modulus = -0.08, .sensor = -0.11}.converged()));
+  EXPECT_FALSE((Moves{.grid = 0.05, .sensor = 0.02}.converged()));
+}
+
 TEST(Validation, RunsNoLevelThatIsNotItsOwn) {
-  const Method method = validated({[](const auto&) { return Method{.name = "made_up"}; }});
+  const Method method = validated(with_300, {[](const auto&) { return Method{.name = "made_up"}; }});
   EXPECT_THROW(method.run({.name = "80 across", .spacing = 1}, {}), std::invalid_argument);
 }
 

@@ -14,15 +14,12 @@
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double end = end_of_validation;
-constexpr int across_varied = 40;   // of H, of the runs that vary something
 constexpr double jitter = 0.01;     // of the spacing
 constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
 
-const std::vector<UncertainInput>& doubts() {
-  static const std::vector<UncertainInput> all =
-      read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
-  return all;
+using Doubts = std::vector<UncertainInput>;
+Doubts doubts_of(const Experiment& experiment) {
+  return read_inputs(data_folder() / "experiments" / experiment.inputs_file);
 }
 
 /// Runs that are alike but for their starts.
@@ -30,11 +27,10 @@ struct Group {
   std::string name;
   int across, starts;
   Inputs inputs;
-  bool with_friction = false;
+  double friction = 0;  // coefficient
 };
 const std::string doubled_modulus = "bulk modulus doubled";
 const std::vector<std::string> varied_inputs{"gate speed", "gate acceleration", "column height", "density", "gravity"};
-const std::vector<int> across_of_friction{40, 80};
 
 double& input_of(Inputs& inputs, std::string_view name) {
   return name == "gate speed"          ? inputs.gate_speed
@@ -45,12 +41,12 @@ double& input_of(Inputs& inputs, std::string_view name) {
 }
 
 /// Of gate and gravity at about once and three times what the level in the reservoir resolves.
-std::vector<Group> planted_errors(int starts = 0) {
+std::vector<Group> planted_errors(const Inputs& nominal_inputs, const Starts& starts = {}) {
   std::vector<Group> all;
   const auto plant = [&](const std::string& error, double Inputs::*input, double factor) {
-    Inputs inputs = filled_300;
+    Inputs inputs = nominal_inputs;
     inputs.*input *= factor;
-    all.push_back({"planted: " + error, across_varied, starts, inputs});
+    all.push_back({"planted: " + error, starts.across_varied, starts.varied, inputs});
   };
   plant("gate half as fast", &Inputs::gate_speed, 0.5);
   plant("gate a quarter as fast", &Inputs::gate_speed, 0.25);
@@ -61,35 +57,48 @@ std::vector<Group> planted_errors(int starts = 0) {
 }
 
 std::string nominal(int across) { return fmt::format("{} across", across); }
-std::string rough(int across) { return fmt::format("skin friction, {} across", across); }
+std::string rough(double friction) { return fmt::format("skin friction {:g}", friction); }
 std::string varied(const std::string& input, int side) {
   return fmt::format("{} {}", input, side < 0 ? "low" : "high");
 }
 double varied_value(const UncertainInput& input, int side) { return input.value + side * input.half_width; }
 
-std::vector<Group> groups(const Starts& starts, bool with_friction) {
+std::vector<Group> groups(const Experiment& experiment, const Starts& starts, bool with_friction) {
+  const Inputs& filled = experiment.inputs;
+  const Doubts doubts = doubts_of(experiment);
   std::vector<Group> all;
-  for (const auto& [across, count] : starts.of_across) all.push_back({nominal(across), across, count, filled_300});
+  for (const auto& [across, count] : starts.of_across) all.push_back({nominal(across), across, count, filled});
   for (const std::string& name : varied_inputs)
     for (const int side : {-1, 1}) {
-      Inputs inputs = filled_300;
-      input_of(inputs, name) = varied_value(input_named(name, doubts()), side);
-      all.push_back({varied(name, side), across_varied, starts.varied, inputs});
+      Inputs inputs = filled;
+      input_of(inputs, name) = varied_value(input_named(name, doubts), side);
+      all.push_back({varied(name, side), starts.across_varied, starts.varied, inputs});
     }
-  Inputs stiff = filled_300;
+  Inputs stiff = filled;
   stiff.bulk_modulus *= 2;
-  all.push_back({doubled_modulus, across_varied, starts.varied, stiff});
-  for (const Group& planted : planted_errors(starts.varied)) all.push_back(planted);
+  all.push_back({doubled_modulus, starts.across_varied, starts.varied, stiff});
+  for (const Group& planted : planted_errors(filled, starts)) all.push_back(planted);
   if (with_friction)
-    for (const int across : across_of_friction) all.push_back({rough(across), across, starts.varied, filled_300, true});
+    for (const double coefficient : friction_coefficients)
+      all.push_back({rough(coefficient), starts.across_varied, starts.varied, filled, coefficient});
   return all;
 }
 
 std::string level_name(const Group& group, int start) { return fmt::format("{}, start {}", group.name, start); }
 
+/// Where water is so deep that the number is the same on all grids: a slab that shrinks with the spacing finds the tip
+/// of an ever thinner film, by which u_num would be of the operator.
+constexpr Reading on_all_grids{.front = column::front_of_film};
+
+Reading at_place(std::size_t place) {
+  Reading reading = on_all_grids;
+  reading.place = place;
+  return reading;
+}
+
 /// The observable in each run of a group, with the clock set later [T_H] or read at another place.
-std::vector<double> members(const Results& results, const std::string& group, const Observable& observable,
-                            const Reading& reading = {}, double clock = 0) {
+std::vector<double> members(const Results& results, const Inputs& filled, const std::string& group,
+                            const Observable& observable, const Reading& reading = on_all_grids, double clock = 0) {
   std::vector<double> found;
   for (const Run& run : results.runs) {
     if (!run.summary.level.starts_with(group + ", start ")) continue;
@@ -97,7 +106,7 @@ std::vector<double> members(const Results& results, const std::string& group, co
       found.push_back(not_a_number);
       continue;
     }
-    Seen seen = seen_in(run, filled_300, reading);
+    Seen seen = seen_in(run, filled, reading);
     if (clock != 0) {
       seen.front = shifted(seen.front, clock);
       for (Series& level : seen.levels) level = shifted(level, clock);
@@ -125,21 +134,47 @@ double root_sum_of_squares(const std::vector<double>& parts) {
   return std::sqrt(sum);
 }
 
-Judgement judge(const Results& results, const Observable& observable) {
-  const auto of = [&](const std::string& group, const Reading& reading = {}, double clock = 0) {
-    return middle(members(results, group, observable, reading, clock));
+/// The runs of a group; none if one of them did not finish.
+std::vector<const Run*> runs_of(const Results& results, const std::string& group) {
+  std::vector<const Run*> all;
+  for (const Run& run : results.runs)
+    if (run.summary.level.starts_with(group + ", start ")) {
+      if (!run.summary.finished) return {};
+      all.push_back(&run);
+    }
+  return all;
+}
+
+/// At how many particles across H something was varied; 0: nowhere.
+int across_varied(const Results& results, double height) {
+  for (const Run& run : results.runs)
+    if (run.summary.level.starts_with(doubled_modulus))
+      return static_cast<int>(std::lround(height / run.summary.spacing));
+  return 0;
+}
+
+bool is_pressure(const Observable& observable) { return observable.place == height_of_sensors; }
+
+Judgement judge(const Results& results, const Experiment& experiment, const Doubts& doubts,
+                const Observable& observable) {
+  const Inputs& filled = experiment.inputs;
+  const auto of = [&](const std::string& group, const Reading& reading = on_all_grids, double clock = 0) {
+    return middle(members(results, filled, group, observable, reading, clock));
   };
   Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}};
 
   std::vector<AtSpacing> ladder;  // of the finest three
+  int finest = 0;
   for (const int across : {20, 40, 80, 160})
-    if (const std::vector<double> all = members(results, nominal(across), observable); !all.empty()) {
+    if (const std::vector<double> all = members(results, filled, nominal(across), observable); !all.empty()) {
       judged.simulated = middle(all);
-      ladder.push_back({filled_300.height / across, judged.simulated});
+      finest = across;
+      ladder.push_back({filled.height / across, judged.simulated});
       if (ladder.size() > 3) ladder.erase(ladder.begin());
       if (all.size() > 1) judged.by_starts = of_starts(all);  // of the finest that has several
     }
-  const double here = of(nominal(across_varied));
+  const std::string at = nominal(across_varied(results, filled.height));
+  const double here = of(at);
   if (std::ranges::all_of(ladder, [](const AtSpacing& one) { return std::isfinite(one.value); }) && ladder.size() > 1) {
     const NumericalUncertainty grid = numerical_uncertainty(ladder, formal_order);
     judged.by_resolution = grid.standard;
@@ -156,22 +191,59 @@ Judgement judge(const Results& results, const Observable& observable) {
     sensitivities.push_back(sensitivity(input, {varied_value(input, -1), low}, {varied_value(input, 1), high}));
   };
   for (const std::string& name : varied_inputs)
-    add(input_named(name, doubts()), of(varied(name, -1)), of(varied(name, 1)));
-  const std::string at = nominal(across_varied);
+    add(input_named(name, doubts), of(varied(name, -1)), of(varied(name, 1)));
   if (!observable.clock.empty()) {
-    const UncertainInput& clock = input_named(observable.clock, doubts());
-    const double shift = clock.half_width / filled_300.unit_of_time();
-    add(clock, of(at, {}, -shift), of(at, {}, shift));
+    const UncertainInput& clock = input_named(observable.clock, doubts);
+    const double shift = clock.half_width / filled.unit_of_time();
+    add(clock, of(at, on_all_grids, -shift), of(at, on_all_grids, shift));
   }
-  if (!observable.place.empty())
-    add(input_named(observable.place, doubts()), of(at, {.place = 1}), of(at, {.place = 2}));
+  if (!observable.place.empty()) add(input_named(observable.place, doubts), of(at, at_place(1)), of(at, at_place(2)));
   for (const Sensitivity& one : sensitivities) judged.inputs.emplace_back(one.input, one.part);
   parts.input = input_uncertainty(sensitivities);
   judged.validation = validate(judged.simulated, observable.measured, parts, observable.useful);
-  for (const Group& planted : planted_errors()) judged.planted.emplace_back(planted.name, of(planted.name) - here);
-  for (const int across : across_of_friction)
-    if (const double with = of(rough(across)); std::isfinite(with)) judged.by_friction = with - of(nominal(across));
+  for (const Group& planted : planted_errors(filled))
+    judged.planted.emplace_back(planted.name, of(planted.name) - here);
+  for (const double coefficient : friction_coefficients)
+    if (const double with = of(rough(coefficient)); std::isfinite(with))
+      judged.by_friction.emplace_back(coefficient, with - here);
+  if (is_pressure(observable) && ladder.size() > 1) {
+    const double S = judged.simulated, by_mean = of(nominal(finest), {.pressures = column::patch});
+    judged.moves = {S / ladder[ladder.size() - 2].value - 1, of(doubled_modulus) / here - 1, by_mean / S - 1};
+  }
   return judged;
+}
+
+/// E of each observable, and how all together came out.
+std::vector<Value> values_of(const Results& results, const Experiment& experiment) {
+  if (results.suite != Suite::validation) return {};
+  std::vector<Value> found;
+  const auto add = [&](const Quantity& quantity, double value) {
+    found.push_back({"", not_a_number, experiment.end, quantity, value});
+  };
+  const std::vector<Judgement> all = judgements(results, experiment);
+  double agree = 0, wrong = 0, pressures = 0, converged = 0, worst = 0;
+  std::map<std::string, bool> noticed;
+  for (const Judgement& one : all) {
+    Quantity error = one.observable.quantity;
+    error.name = "E = S - D, " + error.name;
+    error.kind = Kind::deviation;
+    error.better = Better::nearer_zero;
+    add(error, one.validation.error);
+    agree += one.validation.outcome == Validation::Outcome::agrees;
+    wrong += one.validation.outcome == Validation::Outcome::model_error;
+    pressures += is_pressure(one.observable);
+    converged += one.moves.converged();
+    const ValidationParts& parts = one.validation.parts;
+    if (one.observable.clock == clock_of_front && std::isfinite(parts.data))
+      worst = std::max(worst, parts.numerical / parts.data);
+    for (const auto& [name, change] : one.planted) noticed[name] |= std::abs(change) > one.validation.expanded();
+  }
+  add(agreeing, agree);
+  add(model_errors, wrong);
+  add(planted_noticed, static_cast<double>(std::ranges::count_if(noticed, [](const auto& one) { return one.second; })));
+  if (pressures > 0) add(converged_pressures, converged);
+  add(numbers_over_data, worst);
+  return found;
 }
 
 /// The words of the standard without the numbers, which have columns of their own.
@@ -182,16 +254,20 @@ std::string verdict_of(const Validation& validation) {
 
 }  // namespace
 
-Method validated(const MethodOn& method_on, const Starts& starts) {
-  Method method = method_on.without_friction(collapse(filled_300));
-  const auto all =
-      std::make_shared<const std::vector<Group>>(groups(starts, static_cast<bool>(method_on.with_friction)));
+const Experiment with_300{filled_300, "lobovsky_2014_inputs_300.csv", observables_300, 1.3};
+const Experiment with_600{filled_600, "lobovsky_2014_inputs_600.csv", observables_600, 0.4};
+
+Method validated(const Experiment& experiment, const MethodOn& method_on, const Starts& starts) {
+  const double height = experiment.inputs.height;
+  Method method = method_on.without_friction(collapse(experiment.inputs));
+  const auto all = std::make_shared<const std::vector<Group>>(
+      groups(experiment, starts, static_cast<bool>(method_on.with_friction)));
   for (const Group& group : *all)
     for (int start = 1; start <= group.starts; ++start)
       method.levels.push_back({.name = level_name(group, start),
-                               .spacing = filled_300.height / group.across,
-                               .cell = 2 * filled_300.height / group.across,
-                               .validation = end,
+                               .spacing = height / group.across,
+                               .cell = 2 * height / group.across,
+                               .validation = experiment.end,
                                .may_diverge = true});
   method.run = [=](const Level& level, const Schedule& when) {
     for (const Group& group : *all)
@@ -200,8 +276,10 @@ Method validated(const MethodOn& method_on, const Starts& starts) {
           Scene<Tait, Uniform> scene = collapse(group.inputs);
           scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(start)](
                                    const Vectors& lattice) { return disturbed(lattice, by, seed); };
-          return (group.with_friction ? method_on.with_friction(with_friction(scene, friction))
-                                      : method_on.without_friction(scene))
+          SkinFriction of_group = friction;
+          of_group.coefficient = group.friction;
+          return (group.friction > 0 ? method_on.with_friction(with_friction(scene, of_group))
+                                     : method_on.without_friction(scene))
               .run(level, when);
         }
     throw std::invalid_argument(fmt::format("validation: level '{}', expected one of its own", level.name));
@@ -209,56 +287,33 @@ Method validated(const MethodOn& method_on, const Starts& starts) {
   return method;
 }
 
+std::vector<const Run*> runs_with_friction(const Results& results, double coefficient) {
+  return runs_of(results, rough(coefficient));
+}
+
 std::vector<const Run*> ensemble_of(const Results& results) {
   std::vector<const Run*> largest;
-  for (const int across : {160, 80, 40, 20}) {
-    std::vector<const Run*> members;
-    bool finished = true;
-    for (const Run& run : results.runs)
-      if (run.summary.level.starts_with(nominal(across) + ", start ")) {
-        members.push_back(&run);
-        finished &= run.summary.finished;
-      }
-    if (finished && members.size() > std::max<std::size_t>(1, largest.size())) largest = members;
-  }
+  for (const int across : {160, 80, 40, 20})
+    if (const auto members = runs_of(results, nominal(across));
+        members.size() > std::max<std::size_t>(1, largest.size()))
+      largest = members;
   return largest;
 }
 
-std::vector<Judgement> judgements(const Results& results) {
+std::vector<Judgement> judgements(const Results& results, const Experiment& experiment) {
+  const Doubts doubts = doubts_of(experiment);
   std::vector<Judgement> all;
-  for (const Observable& observable : observables_300()) all.push_back(judge(results, observable));
+  for (const Observable& observable : experiment.observables())
+    all.push_back(judge(results, experiment, doubts, observable));
   return all;
 }
 
-std::vector<Value> validation_values(const Results& results, const Record&) {
-  if (results.suite != Suite::validation) return {};
-  std::vector<Value> found;
-  const auto add = [&](const Quantity& quantity, double value) {
-    found.push_back({"", not_a_number, end, quantity, value});
-  };
-  const std::vector<Judgement> all = judgements(results);
-  double agree = 0, worst = 0;
-  std::map<std::string, bool> noticed;
-  for (const Judgement& one : all) {
-    Quantity error = one.observable.quantity;
-    error.name = "E = S - D, " + error.name;
-    error.kind = Kind::deviation;
-    error.better = Better::nearer_zero;
-    add(error, one.validation.error);
-    agree += one.validation.outcome == Validation::Outcome::agrees;
-    const ValidationParts& parts = one.validation.parts;
-    if (one.observable.clock == clock_of_front && std::isfinite(parts.data))
-      worst = std::max(worst, parts.numerical / parts.data);
-    for (const auto& [name, change] : one.planted) noticed[name] |= std::abs(change) > one.validation.expanded();
-  }
-  add(agreeing, agree);
-  add(planted_noticed, static_cast<double>(std::ranges::count_if(noticed, [](const auto& one) { return one.second; })));
-  add(numbers_over_data, worst);
-  return found;
+Finding validation_values(const Experiment& experiment) {
+  return [experiment](const Results& results, const Record&) { return values_of(results, experiment); };
 }
 
-Plot validation_tables() {
-  return [](const Results& results, Record& record) {
+Plot validation_tables(const Experiment& experiment) {
+  return [experiment](const Results& results, Record& record) {
     if (results.suite != Suite::validation) return;
     Table verdicts{
         "validation",
@@ -274,18 +329,26 @@ Plot validation_tables() {
                  "starts, of u_input the two largest.",
                  {"method", "observable", "resolution", "modulus", "starts", "inputs", "by which rule", "basis of u_D"},
                  {}};
-    Table planted{"planted",
-                  "Planted errors of the model, and skin friction",
-                  "By how much the median at 40 across moves, and whether that is noticed: more than 2 u_val. Skin "
-                  "friction of floor and side walls, which the plane model leaves out, at 80 across.",
-                  {"method", "observable", "2 u_val"},
-                  {}};
+    Table planted{
+        "planted",
+        "Planted errors of the model, and skin friction",
+        "By how much the median moves, and whether that is noticed: more than 2 u_val. Skin friction of floor "
+        "and side walls, by its coefficient: the plane model leaves it out.",
+        {"method", "observable", "2 u_val"},
+        {}};
+    Table moves{
+        "moves",
+        "Convergence of the impact",
+        "By what fraction the median moves from the second finest grid to the finest, by a doubled bulk "
+        "modulus, and from the affine fit at the sensor to the mean over a patch. Converged: each by 10 % at most.",
+        {"method", "observable", "grid", "bulk modulus", "sensor operator", "verdict"},
+        {}};
     const std::string& name = results.method.name;
     const auto moved = [](double by, const char* remark) {
       return std::isfinite(by) ? Cell(fmt::format("{:+.3g}{}", by, remark)) : Cell("");
     };
     const auto known = [](double x) { return std::isfinite(x) ? Cell(fmt::format("{:.3g}", x)) : Cell(""); };
-    for (const Judgement& one : judgements(results)) {
+    for (const Judgement& one : judgements(results, experiment)) {
       const Validation& v = one.validation;
       verdicts.rows.push_back({name, one.observable.quantity.name, verdict_of(v), known(one.observable.measured),
                                known(one.simulated), known(v.error), known(v.parts.numerical), known(v.parts.input),
@@ -302,11 +365,20 @@ Plot validation_tables() {
         if (planted.rows.empty()) planted.columns.push_back(error.substr(error.find(' ') + 1));
         row.push_back(moved(change, std::abs(change) > v.expanded() ? ", noticed" : ""));
       }
-      if (planted.rows.empty()) planted.columns.push_back("skin friction");
-      row.push_back(moved(one.by_friction, ""));
+      for (const auto& [coefficient, change] : one.by_friction) {
+        if (planted.rows.empty()) planted.columns.push_back(fmt::format("skin friction {:g}", coefficient));
+        row.push_back(moved(change, ""));
+      }
       planted.rows.push_back(std::move(row));
+      const auto percent = [](double part) {
+        return std::isfinite(part) ? Cell(fmt::format("{:+.1f} %", 100 * part)) : Cell("");
+      };
+      if (is_pressure(one.observable))
+        moves.rows.push_back({name, one.observable.quantity.name, percent(one.moves.grid), percent(one.moves.modulus),
+                              percent(one.moves.sensor), one.moves.converged() ? "converged" : "not converged"});
     }
-    for (Table* table : {&verdicts, &inputs, &planted}) record.tables.push_back(std::move(*table));
+    for (Table* table : {&verdicts, &inputs, &planted, &moves})
+      if (!table->rows.empty()) record.tables.push_back(std::move(*table));
   };
 }
 

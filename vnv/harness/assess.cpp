@@ -141,21 +141,33 @@ std::vector<Value> all_values(const Case& declared, const Results& results, cons
   return values;
 }
 
-/// One verdict on all values of a method that were never accepted, which says how they would be.
-void ask_for_acceptance(long count, Suite suite, Record& record) {
+/// The last few of values: of several levels the finest at its end.
+std::string last_of(const std::vector<Value>& values) {
+  const Value& last = values.back();
+  std::vector<std::string> words;
+  for (const Value& e : values)
+    if (e.level == last.level && e.time == last.time && words.size() < 3)
+      words.push_back(fmt::format("{} = {:.3g}", e.quantity.heading(), e.value));
+  const std::string where = last.level.empty() ? "" : last.level + ", ";
+  return fmt::format(" ({}{:.3g} s: {})", where, last.time, fmt::join(words, ", "));
+}
+
+/// One verdict on all values of a method that were never accepted, which shows some and says how they would be.
+void ask_for_acceptance(long count, const std::string& shown, Suite suite, Record& record) {
   if (count == 0 || suite != Suite::acceptance) return;
   const Claim accepted{
       {std::string(never_accepted), "", Kind::count}, std::nullopt, std::nullopt, baseline("none yet")};
   Verdict v = judge(accepted, {record.case_name, record.method, ""}, static_cast<double>(count));
   v.sentence = fmt::format(
-      "{0}.{1}: {2} no accepted baseline yet; accept {3} with: vnv accept {0}.{1} --reason \"...\"", record.case_name,
-      record.method, count == 1 ? "1 value has" : fmt::format("{} values have", count), count == 1 ? "it" : "them");
+      "{0}.{1}: {2} no accepted baseline yet{4}; accept {3} with: build/vnv/vnv accept {0}.{1} --reason \"...\"",
+      record.case_name, record.method, count == 1 ? "1 value has" : fmt::format("{} values have", count),
+      count == 1 ? "it" : "them", shown);
   record.verdicts.push_back(std::move(v));
 }
 
 /// Each value keeps within the limits that were accepted with the last one.
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
-  long not_accepted = 0;
+  std::vector<Value> not_accepted;
   for (const Value& e : record.values) {
     const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity.heading());
     const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
@@ -163,9 +175,9 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
       record.verdicts.push_back(
           judge(between(e.quantity, last->lower, last->upper, baseline(last->basis)), place, e.value));
     else
-      ++not_accepted;
+      not_accepted.push_back(e);
   }
-  ask_for_acceptance(not_accepted, suite, record);
+  ask_for_acceptance(std::ssize(not_accepted), not_accepted.empty() ? "" : last_of(not_accepted), suite, record);
 }
 
 /// What the members of an ensemble are together is of the distribution that was accepted; each alone is chance.
@@ -181,7 +193,7 @@ void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
     else
       ++not_accepted;
   }
-  ask_for_acceptance(not_accepted, suite, record);
+  ask_for_acceptance(not_accepted, "", suite, record);
 }
 
 /// What a baseline holds of a run must still be measured, unless it is reported at the end of a run and this run went

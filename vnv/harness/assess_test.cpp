@@ -114,9 +114,10 @@ TEST(Assess, KeepsAValueWithinItsBaselineToBothSides) {
 TEST(Assess, IsInconclusiveWithoutABaselineAndFailsForOneThatIsNoLongerMeasured) {
   const Record of_none = assessed(second_order(), Baselines{});
   ASSERT_EQ(count(of_none, Outcome::inconclusive), 1) << "one line however many values";
-  EXPECT_EQ(of_none.verdicts.back().sentence,
-            "made_up_case.made_up: 2 values have no accepted baseline yet; accept them with: "
-            "vnv accept made_up_case.made_up --reason \"...\"");
+  EXPECT_EQ(
+      of_none.verdicts.back().sentence,
+      "made_up_case.made_up: 2 values have no accepted baseline yet (fine, 1 s: L2 v_x [%] = 0.01); accept them with: "
+      "build/vnv/vnv accept made_up_case.made_up --reason \"...\"");
   const Record record = assessed(second_order(), accepted(0.04, "L2 v_y [%]"));
   EXPECT_EQ(count(record, Outcome::inconclusive), 1);
   EXPECT_EQ(count(record, Outcome::fails), 1);

@@ -17,7 +17,7 @@ inline const std::string ladder_across = "particles across";
 /// So many particles across, and how far each suite runs them [s].
 struct Across {
   int particles;
-  double acceptance, report, nightly;
+  double acceptance, report, nightly, validation = 0;
 };
 
 /// In MPM with four particles to a cell.
@@ -29,7 +29,8 @@ inline std::vector<Level> levels_across(double length, const std::vector<Across>
                       .cell = 2 * length / a.particles,
                       .acceptance = a.acceptance,
                       .report = a.report,
-                      .nightly = a.nightly});
+                      .nightly = a.nightly,
+                      .validation = a.validation});
   return levels;
 }
 

@@ -56,9 +56,9 @@ Method ablation(Method method, const Level& level, const std::vector<Variant>& v
   return with_runs(std::move(method), std::move(runs));
 }
 
-Plot ablation_table(Quantity quantity, std::vector<std::string> with_more) {
+Plot ablation_table(Quantity quantity, std::vector<std::string> with_more, std::string id) {
   return [=](const Results& results, Record& record) {
-    Table table{"ablation",
+    Table table{id,
                 "Ablation: what each ingredient contributes",
                 "Each variant lacks one ingredient of the complete method, or replaces it. An ingredient is "
                 "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "

@@ -52,7 +52,7 @@ Method ablation(Method method, const Level& level, const std::vector<Variant>& v
 
 /// A row for each variant: error at the end of the whole method's run, critical step and cost, their changes, and what
 /// that which is missing is needed for. The variants `with_more` have an ingredient that the whole method has not:
-/// there it is the whole method that lacks it.
-Plot ablation_table(Quantity quantity, std::vector<std::string> with_more = {});
+/// there it is the whole method that lacks it. A second table, by another quantity, wants another id.
+Plot ablation_table(Quantity quantity, std::vector<std::string> with_more = {}, std::string id = "ablation");
 
 }  // namespace touchstone::vnv
