@@ -204,8 +204,7 @@ Judgement judge(const Results& results, const Experiment& experiment, const Doub
   for (const Group& planted : planted_errors(filled))
     judged.planted.emplace_back(planted.name, of(planted.name) - here);
   for (const double coefficient : friction_coefficients)
-    if (const double with = of(rough(coefficient)); std::isfinite(with))
-      judged.by_friction.emplace_back(coefficient, with - here);
+    judged.by_friction.emplace_back(coefficient, of(rough(coefficient)) - here);
   if (is_pressure(observable) && ladder.size() > 1) {
     const double S = judged.simulated, by_mean = of(nominal(finest), {.pressures = column::patch});
     judged.moves = {S / ladder[ladder.size() - 2].value - 1, of(doubled_modulus) / here - 1, by_mean / S - 1};
@@ -321,7 +320,7 @@ Plot validation_tables(const Experiment& experiment) {
         "D measured, S simulated, the median over the starts at the finest resolution; E = S - D; standard "
         "uncertainties of numbers, inputs and data; u_val, the root of the sum of their squares. What is not known is blank and left "
         "out of u_val.",
-        {"method", "observable", "verdict", "D", "S", "E", "u_num", "u_input", "u_D", "u_val"},
+        {"method", "observable", "verdict", "D", "S", "E", "u_val", "u_num", "u_input", "u_D"},
         {}};
     Table inputs{"inputs",
                  "Parts of the validation uncertainty",
@@ -351,8 +350,8 @@ Plot validation_tables(const Experiment& experiment) {
     for (const Judgement& one : judgements(results, experiment)) {
       const Validation& v = one.validation;
       verdicts.rows.push_back({name, one.observable.quantity.name, verdict_of(v), known(one.observable.measured),
-                               known(one.simulated), known(v.error), known(v.parts.numerical), known(v.parts.input),
-                               known(v.parts.data), known(v.uncertainty)});
+                               known(one.simulated), known(v.error), known(v.uncertainty), known(v.parts.numerical),
+                               known(v.parts.input), known(v.parts.data)});
       auto largest = one.inputs;
       std::ranges::sort(largest, std::greater(), [](const auto& input) { return input.second; });
       std::string most;

@@ -67,7 +67,7 @@ struct Judgement {
   std::string rule{};                                                             // of the first
   std::vector<std::pair<std::string, double>> inputs{};                           // what each input adds to u_input
   std::vector<std::pair<std::string, double>> planted{};  // by how much each planted error moves S
-  std::vector<std::pair<double, double>> by_friction{};   // the same of skin friction, with its coefficient
+  std::vector<std::pair<double, double>> by_friction{};   // the same of skin friction, by its coefficient
   Moves moves{};
 };
 std::vector<Judgement> judgements(const Results& results, const Experiment& experiment);

@@ -59,7 +59,7 @@ Method ablation(Method method, const Level& level, const std::vector<Variant>& v
 Plot ablation_table(Quantity quantity, std::vector<std::string> with_more, std::string id) {
   return [=](const Results& results, Record& record) {
     Table table{id,
-                "Ablation: what each ingredient contributes",
+                fmt::format("Ablation: what each ingredient contributes, by {}", quantity.name),
                 "Each variant lacks one ingredient of the complete method, or replaces it. An ingredient is "
                 "needed for accuracy if the error grows by more than a tenth without it; for stability if the run does "
                 "not finish or the largest stable step falls by more than 5 %. Errors are those at the end time.",
