@@ -114,6 +114,7 @@ double change_in_a_bounce(const PartsOfMethod& parts) {
 TEST(EnergyBookOfSph, ADropThatBouncesOffAWallKeepsItsEnergyAllTheWhile) {
   EXPECT_LT(change_in_a_bounce(delta), 0.02);
   EXPECT_LT(change_in_a_bounce(shifted), 0.02);
+  EXPECT_LT(change_in_a_bounce(corrected), 0.02);
 }
 
 }  // namespace booked_test

@@ -40,11 +40,16 @@ struct Finds {
   static constexpr std::size_t carried = shifting ? drift_fields : rise ? 2 : 0, first_of_rise = carried - 2;
 };
 template <class Real, class PartsOfMethod>
-using PackedOfSurface = std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>;
+using PackedOfSurface =
+    std::conditional_t<Finds<PartsOfMethod>::correction, SurroundingsWithGhosts<Real>,
+                       std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>>;
 
 /// The first pass: all that neither the new density nor the pressure has a part in. Writes the rate of density, by
 /// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the rise of density that the last second pass
 /// has found; the accelerations by the terms; and surroundings.
+///
+/// Where the gradient is corrected, a ghost j, whose L is 1, pulls by P_i L_i + P_j: continuity takes the mean of both
+/// gradients there, so that compression against a wall takes the energy that the pull gives back.
 template <class Kernel, class Packed, class Terms, class PartsOfMethod>
 void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsOfMethod& parts, double h) {
   using Found = Finds<PartsOfMethod>;
@@ -52,7 +57,8 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     enum : std::size_t {
       slopes = 0,
       diffusion = slopes + (Found::slopes ? 4 : 1),
-      pull = diffusion + Found::diffusion,
+      half_of_ghosts = diffusion + Found::diffusion,
+      pull = half_of_ghosts + Found::correction,
       moments = pull + 2,
       crowd = moments + (Found::surroundings ? 3 : 0),
       count = crowd + (Found::shifting ? 2 : 0)
@@ -68,10 +74,17 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     sums[At::pull + 1] = pull.y;
     const Real per_r = ij.mass * ij.volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
     if constexpr (Found::slopes) {
-      sums[At::slopes] = -ij.vx * x;
-      sums[At::slopes + 1] = -ij.vx * y;
-      sums[At::slopes + 2] = -ij.vy * x;
-      sums[At::slopes + 3] = -ij.vy * y;
+      Real vx = ij.vx, vy = ij.vy;
+      if constexpr (Found::correction) {
+        const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(fullest_fluid)));
+        sums[At::half_of_ghosts] = -half * (vx * x + vy * y);
+        vx -= half * vx;
+        vy -= half * vy;
+      }
+      sums[At::slopes] = -vx * x;
+      sums[At::slopes + 1] = -vx * y;
+      sums[At::slopes + 2] = -vy * x;
+      sums[At::slopes + 3] = -vy * y;
     } else {
       sums[At::slopes] = -ij.approach() * per_r;
     }
@@ -100,6 +113,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
           const Vec2 of_vx = slopes_of(At::slopes), of_vy = slopes_of(At::slopes + 2);
           divergence = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ? of_vx.x() + of_vy.y()
                                                                             : sums[At::slopes] + sums[At::slopes + 3];
+          if constexpr (Found::correction) divergence += sums[At::half_of_ghosts];
           if constexpr (Found::shifting) {
             const Vec2 way = parts.shifting.way({sums[At::crowd], sums[At::crowd + 1]}, h);
             const std::array<double, 6> next{way.x(), way.y(), of_vx.x(), of_vx.y(), of_vy.x(), of_vy.y()};

@@ -232,9 +232,9 @@ TEST(Surroundings, OfALonelyParticleKeepItsCorrectionBounded) {
   Near near = neighbourhood({.domain = {.box = square}, .fluid = water, .filled = {.high = {spacing, spacing}}});
   see(near, still, even, even);
   EXPECT_EQ(near.all.fluid, 1);
-  EXPECT_EQ(near.seen[0].l_xx, 5);
+  EXPECT_EQ(near.seen[0].l_xx, 2.5);
   EXPECT_EQ(near.seen[0].l_xy, 0);
-  EXPECT_EQ(near.seen[0].l_yy, 5);
+  EXPECT_EQ(near.seen[0].l_yy, 2.5);
 }
 
 /// What diffusion alone does to a density.

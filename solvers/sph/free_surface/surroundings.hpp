@@ -6,17 +6,20 @@
 
 namespace touchstone::sph {
 
+/// How full the kernel of fluid is taken to be at most, and that of a ghost where these are to be told apart.
+inline constexpr double fullest_fluid = 1.5, fullness_of_ghosts = 2;
+
 template <class Number>
 struct Surroundings : Packed<Number> {
   Number rho_along_x = 0, rho_along_y = 0;  // kg/m⁴
   Number l_xx = 1, l_xy = 0;                // -  L, which makes the gradient of a linear field exact; symmetric
   Number l_yy = 1, fullness = 1;            // -  the least eigenvalue of the inverse of L
 
-  /// Takes the sum of V_j (r_j - r_i) grad W, symmetric, whose inverse is L. Eigenvalues below 0.2, of splashes, tips
+  /// Takes the sum of V_j (r_j - r_i) grad W, symmetric, whose inverse is L. Eigenvalues below 0.4, of splashes, tips
   /// and corners, count as that: L does not jump, and what it corrects there is too small, never too large. In the very
-  /// corner of a square it is 0.09, on a straight surface 0.5.
+  /// corner of a square it is 0.09, on a straight surface 0.5. By 0.2 drops are so stiff that the step makes energy.
   void set_surroundings(double xx, double xy, double yy) {
-    constexpr double least = 0.2;
+    constexpr double least = 0.4;
     const double middle = (xx + yy) / 2, apart = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy), low = middle - apart,
                  high = middle + apart;
     const double per_low = 1 / std::max(low, least), per_high = 1 / std::max(high, least);
@@ -24,7 +27,7 @@ struct Surroundings : Packed<Number> {
     l_xx = static_cast<Number>(even + per_both * xx);  // both matrices have the same axes
     l_xy = static_cast<Number>(per_both * xy);
     l_yy = static_cast<Number>(even + per_both * yy);
-    fullness = static_cast<Number>(low);
+    fullness = static_cast<Number>(std::min(low, fullest_fluid));
   }
   void set_rise(double along_x, double along_y) {
     rho_along_x = static_cast<Number>(along_x);
@@ -33,6 +36,12 @@ struct Surroundings : Packed<Number> {
 
   /// L times a sum of differences times grad W.
   Vec2 corrected(double of_x, double of_y) const { return {l_xx * of_x + l_xy * of_y, l_xy * of_x + l_yy * of_y}; }
+};
+
+/// The same where a ghost is told from fluid by its fullness.
+template <class Number>
+struct SurroundingsWithGhosts : Surroundings<Number> {
+  SurroundingsWithGhosts() { this->fullness = static_cast<Number>(fullness_of_ghosts); }
 };
 
 /// A part of a method that says `reads_surroundings` reads what these passes find.
