@@ -18,7 +18,11 @@ std::map<std::string, std::vector<Claim>> claims() {
       at_most(levels_rms, 0.02, baseline("twice the RMS difference of the two runs of the experiment, 0.010"));
   const std::vector<Claim> of_sph{front.on("80 across"), levels.on("80 across")},
       of_mpm{front.on("80 across"), levels.on("80 across"), front.on("160 across"), levels.on("160 across")};
-  return {{"mpm_apic", of_mpm}, {"mpm_xpic", of_mpm}, {"sph_delta", of_sph}, {"sph_shifted", of_sph}};
+  return {{"mpm_apic", of_mpm},
+          {"mpm_xpic", of_mpm},
+          {"sph_delta", of_sph},
+          {"sph_shifted", of_sph},
+          {"sph_corrected", of_sph}};
 }
 
 }  // namespace
@@ -35,7 +39,7 @@ Case vnv::the_case() {
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
-      .methods = methods_with_friction(collapse(filled_300), filled_300.height, friction, claims()),
+      .methods = methods_with_friction(collapse(filled_300), filled_300.height, friction, claims(), end_of_impact),
       .plots = {front_over_time(), levels_over_time(), pressures_over_time(), energies_over_time(),
                 particles_coloured_by_pressure({"mpm_apic", "sph_delta", "sph_shifted"}, {0.2, 0.42, 0.7, 1.1})}};
 }
