@@ -80,7 +80,7 @@ Case vnv::the_case() {
     return at_most(front_rms, limit, baseline(basis)).on(unabridged);
   };
   const Claim near_the_experiment = front_within(0.1, "half the resolution at which 0.05 is claimed"),
-              released = front_within(0.3, "0.2 on every grid: the gate is missing");
+              released = front_within(0.3, "0.15 when first measured, most of it for want of the gate");
   return {
       .title = "Dam break with its gate: ablation study",
       .description =

@@ -6,8 +6,9 @@
 
 namespace touchstone::sph {
 
-/// How full the kernel of fluid is taken to be at most, and that of a ghost where these are to be told apart.
-inline constexpr double fullest_fluid = 1.5, fullness_of_ghosts = 2;
+/// How full the kernel of fluid is taken to be at most, and that of a ghost where these are to be told apart. What a
+/// neighbour has beyond the fullest fluid is a half for ghosts, their share in the mean of two gradients, and else 0.
+inline constexpr double fullest_fluid = 1.5, fullness_of_ghosts = fullest_fluid + 0.5;
 
 template <class Number>
 struct Surroundings : Packed<Number> {
