@@ -41,29 +41,28 @@ CLI::Option* add_suite(CLI::App& command, std::string& suite) {
 }
 
 CLI::Option* add_patterns(CLI::App& command, Patterns& patterns) {
-  return command.add_option(
-      "PATTERN", patterns,
-      "a case, CASE.METHOD, a glob or a part of one, or the file of a solver, .toml; default: all");
+  return command.add_option("PATTERN", patterns,
+                            "case, CASE.METHOD, glob or part of a name, or solver file (.toml); default: all");
 }
 
 void add_at_once(CLI::App& command, int& at_once) {
-  command.add_option("-j", at_once, "programs to run at once; what judges time runs alone")
+  command.add_option("-j", at_once, "programs to run at once; those judged by run time run alone")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
 }
 
 void add_results(CLI::App& command, std::string& records, std::string& junit, bool& as_json) {
   command.add_option("--records", records,
-                     "folder for the record, JSON with every value and verdict, which vnv report turns into pages");
+                     "folder for the record: JSON with every value and verdict, which vnv report turns into pages");
   command.add_option("--junit", junit, "file for the verdicts as JUnit XML, for continuous integration");
-  command.add_flag("--json", as_json, "print JSON, for a program");
+  command.add_flag("--json", as_json, "print JSON, for other programs");
 }
 
 void declare_list(CLI::App& command, ListOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
-  CLI::Option* json = command.add_flag("--json", options.as_json, "as JSON, for other programs");
-  command.add_flag("--names", options.names_only, "only CASE.METHOD, one per line")->excludes(json);
+  CLI::Option* json = command.add_flag("--json", options.as_json, "print JSON, for other programs");
+  command.add_flag("--names", options.names_only, "print only CASE.METHOD, one per line")->excludes(json);
 }
 
 void declare_run(CLI::App& command, RunOptions& options) {
@@ -71,45 +70,49 @@ void declare_run(CLI::App& command, RunOptions& options) {
   add_suite(command, options.suite);
   EngineOptions& where = options.where;
   command
-      .add_option("-j", where.at_once,
-                  "programs to run at once; default: 1, with parallel the processors of each host, with slurm all that "
-                  "it grants; what judges time runs alone")
+      .add_option(
+          "-j", where.at_once,
+          "programs to run at once; default: 1; with parallel, one per processor of each host; with slurm, all that "
+          "it grants; those judged by run time run alone")
       ->check(CLI::Range(1, 4096));
   command.add_option("--records", where.records, "folder of records; default: BUILD/records/SUITE");
   command
       .add_option(
           "--engine", where.engine,
-          "local: here; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by arrays of jobs. All "
-          "machines see the build folder, the data and the records at the same places")
+          "local: on this machine; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by job arrays. "
+          "All machines must see the build folder, the data and the records under the same paths")
       ->check(CLI::IsMember(engines))
       ->capture_default_str();
-  command.add_option("--hosts", where.hosts,
-                     "of parallel: separated by commas, or a file of them, as its --sshlogin has them: 4/user@host; "
-                     "default: this machine");
+  command.add_option(
+      "--hosts", where.hosts,
+      "hosts for parallel, in the form of its --sshlogin (4/user@host): separated by commas, or a file with one "
+      "per line; default: this machine");
   command
       .add_option("--engine-option", where.options,
-                  "another option of parallel or sbatch: --partition=long; may repeat")
+                  "further option for parallel or sbatch, such as --partition=long; may be repeated")
       ->allow_extra_args(false);
-  command.add_flag("--again", options.again, "run also what would be skipped");
+  command.add_flag("--again", options.again, "also run methods that would be skipped");
 }
 
 void declare_report(CLI::App& command, ReportOptions& options) {
   command.add_option("RECORDS", options.records, "folder of records; default: BUILD/records/SUITE");
-  command.add_option("SITE", options.site, "folder for the pages, replaced; default: BUILD/site/SUITE");
+  command.add_option("SITE", options.site, "folder for the pages, replaced if it exists; default: BUILD/site/SUITE");
   add_suite(command, options.suite);
   command.add_option("--history", options.history,
-                     "folder of earlier nights, to which these records are added; default: that of the build, for its "
-                     "own nights");
+                     "folder of earlier nights, to which these records are added; default: that of the build, if the "
+                     "records are its own");
   command.add_option("--known-failures", options.known_failures,
-                     "claims that are known to fail; default: known_failures.csv of the data");
-  command.add_option("--faults", options.faults,
-                     "results of the seeded faults; default: vnv/trials/faults/trials.csv of the sources");
+                     "file of claims that are known to fail; default: known_failures.csv in the data folder");
+  command.add_option(
+      "--faults", options.faults,
+      "file with the results of the seeded faults; default: vnv/trials/faults/trials.csv in the sources");
 }
 
 void declare_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("CASE", options.case_name, "a case, or another code's: as its page is called")->required();
+  command.add_option("CASE", options.case_name, "case, ours or that of another code, by the name of its page")
+      ->required();
   command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
-  command.add_option("--folder", options.folder, "for the files; default: BUILD/export/CASE");
+  command.add_option("--folder", options.folder, "folder for the files; default: BUILD/export/CASE");
   add_suite(command, options.suite);
 }
 
@@ -118,9 +121,10 @@ void declare_accept(CLI::App& command, AcceptOptions& options) {
   command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
   add_suite(command, options.suite);
   command
-      .add_option("--claims", options.claims,
-                  "run nothing and accept no value, only how many claims the methods of these records make; an "
-                  "accepted method without a record is gone")
+      .add_option(
+          "--claims", options.claims,
+          "run nothing and accept no values, only the number of claims that each method makes in this folder of "
+          "records; accepted methods without a record there are removed")
       ->check(CLI::ExistingDirectory);
 }
 
@@ -131,94 +135,102 @@ void declare_gate(CLI::App& command, GateOptions& options) {
   add_suite(command, request.suite);
   command.add_option("--case", request.cases, "only this case; may be given several times")->allow_extra_args(false);
   command.add_option("--only", request.only, "only methods whose CASE.METHOD contains this regular expression");
-  command.add_option("--repeats", request.repeats, "pairs of runs in turn, 6 or more; 0: CPU times are not compared")
+  command
+      .add_option("--repeats", request.repeats, "alternating pairs of runs, 6 or more; 0: CPU times are not compared")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_flag("--all", request.all, "run also programs that are the same in both");
-  command.add_option("--markdown", request.markdown, "file for the findings, to be pasted in a review");
-  command.add_option("--json", request.json, "file for all findings, for other programs");
-  command.add_option("--site", options.site, "folder for pages with error against run time, before and after");
+  command.add_flag("--all", request.all, "also run programs that are the same in both");
+  command.add_option("--markdown", request.markdown, "file for the findings as Markdown, to be pasted into a review");
+  command.add_option("--json", request.json, "file for all findings as JSON, for other programs");
+  command.add_option("--site", options.site, "folder for pages that show error against run time, before and after");
 }
 
 void declare_explain(CLI::App& command, ExplainOptions& options) {
-  command.add_option("PATTERN", options.pattern, "a case, CASE.METHOD, a glob or a part of one")->required();
+  command.add_option("PATTERN", options.pattern, "case, CASE.METHOD, glob or part of a name")->required();
 }
 
 void declare_plan(CLI::App& command, PlanOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
   add_at_once(command, options.at_once);
-  command.add_flag("--json", options.as_json, "one line of JSON per task; \"cpu\" is null where it is unknown");
+  command.add_flag("--json", options.as_json, "print one line of JSON per task; \"cpu\" is null where it is unknown");
 }
 
 void declare_scene(CLI::App& command, SceneOptions& options) {
-  command.add_option("FLOW", options.flow, "a flow; without one all are named");
-  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")
+  command.add_option("FLOW", options.flow, "name of a flow; without it, all flows are listed");
+  command.add_option("--set", options.set, "parameter of the flow, in SI units; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--spacing", options.spacing, "of the particles [m]; default: 40 across")
+  command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--json", options.as_json, "as JSON, for a solver");
-  command.add_option("--particles", options.particles, "file for the particles at the start, as CSV");
+  command.add_flag("--json", options.as_json, "print JSON, for a solver");
+  command.add_option("--particles", options.particles, "file for the initial particles, as CSV");
 }
 
 void declare_judge(CLI::App& command, JudgeOptions& options) {
-  command.add_option("FLOW", options.flow, "a flow that vnv scene names")->required();
-  command.add_option("FILES", options.files, "of one resolution or of several, at one time or at many")->required();
-  command.add_option("--set", options.set, "a parameter of the flow, in SI units; may repeat")
+  command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists")->required();
+  command.add_option("FILES", options.files, "output files, of one or more resolutions at one or more times")
+      ->required();
+  command.add_option("--set", options.set, "parameter of the flow, in SI units; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--name", options.name, "of the code that is judged")->capture_default_str();
+  command.add_option("--name", options.name, "name of the code that is judged")->capture_default_str();
   command
       .add_option(
           "--field", options.fields,
-          "array of a field, velocity=U; fields: position, velocity, pressure, density, mass, volume, and fraction: "
-          "of a volume, that is fluid")
+          "array that holds a field, as in velocity=U; fields: position, velocity, pressure, density, mass, volume, "
+          "and fraction of a volume that is fluid")
       ->type_name("FIELD=ARRAY")
       ->allow_extra_args(false);
   command
-      .add_option("--unit", options.units,
-                  "of length, velocity, pressure, density or time, length=mm; default: in headings, else SI")
+      .add_option(
+          "--unit", options.units,
+          "unit of length, velocity, pressure, density or time, as in length=mm; default: that of the headings or SI")
       ->type_name("KIND=UNIT")
       ->allow_extra_args(false);
-  command.add_option("--axes", options.axes, "of the plane of the flow, in the coordinates of the files")
+  command.add_option("--axes", options.axes, "axes of the plane of the flow, in the coordinates of the files")
       ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
-  command.add_option("--origin", options.origin, "of the flow, in the coordinates of the files [m]")->expected(2);
+  command.add_option("--origin", options.origin, "origin of the flow, in the coordinates of the files [m]")
+      ->expected(2);
   command.add_option(
       "--only", options.only,
-      "rows that are fluid, NAME=VALUE of an array, or NAME>VALUE or NAME<VALUE; default: those that an array of names "
-      "calls fluid or water");
+      "rows that are fluid, by the values of an array: NAME=VALUE, NAME>VALUE or NAME<VALUE; default: those that an "
+      "array of names calls fluid or water, else all");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
-  command.add_option("--time", options.time, "of files that have none [s]")->check(CLI::NonNegativeNumber);
-  command.add_option("--time-step", options.time_step, "between the indices of files that have no time [s]")
+  command.add_option("--time", options.time, "time of files without a time [s]")->check(CLI::NonNegativeNumber);
+  command.add_option("--time-step", options.time_step, "time between consecutive indices of files without a time [s]")
       ->check(CLI::PositiveNumber);
-  command.add_option("--spacing", options.spacing, "of the particles [m]; default: by their number in the filled area")
+  command
+      .add_option("--spacing", options.spacing,
+                  "particle spacing [m]; default: from the number of particles in the filled area")
       ->check(CLI::PositiveNumber);
-  command.add_option("--at-most", options.at_most, "a limit for each norm [%]")->check(CLI::PositiveNumber);
+  command.add_option("--at-most", options.at_most, "limit for each error norm [%]")->check(CLI::PositiveNumber);
   command.add_flag("--diagnose", options.diagnose,
-                   "say what may be wrong of what does not fail, too, with all causes that were fitted");
+                   "diagnose the errors of claims that hold, too, and list all causes that were fitted");
   add_results(command, options.records, options.junit, options.as_json);
 }
 
 void declare_prepare(CLI::App& command, PrepareOptions& options) {
-  command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
-  command.add_option("FOLDER", options.folder, "for a folder of each resolution; what was in these is gone")
+  command.add_option("SOLVER", options.solver, "solver file (.toml)")->required();
+  command
+      .add_option("FOLDER", options.folder, "output folder, one subfolder per resolution (existing ones are replaced)")
       ->required();
 }
 
 void declare_collect(CLI::App& command, CollectOptions& options) {
-  command.add_option("SOLVER", options.solver, "file of a solver, .toml")->required();
-  command.add_option("FOLDER", options.folder, "that was prepared")->required()->check(CLI::ExistingDirectory);
+  command.add_option("SOLVER", options.solver, "solver file (.toml)")->required();
+  command.add_option("FOLDER", options.folder, "folder made by vnv prepare")->required()->check(CLI::ExistingDirectory);
   add_suite(command, options.suite);
   add_results(command, options.records, options.junit, options.as_json);
 }
 
 void declare_order(CLI::App& command, OrderOptions& options) {
-  command.add_option("FILE", options.file, "a table: a column of spacings, then columns of errors")->required();
-  command.add_flag("--values", options.are_values,
-                   "the columns hold values of unknown truth: extrapolated, with the grid convergence index");
+  command.add_option("FILE", options.file, "table: a column of spacings, then columns of errors")->required();
+  command.add_flag(
+      "--values", options.are_values,
+      "the columns hold values whose exact value is unknown: extrapolate them, with the grid convergence index");
   command.add_option("--surely-above", options.surely_above,
-                     "exit status 1 unless each 95 % interval lies above this order");
+                     "end with exit status 1 unless each 95 % interval lies above this order");
 }
 
 CommandWords words_of(const CLI::App& command) {
@@ -242,18 +254,18 @@ int print_completion(const CLI::App& app, const std::string& shell) {
 void add_completion(Session& session) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = session.app.add_subcommand(
-      "completion", "Prints a script by which a shell completes commands, options and methods.");
+      "completion", "Prints a script that lets a shell complete commands, options and methods.");
   command->footer("Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)");
   command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
   command->callback([=, &session] { session.work = [=, &session] { return print_completion(session.app, *shell); }; });
 }
 
 void add_subcommands(Session& session) {
-  add(session, "list", "Lists cases, methods and levels, and which suite runs what.",
+  add(session, "list", "Lists cases, methods and levels, and which suites run them.",
       "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
   add(session, "run", "Runs methods and judges them by their claims.",
-      "A method is skipped if the folder of records has one of the same program, data and suite.\n"
-      "On other machines it may take five times as long as last time, and is tried again where its machine is lost.\n"
+      "A method is skipped if the folder of records has a record of the same program, data and suite.\n"
+      "On other machines it may take five times as long as last time, and is run again if its machine fails.\n"
       "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine\n"
       "  vnv run mine.toml\n  vnv run --suite nightly --engine parallel --hosts a,4/b\n"
       "  vnv run --suite nightly --engine slurm --engine-option=--partition=long",
@@ -261,41 +273,43 @@ void add_subcommands(Session& session) {
   add(session, "report", "Turns records into pages and prints the path of the first.",
       "Examples:\n  vnv report --suite nightly\n  vnv report my_records my_site --history my_nights", report,
       declare_report);
-  add(session, "export", "Writes what a paper needs of a judged case: figures, tables, data, versions, citations.",
+  add(session, "export", "Writes what a paper needs from a judged case: figures, tables, data, versions, citations.",
       "Figures as PDF, with their data and the gnuplot scripts that redraw them; claims and versions as tables for LaTeX\n"
       "(\\usepackage{array,booktabs,longtable}, \\input{verdicts}); all numbers as CSV; BibTeX of the literature that the\n"
-      "case names.\n"
+      "case cites.\n"
       "Examples:\n  vnv export poiseuille\n  vnv export poiseuille --records mine --folder paper/poiseuille",
       export_case, declare_export);
   add(session, "accept",
-      "Runs methods and makes their values the baselines, unless a claim of theory or literature fails.",
-      "A suite that makes fewer claims than accepted is red: their number is accepted with the values.\n"
+      "Runs methods and makes their values the baselines, unless a claim from theory or literature fails.",
+      "A suite that makes fewer claims than accepted fails: their number is accepted with the values.\n"
       "Examples:\n  vnv accept couette.mpm --reason \"the wall moves with the fluid now: second order\"\n"
-      "  vnv accept couette.old --claims build/records/acceptance --reason \"a method less\"",
+      "  vnv accept couette.old --claims build/records/acceptance --reason \"one method fewer\"",
       accept, declare_accept);
   add(session, "gate", "Compares before and after: what got better, worse, slower or faster.",
       "BEFORE and AFTER are records, folders of records, build folders, two versions of a solver (.toml), or git\n"
-      "revisions, which are built in temporary folders. Programs that differ run in turn: their values are compared, and\n"
-      "the ratio of their CPU times, or of the resource that both occupy, has a 95 % confidence interval.\n"
+      "revisions, which are built in temporary folders. Programs that differ are run alternately: their values are\n"
+      "compared, and the ratio of their CPU times, or of their times on a resource that both occupy, is given with a\n"
+      "95 % confidence interval.\n"
       "Exit status: 0 same or better, 1 worse, 2 inconclusive, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv gate ../main/build build --markdown review.md\n"
       "  vnv gate HEAD~1 HEAD --case poiseuille --case couette\n  vnv gate old.toml new.toml\n"
       "  vnv gate nights/monday nights/tuesday --json gate.json",
       run_gate, declare_gate);
-  add(session, "explain", "Explains what a case solves, what is claimed on whose word, and where its data come from.",
+  add(session, "explain",
+      "Explains what a case solves, what is claimed and on whose authority, and where its data come from.",
       "A single method is explained with its claims and levels.\n"
       "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm",
       explain, declare_explain);
   add(session, "plan", "Lists the methods and levels that a suite runs, with their last recorded cost.",
       "Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json", plan, declare_plan);
-  add(session, "scene", "Says all that a solver needs to compute a flow, at any parameters.",
+  add(session, "scene", "Prints all that a solver needs to compute a flow, at any parameters.",
       "Examples:\n  vnv scene\n  vnv scene poiseuille --set H=1 --set F=1e-5 --set nu=0.01\n"
       "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
       scene, declare_scene);
-  add(session, "judge", "Judges the output of any code by a flow: norms of the error, observed order, verdicts.",
-      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ and HDF5 (also of PySPH), dumps of\n"
-      "LAMMPS, and tables of text (CSV, TSV, ;), plain or gzipped. Files of equal spacing are\n"
-      "times of one resolution; three resolutions show the observed order.\n"
+  add(session, "judge", "Judges the output of any code for a flow: error norms, observed order, verdicts.",
+      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ and HDF5 (including those of PySPH), LAMMPS\n"
+      "dumps, and text tables separated by commas, tabs or semicolons, plain or gzipped. Files of equal spacing are\n"
+      "taken as different times of one resolution; three resolutions give the observed order.\n"
       "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
@@ -304,15 +318,16 @@ void add_subcommands(Session& session) {
       "  vnv judge stokes_second plate.h5 --diagnose",
       judge, declare_judge);
   add(session, "prepare", "Makes a folder for each resolution of a solver, to be run elsewhere.",
-      "Each holds scene.json, particles.csv and run.sh; when all have run, vnv collect judges what they wrote.\n"
+      "Each holds scene.json, particles.csv and run.sh; when all have been run, vnv collect judges their output.\n"
       "Example:\n  vnv prepare mine.toml runs && for run in runs/*/run.sh; do sbatch \"$run\"; done",
       prepare, declare_prepare);
-  add(session, "collect", "Judges what the runs of a prepared solver wrote.",
+  add(session, "collect", "Judges the output of a prepared solver's runs.",
       "Example:\n  vnv collect mine.toml runs --records build/records/acceptance", collect, declare_collect);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
-      "The first column holds spacings, each other one errors; rows in any order. CSV, TSV, ; or blanks.\n"
-      "Of values whose truth nobody knows, --values shows what each three neighbouring resolutions say: order,\n"
-      "Richardson's extrapolation and the grid convergence index of the finest (Roache 1994, Celik et al. 2008).\n"
+      "The first column holds spacings, all others errors; rows in any order; columns separated by commas, tabs,\n"
+      "semicolons or blanks. For values whose exact value is unknown, --values gives, for each three consecutive\n"
+      "resolutions, the order, Richardson's extrapolation and the grid convergence index of the finest (Roache 1994,\n"
+      "Celik et al. 2008).\n"
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
   add_completion(session);

@@ -17,37 +17,39 @@ std::optional<int> Options::parse(const std::string& case_name, int count, char*
   std::map<std::string, Suite> named;
   for (const Suite one : suites) named.emplace(name_of(one), one);
   app.add_option("--method", method, "only this method");
-  app.add_option("--suite", suite, "how many levels and how long: acceptance, report, nightly, work or validation")
+  app.add_option("--suite", suite,
+                 "which levels run, and for how long: acceptance, report, nightly, work or validation")
       ->transform(CLI::CheckedTransformer(named));
   app.add_option_function<std::string>(
-      "--records", [this](const std::string& folder) { records = folder; }, "folder to write a record per method into");
+      "--records", [this](const std::string& folder) { records = folder; }, "folder for the records, one per method");
   app.add_option_function<std::string>("--data", set_data_folder, "folder of experiments, papers and baselines");
   app.add_option_function<std::string>(
       "--vtp", [this](const std::string& folder) { vtp = folder; },
-      "folder for the particles of each run at the times of the case, a series of .vtp for ParaView");
-  app.add_option("--spacing", spacing, "one run at this particle spacing [m], measured and not judged");
+      "folder for the particles of each run at the times of the case, as a .vtp series for ParaView");
+  app.add_option("--spacing", spacing, "make one run at this particle spacing [m], measured but not judged");
   const auto positive = CLI::PositiveNumber;
   app.add_option("--cell", cell,
-                 "with --spacing: size of a background cell [m]; else as on the level of nearest spacing")
+                 "with --spacing: size of a background cell [m]; default: as on the level of nearest spacing")
       ->needs("--spacing")
       ->check(positive);
-  app.add_option("--time-step", time_step, "with --spacing: time step [s]; else that of the method")
+  app.add_option("--time-step", time_step, "with --spacing: time step [s]; default: that of the method")
       ->needs("--spacing")
       ->check(positive);
-  app.add_option("--until", until, "with --spacing: end time [s]; else the first time of the case")
+  app.add_option("--until", until, "with --spacing: end time [s]; default: the first time of the case")
       ->needs("--spacing")
       ->check(positive);
-  app.add_option("--every", every, "with --spacing: measure so often [s], from 0 on; else at the times of the case")
+  app.add_option("--every", every,
+                 "with --spacing: interval between measurements [s], from 0 on; default: at the times of the case")
       ->needs("--spacing")
       ->check(positive);
   app.add_option("--accept", accept_reason, "make today's values the baselines, for this reason");
   app.add_option_function<std::string>(
          "--mutate", [this](const std::string& folder) { mutated = folder; },
-         "judge the records of this folder with each value beyond its limit, and say whose claim does not fail")
+         "judge the records in this folder with each value beyond its limit, and list the claims that do not fail")
       ->check(CLI::ExistingDirectory);
   app.add_flag(
       "--mutate-samples", mutates_samples,
-      "run, and do the same to the fields of the particles; with --records, a record of each method that fails so");
+      "run, and alter the fields of the particles likewise; with --records, a record of each method that then fails");
   app.add_flag("--list", list, "name the methods and their levels");
   app.add_flag("--describe", describes, "print methods, levels, claims, tolerances and baselines as JSON");
   app.add_option("--ctest-file", ctest_file)->group("");
