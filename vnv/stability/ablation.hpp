@@ -12,7 +12,7 @@
 namespace touchstone::vnv {
 
 /// The name of the whole method among its variants, which are called "without artificial viscosity" and the like.
-inline const std::string unabridged = "whole";
+inline const std::string unabridged = "complete";
 
 /// A method, whole or without one ingredient.
 struct Variant {
