@@ -57,7 +57,7 @@ void tabulate(const Results& results, Record& record) {
       {"method", "level", "t [s]"},
       {}};
   for (const char* name :
-       {"pressure", "gravity", "viscosity", "density smoothing", "walls", "transfer", "shifting", "all together"})
+       {"pressure", "gravity", "viscosity", "density smoothing", "walls", "transfer", "shifting", "total"})
     table.columns.push_back(name);
   for (const Run& run : results.runs)
     for (const double time : {0.4, 0.8, 1.2, 2.0})

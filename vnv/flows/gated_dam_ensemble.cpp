@@ -99,13 +99,13 @@ Plot ensemble_beside_repeats() {
         "Ensemble and repeats of the experiment",
         "Distance: the largest difference of both distribution functions at the three percentiles of the repeats; "
         "p-value: how often as many starts from the distribution of the repeats would be as far, exactly.",
-        {"method", "number", "starts", "median", "2.5 to 97.5 %", "measured median", "measured 2.5 to 97.5 %",
+        {"method", "quantity", "starts", "median", "2.5 to 97.5 %", "measured median", "measured 2.5 to 97.5 %",
          "distance", "p-value"},
         {}};
     Table whole{"ensemble_in_time",
                 "How much of the time the ensemble is where the experiment is",
                 "Over all starts.",
-                {"method", "number", "value"},
+                {"method", "quantity", "value"},
                 {}};
     for (const auto& [label, series] : band_of_P2())
       record.curves.push_back(

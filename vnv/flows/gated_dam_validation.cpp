@@ -326,7 +326,7 @@ Plot validation_tables(const Experiment& experiment) {
                  "Parts of the validation uncertainty",
                  "Standard uncertainties of the observable: of u_num those by resolution, bulk modulus and number of "
                  "starts, of u_input the two largest.",
-                 {"method", "observable", "resolution", "modulus", "starts", "inputs", "by which rule", "basis of u_D"},
+                 {"method", "observable", "resolution", "modulus", "starts", "inputs", "rule of u_num", "basis of u_D"},
                  {}};
     Table planted{
         "planted",

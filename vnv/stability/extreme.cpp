@@ -69,7 +69,7 @@ Plot endings(std::vector<std::string> drawn) {
     Table table{"endings",
                 "Outcome of each scene",
                 "Declared in advance and observed; the error where an exact value is known.",
-                {"scene", "method", "expected", "seen", "error [%]", "in words"},
+                {"scene", "method", "expected", "observed", "error [%]", "details"},
                 {}};
     for (const Run& run : results.runs) {
       const double error = run.value_of(error_at_end);

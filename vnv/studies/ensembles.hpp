@@ -48,8 +48,8 @@ inline Plot ensemble_table() {
                 "Medians and 10 to 90 % ranges; Wasserstein distance between the two ensembles "
                 "(in the unit of the quantity), and p-value of the hypothesis of equal "
                 "distributions (Anderson-Darling test).",
-                {"method", "number", "t [s]", "median", "10 to 90 %", "accepted median", "accepted 10 to 90 %",
-                 "distance", "chance"},
+                {"method", "quantity", "t [s]", "median", "10 to 90 %", "accepted median", "accepted 10 to 90 %",
+                 "distance", "p-value"},
                 {}};
     const auto middle = [](const std::vector<double>& members) {
       return members.empty() ? Cell("–") : Cell(median(members));
