@@ -328,7 +328,7 @@ TEST_F(Site, WithAHistoryHasATrendOverItsNights) {
   make_site(records, site, {.history = folder / "nights"});
   EXPECT_TRUE(contains(page("index.html"), "href=\"trend.html\""));
   for (const char* words : {"2 nights, 2026-11-21 to 2026-11-22: the last one changed 1 value.", "revision22",
-                            "torn.jsonl:1: no whole line of JSON", "data-values=\"1.575,1.654\""})
+                            "torn.jsonl:1: not a complete JSON line", "data-values=\"1.575,1.654\""})
     EXPECT_TRUE(contains(page("trend.html"), words)) << words;
   EXPECT_TRUE(contains(page("trend_steps.csv"), "2026-11-22T04:00:00Z,revision22,poiseuille,mpm,M2"));
 }

@@ -88,7 +88,7 @@ TEST(References, ThatAreNoneAreRefusedByFileAndKey) {
   EXPECT_EQ(refusal("@book{a,\n  title = {x}\n}\n"), "a.bib: a: no field 'named', ex");
   EXPECT_EQ(refusal("@book{a,\n  named = {[}\n}\n"), "a.bib: a: '[' or '' is no regu");
   EXPECT_EQ(refusal("@book{a,\n  named = {x{9999999999}}\n}\n"), "a.bib: a: 'named' or 'oracle_o");
-  EXPECT_EQ(refusal("@book{a,\n  named = {x}\n}\n@book{a,\n  named = {x}\n}\n"), "a.bib: a: is there twice, expe");
+  EXPECT_EQ(refusal("@book{a,\n  named = {x}\n}\n@book{a,\n  named = {x}\n}\n"), "a.bib: a: duplicate key, expec");
 }
 
 class Export : public testing::Test {

@@ -51,7 +51,7 @@ std::vector<Reference> read_references(const std::filesystem::path& file) {
       const std::string key = line.substr(opens + 1, line.find(',') - opens - 1);
       const bool is_known = std::ranges::find(all, key, &Reference::key) != all.end();
       all.push_back({.key = key});
-      if (is_known) refuse("is there twice, expected once");
+      if (is_known) refuse("duplicate key, expected it once");
       named = oracle_of = "";
     }
     if (all.empty()) continue;  // what the file says of itself

@@ -62,9 +62,10 @@ std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file)
     KnownFailure known = failure_on(sheet, row);
     for (const KnownFailure& other : all) {
       if (other.id == known.id)
-        throw vnv::BadData(file, row.line, fmt::format("id '{}' again, expected it once", known.id));
+        throw vnv::BadData(file, row.line, fmt::format("duplicate id; found '{}' twice, expected it once", known.id));
       if (claim(other) == claim(known))
-        throw vnv::BadData(file, row.line, fmt::format("the same claim as '{}', expected it once", other.id));
+        throw vnv::BadData(file, row.line,
+                           fmt::format("duplicate claim; found that of '{}' again, expected it once", other.id));
     }
     all.push_back(std::move(known));
   }

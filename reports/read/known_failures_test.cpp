@@ -49,8 +49,8 @@ TEST_F(KnownFailures, NeedAReasonAndADateThatComesSoon) {
 
 TEST_F(KnownFailures, AreNamedOnceAndWhole) {
   const std::string row = "a,poiseuille,mpm,M2,L2 v_x [%],2026-11-01,2026-12-01,x\n";
-  EXPECT_TRUE(contains(refusal(row + row), "known.csv:4: id 'a' again"));
-  EXPECT_TRUE(contains(refusal(row + "b" + row.substr(1)), "known.csv:4: the same claim as 'a'"));
+  EXPECT_TRUE(contains(refusal(row + row), "known.csv:4: duplicate id; found 'a'"));
+  EXPECT_TRUE(contains(refusal(row + "b" + row.substr(1)), "known.csv:4: duplicate claim; found that of 'a'"));
   EXPECT_TRUE(contains(refusal("a,poiseuille\n"), "found 2, expected 8 cells"));
   EXPECT_TRUE(contains(refusal("a,\"poiseuille\n"), "a quote that does not close"));
   EXPECT_THROW(read(""), std::runtime_error);

@@ -119,7 +119,7 @@ Json parsed(const std::string& line) {
     json = vnv::json::parsed(line);
   } catch (const Json::parse_error&) {
   }
-  if (!json.is_object()) throw std::runtime_error("no whole line of JSON");
+  if (!json.is_object()) throw std::runtime_error("not a complete JSON line");
   vnv::rename_former_keys(json);
   return json;
 }

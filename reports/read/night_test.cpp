@@ -107,7 +107,7 @@ TEST_F(NightFile, ThatIsTornIsRefusedWithItsLine) {
   write_night(night, folder.path());
   const std::string whole = text_of_file(file(night));
   put(night, whole.substr(0, whole.size() - 20));
-  EXPECT_TRUE(contains(refusal(night), ".jsonl:6: no whole line of JSON")) << refusal(night);
+  EXPECT_TRUE(contains(refusal(night), ".jsonl:6: not a complete JSON line")) << refusal(night);
   put(night, whole.substr(0, whole.rfind("{")));
   EXPECT_TRUE(contains(refusal(night), "4 lines below the header, expected 5")) << refusal(night);
   put(night, "");
@@ -138,7 +138,7 @@ TEST_F(NightFile, ThatIsNoneIsLeftOutOfAHistoryAndNamed) {
   ASSERT_EQ(history.nights.size(), 2u);
   EXPECT_EQ(history.nights[0].finished_at, earlier.finished_at);
   ASSERT_EQ(history.refused.size(), 1u);
-  EXPECT_TRUE(contains(history.refused[0], "notes.jsonl:1: no whole line of JSON")) << history.refused[0];
+  EXPECT_TRUE(contains(history.refused[0], "notes.jsonl:1: not a complete JSON line")) << history.refused[0];
 }
 
 }  // namespace

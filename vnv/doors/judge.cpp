@@ -248,8 +248,8 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
                           said ? "as said" : "the root of the filled area over the number of rows"));
     const double time = reading.samples.time;
     if (!level_of(given.levels, spacing).at.emplace(time, std::move(reading.samples)).second)
-      throw std::invalid_argument(
-          fmt::format("{}: spacing {:.4g} m and time {:g} s again, expected each once", data.source, spacing, time));
+      throw std::invalid_argument(fmt::format("{}: duplicate spacing {:.4g} m and time {:g} s, expected each pair once",
+                                              data.source, spacing, time));
   }
 }
 

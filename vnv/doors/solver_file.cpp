@@ -198,7 +198,7 @@ Solver solver_in(const fs::path& file) {
   solver.times = solver.flow.judged.times;
   if (!std::ranges::is_sorted(solver.times) || !(solver.times.front() > 0))
     throw std::invalid_argument(
-        fmt::format("{}: times = {}, expected rising ones above 0", file.string(), solver.times));
+        fmt::format("{}: times = {}, expected increasing ones above 0", file.string(), solver.times));
   if (keys.has("every")) solver.times = with_multiples(solver.times, keys.positive("every", 0));
   read_command(keys, solver);
   solver.needs = keys.table("needs").pairs<std::string>("how to get it");

@@ -303,7 +303,7 @@ void require_keys(const Sheet& sheet, const std::vector<std::string>& expected) 
                     fmt::format("unknown key; found '{}', expected {}", key.name, listed(expected)));
     if (const auto& first = sheet.key(key.name); &first != &key)
       throw BadData(sheet.file, key.line,
-                    fmt::format("key '{}' again; found it first on line {}, expected it once", key.name, first.line));
+                    fmt::format("duplicate key; found '{}' on line {} too, expected it once", key.name, first.line));
   }
   for (const auto& name : expected) sheet.key(name);
 }

@@ -156,7 +156,7 @@ TEST(Tables, RefuseUnknownAndRepeatedKeys) {
   EXPECT_EQ(refusal("# titel: x\n" + table),
             "1: unknown key; found 'titel', expected 'title', 'citation', 'source', 'scaling', 'geometry', "
             "'uncertainty'");
-  EXPECT_EQ(refusal("# title: x\n" + table), "2: key 'title' again; found it first on line 1, expected it once");
+  EXPECT_EQ(refusal("# title: x\n" + table), "2: duplicate key; found 'title' on line 1 too, expected it once");
 }
 
 TEST(Tables, RefuseProvenanceThatIsNotKeyAndValue) {

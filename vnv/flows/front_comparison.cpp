@@ -23,8 +23,8 @@ void require_rising(std::string_view whose, const FrontHistory& front) {
   for (std::size_t i = 1; i < front.T.size(); ++i)
     if (const double rise = front.T[i] - front.T[i - 1]; !(rise > 0 && std::isfinite(rise)))
       throw std::invalid_argument(
-          fmt::format("compare_fronts: {} front has T = {} after {}, expected finite rising times", whose, front.T[i],
-                      front.T[i - 1]));
+          fmt::format("compare_fronts: {} front has T = {} after {}, expected strictly increasing finite times", whose,
+                      front.T[i], front.T[i - 1]));
 }
 
 void require_range(std::string_view which, const Window& window) {

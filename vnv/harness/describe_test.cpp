@@ -108,7 +108,7 @@ TEST_F(ADescription, IsRefusedWithItsSourceIfItIsNone) {
     }
     return "read without complaint";
   };
-  EXPECT_EQ(refusal("").find("small --describe: not a whole description: "), 0) << refusal("");
+  EXPECT_EQ(refusal("").find("small --describe: not a complete description: "), 0) << refusal("");
   EXPECT_NE(refusal("{\"schema\": 1}").find("small --describe: name is not there"), std::string::npos)
       << refusal("{\"schema\": 1}");
   EXPECT_NE(refusal("{\"schema\": 9}").find("schema is 9, expected 1"), std::string::npos);

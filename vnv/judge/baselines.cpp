@@ -53,7 +53,7 @@ void require_one_value_a_place(const Sheet& sheet, const Baselines& baselines) {
     const auto& row = baselines.rows[i];
     if (baselines.find(row.method, row.level, row.time, row.quantity) != &row)
       throw BadData(sheet.file, sheet.rows[i].line,
-                    fmt::format("a second value; found {} {} of {} at {} s before, expected it once", row.method,
+                    fmt::format("duplicate value; found {} {} of {} at {} s twice, expected it once", row.method,
                                 row.level, row.quantity, row.time));
   }
 }

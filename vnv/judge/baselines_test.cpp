@@ -170,9 +170,9 @@ TEST(Baselines, MustHaveAMethodAQuantityAndABasis) {
 
 TEST(Baselines, MustStandOnceEach) {
   EXPECT_EQ(refusal({l2, order, changed([](Baseline& row) { row.value = 0.2; })}),
-            "8: a second value; found mpm M2 of L2 v_x, row means at 0.1 s before, expected it once");
+            "8: duplicate value; found mpm M2 of L2 v_x, row means at 0.1 s twice, expected it once");
   EXPECT_EQ(refusal({order, order}),
-            "7: a second value; found mpm  of order of L2 over grid at nan s before, expected it once");
+            "7: duplicate value; found mpm  of order of L2 over grid at nan s twice, expected it once");
 }
 
 TEST(Baselines, MustSayWhoAcceptedThemAndWhy) {

@@ -129,7 +129,8 @@ AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std:
   if (quantiles.empty() || quantiles.size() != of.size() || !rise(quantiles) || !rise(of) ||
       !(of.front() > 0 && of.back() < 1))
     throw std::invalid_argument(
-        fmt::format("quantiles: {} values at {} fractions, expected as many, both rising, fractions between 0 and 1",
+        fmt::format("quantiles: {} values at {} fractions, expected equally many, both strictly increasing, fractions "
+                    "between 0 and 1",
                     quantiles.size(), of.size()));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (sample.empty() || !std::ranges::all_of(sample, [](double x) { return std::isfinite(x); }))

@@ -58,7 +58,7 @@ void require_ladder(const std::vector<AtSpacing>& levels) {
   }
   if (!is_ladder)
     throw std::invalid_argument(
-        fmt::format("grid convergence: spacings {}, expected positive and falling", fmt::join(spacings, ", ")));
+        fmt::format("grid convergence: spacings {}, expected positive and decreasing ones", fmt::join(spacings, ", ")));
   for (const AtSpacing& level : levels)
     if (!std::isfinite(level.value))
       throw std::invalid_argument(fmt::format("grid convergence: value {} at spacing {:g}, expected a finite number",

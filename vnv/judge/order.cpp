@@ -80,8 +80,9 @@ void require_falling(const std::vector<double>& spacings) {
   double coarser = std::numeric_limits<double>::infinity();
   for (const double spacing : spacings) {
     if (!(spacing > 0 && spacing < coarser))
-      throw std::invalid_argument(fmt::format(
-          "observe_order: spacing {} m after {} m, expected finite, positive and falling spacings", spacing, coarser));
+      throw std::invalid_argument(
+          fmt::format("observe_order: spacing {} m after {} m, expected finite, positive and decreasing spacings",
+                      spacing, coarser));
     coarser = spacing;
   }
 }

@@ -14,7 +14,8 @@ namespace touchstone::vnv {
 namespace {
 
 void require_rising(std::string_view who, double from, double to) {
-  if (!(from < to)) throw std::invalid_argument(fmt::format("{}: from {} to {}, expected rising times", who, from, to));
+  if (!(from < to))
+    throw std::invalid_argument(fmt::format("{}: from {} to {}, expected increasing times", who, from, to));
 }
 
 /// Both times, and those of the series between them.
@@ -78,8 +79,8 @@ void require_series(std::string_view who, const Series& series) {
                                             series.time.size(), series.value.size()));
   for (std::size_t k = 1; k < series.time.size(); ++k)
     if (const double rise = series.time[k] - series.time[k - 1]; !(rise > 0 && std::isfinite(rise)))
-      throw std::invalid_argument(
-          fmt::format("{}: time {} after {}, expected finite rising times", who, series.time[k], series.time[k - 1]));
+      throw std::invalid_argument(fmt::format("{}: time {} after {}, expected strictly increasing finite times", who,
+                                              series.time[k], series.time[k - 1]));
 }
 
 double value_at(const Series& series, double time) {

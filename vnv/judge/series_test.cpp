@@ -67,7 +67,7 @@ TEST(ASeries, ThatGoesBackInTimeIsRefusedByWhat) {
     }
     return "none";
   };
-  EXPECT_EQ(refusal({{0, 2, 1}, {1, 1, 1}}), "p: time 1 after 2, expected finite rising times");
+  EXPECT_EQ(refusal({{0, 2, 1}, {1, 1, 1}}), "p: time 1 after 2, expected strictly increasing finite times");
   EXPECT_EQ(refusal({{0, 1}, {1}}), "p: 2 times and 1 values, expected two or more of each");
   EXPECT_EQ(refusal(roof), "none");
 }

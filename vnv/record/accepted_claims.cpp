@@ -39,7 +39,8 @@ AcceptedClaims claims_of(const Sheet& sheet) {
     const ClaimCount count{sheet.file.stem(),       row.cells[1],           row.cells[0], count_in(sheet, row, 2),
                            count_in(sheet, row, 3), count_in(sheet, row, 4)};
     if (claims.find(count.case_name, count.method, count.suite))
-      throw BadData(sheet.file, row.line, fmt::format("{} of {} again, expected it once", count.method, count.suite));
+      throw BadData(sheet.file, row.line,
+                    fmt::format("duplicate row; found {} of {} twice, expected it once", count.method, count.suite));
     claims.rows.push_back(count);
   }
   return claims;

@@ -22,7 +22,7 @@ bool MethodDescription::is_run_in(std::string_view suite) const {
 std::string json_of(const Description& description) { return json::Writer::json(description).dump(2) + "\n"; }
 
 Description description_in(const std::string& text, const std::string& source) {
-  return json::with_clear_errors(source, "not a whole description", [&] {
+  return json::with_clear_errors(source, "not a complete description", [&] {
     const json::Json found = json::parsed(text);
     int schema = 0;
     json::Reader{found}("schema", schema);

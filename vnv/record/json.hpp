@@ -203,7 +203,7 @@ inline Json parsed(const std::string& text) {
   });
 }
 
-/// What reads or writes JSON, with what it throws as std::runtime_error in one line: "FILE: not a whole record: ..."
+/// What reads or writes JSON, with what it throws as std::runtime_error in one line: "FILE: not a complete record: ..."
 auto with_clear_errors(const std::string& file, const std::string& what_else, const auto& work) {
   try {
     return work();

@@ -224,7 +224,7 @@ Record read_record(const std::filesystem::path& file) {
 }
 
 Record record_in(const std::string& text, const std::string& source) {
-  return json::with_clear_errors(source, "not a whole record", [&] { return record_from(json::parsed(text)); });
+  return json::with_clear_errors(source, "not a complete record", [&] { return record_from(json::parsed(text)); });
 }
 
 }  // namespace touchstone::vnv

@@ -235,7 +235,7 @@ TEST_F(RecordFile, ThatIsTornIsRefusedWhereverItIsTorn) {
   const std::string whole = text();
   for (std::size_t length = 0; length + 1 < whole.size(); length += 97) {
     put(whole.substr(0, length));
-    EXPECT_NE(refusal().find("poiseuille.mpm.json: not a whole record: "), std::string::npos) << refusal();
+    EXPECT_NE(refusal().find("poiseuille.mpm.json: not a complete record: "), std::string::npos) << refusal();
   }
 }
 
