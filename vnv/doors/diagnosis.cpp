@@ -609,7 +609,7 @@ class Diagnostician {
     std::string sentence =
         fmt::format("{}, which explains {:.1f} % of the squared error", best.sentence, 100 * best.share);
     for (std::size_t k = 1; k < named.size(); ++k)
-      sentence += (k == 1 ? "; as well, which these data cannot tell apart: " : "; or ") + named[k]->sentence;
+      sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + named[k]->sentence;
     return sentence;
   }
 
@@ -625,7 +625,7 @@ Diagnosis diagnose(const Exact& exact, const std::vector<const Samples*>& sample
                    double spacing) {
   const Seen seen(exact, samples, domain);
   if (seen.empty())
-    return {.field = exact.field, .sentence = fmt::format("the {} is nothing at each of these times", exact.field)};
+    return {.field = exact.field, .sentence = fmt::format("the {} is zero at all these times", exact.field)};
   constexpr Index least = 40;  // so that ten waves are found beside what is left
   if (const Index numbers = seen.error().size(); numbers < least)
     return {.field = exact.field,

@@ -426,7 +426,7 @@ TEST(Diagnosis, SaysThatThereIsNoErrorOrNoFlow) {
             "32 numbers of the velocity are too few for a diagnosis");
   for (Samples& s : samples) s.time = 0;
   EXPECT_EQ(diagnose(flow.exact[0], pointers(samples), flow.domain, flow.across / 20).sentence,
-            "the velocity is nothing at each of these times");
+            "the velocity is zero at all these times");
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST_F(Doors, SayOfWhatFailsWhatIsWrongAndKeepItInTheRecord) {
   ASSERT_FALSE(record.verdicts.empty());
   for (const Verdict& v : record.verdicts) {
     EXPECT_TRUE(says(v.sentence, "FAILS; ") && says(v.sentence, "% too large")) << v.sentence;
-    EXPECT_TRUE(says(v.sentence, "which these data cannot tell apart: ")) << v.sentence;
+    EXPECT_TRUE(says(v.sentence, "; or, indistinguishable by these data: ")) << v.sentence;
     EXPECT_EQ(diagnosis_of(v, record), record.diagnoses.data()) << v.quantity;
   }
   ASSERT_EQ(record.diagnoses.size(), 1u);

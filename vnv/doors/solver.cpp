@@ -124,7 +124,7 @@ std::string keep_asked(const std::vector<double>& times, std::map<double, Sample
   return "";
 }
 
-constexpr std::string_view no_answer = "did not answer: ";
+constexpr std::string_view no_answer = "gave no result: ";
 
 /// Reads what a run wrote into its level.
 void read_level(const Solver& solver, double spacing, const fs::path& folder, Given& given) {

@@ -89,7 +89,7 @@ TEST_F(OtherSolvers, CostWallTimesTimesWhatTheySayTheyOccupyAndNoCpuTime) {
 
 TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
   const auto says = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find("10 across: did not answer: " + part), text.npos) << text;
+    EXPECT_NE(text.find("10 across: gave no result: " + part), text.npos) << text;
   };
   says(no_answer(R"(["sh", "-c", "echo reads; echo 'no mesh' >&2; exit 3"])"),
        "ended with status 3; it said: reads;no mesh");
@@ -121,7 +121,7 @@ TEST_F(OtherSolvers, HaveAsOutputNothingThatWasGivenToThemOrSaidUnlessItIsNamed)
   };
   EXPECT_EQ(outcome(R"("echo done; cp {particles} end.txt")", "*.txt"), "finished") << "output.txt is what it said";
   EXPECT_EQ(outcome(R"("cp {particles} end.csv")", "*.csv"), "finished");
-  EXPECT_EQ(outcome(R"("true")", "*.csv"), "did not answer: wrote no file *.csv");
+  EXPECT_EQ(outcome(R"("true")", "*.csv"), "gave no result: wrote no file *.csv");
   EXPECT_EQ(outcome(R"("cat {particles}")", "output.txt"), "finished");
 }
 
@@ -132,7 +132,7 @@ TEST_F(OtherSolvers, ArePreparedForOthersToRunAndCollected) {
     std::filesystem::copy(folder / "runs" / level / "particles.csv", folder / "runs" / level / "end.csv");
   const Record record = collect(one, folder / "runs", Suite::acceptance).record;
   EXPECT_TRUE(record.runs[0].finished && record.runs[1].finished);
-  EXPECT_EQ(record.runs[2].outcome, "did not answer: wrote no file end.csv");
+  EXPECT_EQ(record.runs[2].outcome, "gave no result: wrote no file end.csv");
 }
 
 TEST_F(OtherSolvers, ThatOthersRanCostTheWallTimeOfTheirScriptTimesWhatTheyOccupy) {

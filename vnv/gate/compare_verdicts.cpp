@@ -45,7 +45,7 @@ bool is_loosened(const Verdict& before, const Verdict& after) {
 }  // namespace
 
 Reason compare_verdicts(const Verdict& before, const Verdict& after) {
-  if (after.kind == vnv::Kind::cost) return {Change::unjudged, "of the machine"};
+  if (after.kind == vnv::Kind::cost) return {Change::unjudged, "machine-dependent"};
   const int rise = rank_of(after.outcome) - rank_of(before.outcome);
   if (rise < 0 && is_left_for_the_better(before, after))
     return {Change::better, "better than its baseline allows; to be accepted"};

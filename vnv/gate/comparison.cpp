@@ -102,7 +102,7 @@ void compare_errors(const Record& before, const Record& after, std::vector<Diffe
     return d;
   };
   const auto judge = [&](const Value& was, const Value& is) {
-    if (is.quantity.kind == vnv::Kind::cost) return Reason{Change::unjudged, "of the machine"};
+    if (is.quantity.kind == vnv::Kind::cost) return Reason{Change::unjudged, "machine-dependent"};
     return compare_values(was.value, is.value, is.quantity.better, tolerance_of(was, before));
   };
   compare_lists(

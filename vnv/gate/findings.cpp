@@ -147,11 +147,11 @@ std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
   };
   const Change conclusion = conclusion_of(findings);
   std::vector<vnv::Verdict> verdicts = {
-      verdict(conclusion, "no worse in all", fmt::format("{}: {}", name_of(conclusion), summary_of(findings)))};
+      verdict(conclusion, "no regression overall", fmt::format("{}: {}", name_of(conclusion), summary_of(findings)))};
   for (const Difference* change : changes_of(findings))
     if (change->change >= Change::inconclusive)
       verdicts.push_back(
-          verdict(change->change, fmt::format("no worse in {}", change->quantity), sentence_of(*change)));
+          verdict(change->change, fmt::format("no regression in {}", change->quantity), sentence_of(*change)));
   return verdicts;
 }
 

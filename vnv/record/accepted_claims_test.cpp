@@ -61,7 +61,7 @@ TEST_F(AcceptedClaimsFile, IsRefusedWhereACountIsNoneOrStandsTwice) {
   EXPECT_NE(refusal(head + "nightly,mpm,1,1e81,3\n").find("1e+81 claims, expected a whole number from 0 to a million"),
             std::string::npos)
       << "no long holds it: none would be missing";
-  EXPECT_NE(refusal(head + "nightly,mpm,1,2,3\nnightly,mpm,1,2,4\n").find("found mpm of nightly twice, expected it once"),
+  EXPECT_NE(refusal(head + "nightly,mpm,1,2,3\nnightly,mpm,1,2,4\n").find("mpm of nightly twice, expected it once"),
             std::string::npos);
 }
 
