@@ -169,13 +169,14 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
 WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Points& points) {
   const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
   if (diagram.caption.empty())
-    diagram.caption =
-        fmt::format("{}, at t = {:g} s, against {} time until then, of a longer run its share; lower left is better.",
-                    diagram.quantity.name, time, name);
+    diagram.caption = fmt::format(
+        "{}, at t = {:g} s, against {} time up to then (longer runs are charged pro rata); lower left is "
+        "better.",
+        diagram.quantity.name, time, name);
   if (resource != Resource::cpu) {
     diagram.id += "_" + name;
     diagram.title += fmt::format(", {} time", name);
-    diagram.caption += " That is the wall time of a run times how many it occupied.";
+    diagram.caption += " That is the wall time of a run times the number of units that it occupied.";
   }
   choose_targets(diagram, points);
   return diagram;
@@ -209,7 +210,7 @@ std::string about_times(const CaseRecords& records, const Points& points, const 
   if (std::ranges::any_of(records.records, [&](const vnv::Record& record) {
         return record.another_code && !vnv::of_series(points, record.method).empty();
       }))
-    words += " Of a code from elsewhere all that its program takes counts, its start and its output too.";
+    words += " For other codes, the time is that of the whole program, including its start and its output.";
   const bool some_elsewhere = std::ranges::any_of(points, &WorkPoint::elsewhere);
   if (some_elsewhere) words += " Dashed: measured elsewhere, on other machines.";
   if (!machine.empty())
@@ -223,8 +224,8 @@ vnv::Figure figure(const CaseRecords& records, const WorkDiagram& diagram, Resou
       .id = diagram.id,
       .title = diagram.title,
       .caption = diagram.caption +
-                 " A line joins the runs of a method that are worth making: no cheaper one comes within 5 % of their "
-                 "error. Rings mark the same among all methods here, the Pareto front." +
+                 " A line joins the efficient runs of a method: no cheaper one comes within 5 % of their error. Rings "
+                 "mark the efficient runs of all methods here, the Pareto front." +
                  about_times(records, points, machine),
       .x = {.label = heading_of(resource), .logarithmic = true},
       .y = {.label = diagram.quantity.heading(), .logarithmic = true}};
@@ -262,9 +263,9 @@ vnv::Table costs(const WorkDiagram& diagram, Resource resource, const Points& po
   vnv::Table table{
       diagram.id + "_prices",
       name + " time to a given error",
-      fmt::format("Interpolated on logarithmic axes along each method's own front; in brackets from the "
-                  "fastest repeat of the neighbouring run that is not good enough to the slowest of the "
-                  "one that is. ≤: the cheapest run is better already. Ranked by {}.",
+      fmt::format("Interpolated on logarithmic axes along each method's own front; in brackets the range from the "
+                  "fastest repeat of the neighbouring run whose error is too large to the slowest repeat of the one "
+                  "whose error is small enough. ≤: the cheapest run already does better. Ranked by {}.",
                   std::isnan(diagram.ranked_by) ? "the smallest error"
                                                 : "the time to " + with_unit_of(diagram, diagram.ranked_by)),
       {"rank", "method"},

@@ -117,7 +117,7 @@ TEST(WorkPrecision, JoinsWhoeverMeasuredTheQuantityAtTheSameTime) {
   EXPECT_EQ(find_curve(records, "another code")->y, (std::vector<double>{1.6, 0.4, 0.1}));
   EXPECT_EQ(find_curve(records, "beaten by another run of its method"), nullptr) << "all are on their fronts";
   const std::string caption = each_once(records, &vnv::Record::figures).back().caption;
-  EXPECT_TRUE(caption.starts_with("L2 v_x, at t = 1 s, against CPU time until then, of a")) << caption;
+  EXPECT_TRUE(caption.starts_with("L2 v_x, at t = 1 s, against CPU time up to then (longer")) << caption;
 }
 
 TEST(WorkPrecision, TakesNoOtherQuantityForThisOneByItsName) {
@@ -164,7 +164,7 @@ TEST(WorkPrecision, SetsWhatOccupiesAnotherResourceInADiagramOfItsOwn) {
   const auto own = std::ranges::find(figures, "work_GPU", &vnv::Figure::id);
   ASSERT_NE(own, figures.end());
   EXPECT_EQ(own->x.label, "GPU time [s]");
-  EXPECT_TRUE(contains(own->caption, "against GPU time until then, of a")) << own->caption;
+  EXPECT_TRUE(contains(own->caption, "against GPU time up to then (longer")) << own->caption;
 }
 
 TEST(WorkPrecision, SaysWhatDoesNotCompareInItsTimes) {

@@ -161,9 +161,10 @@ std::string orders_html(const CaseRecords& records) {
   return table_of(
       {"Observed orders.",
        "Fitted over the whole ladder, with the 95\u202f% interval; positive when converging. A pairwise order "
-       "is that between two neighbouring levels. A floor is reported where errors that fall to it scatter significantly less than those of a "
-       "power law; it is in the unit of the quantity. Stalled: the floor is more than half of the finest "
-       "error, or the order is 0. Asymptotic: the two finest pairs have the order of all, within a tenth.",
+       "is that between two neighbouring levels. A floor is reported where a power law that falls to it fits the "
+       "errors significantly better than one that falls to zero; it is in the unit of the quantity. Stalled: the floor "
+       "is more than half of the finest error, or the order is 0. Asymptotic: the orders of the two finest pairs agree "
+       "with the fitted one within a tenth.",
        {"method", "ladder", "quantity", "time [s]", "order", "trend", "floor", "pairwise"}},
       records, &vnv::Record::orders, order_row);
 }
@@ -171,10 +172,9 @@ std::string orders_html(const CaseRecords& records) {
 std::string cost_html(const CaseRecords& records) {
   return table_of(
       {"Cost.",
-       "User time of the steps, the median where a run was made several times, with the lowest and highest. Where a code "
-       "says which resource it occupies, instead wall time times how many of it, with its name: no CPU time, and "
-       "compared with none. "
-       "Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
+       "User time of the steps; for repeated runs the median, with the lowest and highest. For codes that declare a "
+       "resource, wall time × number of units is given instead, labelled by resource; it is not compared with CPU "
+       "time. Memory is that of the run's own process. Harness: sampling, measuring and starting the process, as a "
        "fraction of the wall time.",
        {"method", "level", "spacing [mm]", "step [µs]", "end [s]", "particles", "boundary particles", "steps completed",
         "CPU [s]", "runs", "wall [s]", "harness [%]", "memory [MB]", "ns per particle-step", "million particle-steps/s",

@@ -58,11 +58,11 @@ std::string open_html(const FaultTrials& all) {
       "Open.",
       "Faults that no test noticed or that do not compile, and harmless changes that some test noticed. The "
       "margin is the fraction of a limit that is left.",
-      {"fault", "conclusion", "what is known of why", "tests"}};
+      {"fault", "conclusion", "known reason", "tests"}};
   for (const FaultTrial& trial : all.trials)
     if (trial.is_open())
       table.rows.push_back({title_cell(trial), conclusion_cell(trial),
-                            words_cell(trial.why.empty() ? "nothing yet" : typeset(trial.why)),
+                            words_cell(trial.why.empty() ? "none yet" : typeset(trial.why)),
                             tests_cell(trial, trial.conclusion != Conclusion::survived)});
   return to_html(table);
 }
@@ -83,9 +83,9 @@ HtmlRow fault_row(const FaultTrial& trial) {
 std::string faults_html(const FaultTrials& all) {
   HtmlTable table{
       "Faults.",
-      "Survivors first, then what was hardly noticed. The margin is that of the test that noticed by most: "
-      "the fraction of its limit that is left, negative beyond it, −inf for a value that is no number; unit "
-      "tests have none. Tests: how many of those that were run noticed.",
+      "Survivors first, then those hardly noticed. The margin is that of the test that noticed most clearly: the "
+      "fraction of its limit that is left, negative beyond it, −inf for a value that is not a number; unit tests have "
+      "none. Tests: how many of those run noticed.",
       {"fault", "conclusion", "margin", "tests", "noticed by"}};
   for (const FaultTrial& trial : all.trials)
     if (!trial.is_harmless()) table.rows.push_back(fault_row(trial));
@@ -151,10 +151,10 @@ std::string matrix_html(const FaultTrials& all) {
   const std::vector<std::string> columns = columns_of(all);
   HtmlTable table{
       "Faults by tests.",
-      "In each cell the margin in per cent of a limit, green where the test noticed the fault, yellow where "
-      "it did by less than a tenth of its limit; – where it was run and did not; blank where it was not run. "
-      "Unit tests of a module share a column, as tests of the tests do: how many of them noticed. Tests that "
-      "noticed nothing are left out.",
+      "Each cell holds the margin in per cent of the limit, green where the test noticed the fault, yellow where it "
+      "did so by less than a tenth of its limit; – where it was run and did not; blank where it was not run. The unit "
+      "tests of a module share a column, as do the selftests; it counts those that noticed. Tests that noticed nothing "
+      "are left out.",
       {"fault"}};
   for (const auto& column : columns) table.columns.push_back("<span>" + escape(column) + "</span>");
   for (const FaultTrial& trial : all.trials) {

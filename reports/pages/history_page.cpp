@@ -102,8 +102,8 @@ HtmlRow change_row(const Group& group, const History& history) {
 std::string changes_html(const std::vector<Change>& changes, const History& history) {
   if (changes.empty()) return "<p>Nothing has changed over these nights.</p>\n";
   HtmlTable table{"What changed.",
-                  "Newest first, a line per method and night: the value that went furthest, its level before, its "
-                  "first value after it, and their ratio; in red where a claim fails.",
+                  "Newest first, one line per method and night: the value that changed most, its level before, its "
+                  "first value after the change, and their ratio; in red where a claim fails.",
                   {"night", "revision", "case", "method", "quantity", "before", "after", "ratio"}};
   const auto groups = grouped(changes);
   for (const Group& group : groups | std::views::take(most_changes_listed))
@@ -158,7 +158,7 @@ std::string last_value(const Series& series) {
 std::string range_words(const Series& series) {
   const auto [low, high] = series.range();
   if (!(low < high) || plain(low) == plain(high)) return "";
-  return fmt::format("<span>of {} to {}</span>", printed(low), printed(high));
+  return fmt::format("<span>range {} to {}</span>", printed(low), printed(high));
 }
 
 std::string limit_words(const Series& series) {
@@ -233,13 +233,13 @@ std::string names_of_nights(const History& history) {
 }
 
 const std::string how_to_read_history =
-    "<p>Each curve runs over the nights, oldest left; a pointer or a finger on it shows night, revision and value. An orange "
-    "line marks a step: from there on the value is further from its level, the median of the first fifteen nights since the "
-    "last step, than the tolerance of its baseline (without one 1 %, for costs 10 %) and than four times its scatter. A "
-    "step of a cost has to last for two nights, and costs start anew on another machine. Dashed: a limit within the range; "
-    "red dots: a claim fails; crosses: not a number. Shown are values that theory or literature judge, at their last time "
-    "and finest spacing, observed orders, stability limits, and the most expensive run of each method; steps are sought in "
-    "all values.</p>\n";
+    "<p>Each curve runs over the nights, oldest on the left; pointing at it or touching it shows night, revision and "
+    "value. An orange line marks a step: from there on, the value differs from its level (the median of the first "
+    "fifteen nights since the last step) by more than the tolerance of its baseline (without one 1 %, for costs 10 %) "
+    "and by more than four times its scatter. A step of a cost has to last for two nights, and cost series restart on "
+    "another machine. Dashed: a limit within the range; red dots: a claim fails; crosses: not a number. Shown are "
+    "values judged by theory or literature, at their last time and finest spacing, observed orders, stability limits, "
+    "and the most expensive run of each method; steps are sought in all values.</p>\n";
 
 }  // namespace
 

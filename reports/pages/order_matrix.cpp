@@ -122,8 +122,8 @@ std::string matrix(const std::string& title, Field field, const std::vector<Case
   HtmlTable table{
       title,
       "Observed order with its 95\u202f% interval, linked to its figure, and the floor of the errors where "
-      "one was found. Last row: the fewest CPU seconds to an error, the smallest that two methods reach, "
-      "and what the next method takes, of those that one machine ran; ≤ if its cheapest run is better already.",
+      "one was found. Last row: the least CPU time to a given error, the smallest that two methods reach, and what the "
+      "next method takes, among those run on one machine; ≤ if its cheapest run already does better.",
       {"method"}};
   for (const auto& flow : flows) table.columns.push_back(heading(flow));
   std::set<char> notes;

@@ -79,9 +79,9 @@ std::string verdict_table(const CaseRecords& records) { return claims_html(recor
 std::string diagnosis_table(const CaseRecords& records) {
   HtmlTable table{
       "What explains the errors.",
-      "What would be wrong, fitted to the difference from the exact field by least squares, with its "
-      "95\u202f% interval, and how much of the squared error that explains. These data cannot tell apart what "
-      "stands here of one field and level.",
+      "Possible causes, each fitted by least squares to the difference from the exact field, with its 95\u202f% "
+      "interval and the share of the squared error that it explains. The causes listed for one field and level cannot "
+      "be distinguished by these data.",
       {"method", "level", "field", "error [%]", "fitted", "explained [%]"}};
   for_each(records, &vnv::Record::diagnoses, [&](const vnv::Record& record, const vnv::Diagnosis& found) {
     for (const vnv::Explanation& one : found.explanations) {

@@ -42,9 +42,9 @@ HtmlRow cost_row(const std::string& flow, double target, const std::string& unit
 
 std::string table_of_costs(const std::vector<CaseRecords>& cases) {
   HtmlTable table{"Cheapest method to a given error.",
-                  "CPU seconds of one core, interpolated along the Pareto front of each method; × is how many times as "
-                  "much another method takes, the next cheapest and those that Sun et al. print. Last, the "
-                  "largest of the errors that no method reaches, and the smallest that one reaches.",
+                  "CPU seconds of one core, interpolated along the Pareto front of each method; × is the factor by "
+                  "which other methods are more expensive: the next cheapest, and those that Sun et al. print. Last, "
+                  "the largest of the errors that no method reaches, and the smallest that one reaches.",
                   {"flow", "error", "cheapest", "CPU [s]", "next", "as printed"}};
   for (const CaseRecords& records : cases)
     for (const vnv::WorkDiagram& diagram : each_once(records, &vnv::Record::diagrams)) {

@@ -104,7 +104,7 @@ TEST_F(SeededFaults, OfAPageAreGoodIfAllAreNoticedOrItIsKnownWhyNot) {
   EXPECT_FALSE(contains(page("a,A,f,noticed,,t.mpm,yes,-1,\n"), "Open.</b>"));
   EXPECT_TRUE(contains(page("a,A,f,survived,why,t.mpm,no,1,\n"), "class=\"sum known\""));
   EXPECT_TRUE(contains(page("a,A,f,survived,,t.mpm,no,1,\n"), "class=\"sum fails\""));
-  EXPECT_TRUE(contains(page("a,A,f,survived,,t.mpm,no,1,\n"), "nothing yet"));
+  EXPECT_TRUE(contains(page("a,A,f,survived,,t.mpm,no,1,\n"), "none yet"));
 }
 
 TEST_F(SeededFaults, OfAPageAreListedWithTheTestsThatNoticed) {

@@ -223,7 +223,7 @@ Finding prices(WorkDiagram diagram, std::vector<double> times) {
 
 WorkDiagram WorkStudy::diagram() const {
   const std::string when = times.size() == 1 ? fmt::format("t = {:g} s", times[0])
-                                             : fmt::format("t = {} s, the larger", fmt::join(times, " and "));
+                                             : fmt::format("t = {} s (the larger one)", fmt::join(times, " and "));
   return {
       .id = "work",
       .title = "Work-precision diagram",
