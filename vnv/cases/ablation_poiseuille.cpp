@@ -79,9 +79,10 @@ Case vnv::the_case() {
       .description =
           "Each method runs Poiseuille flow from rest to 0.5 s at 20 particles or cells across the gap, complete and "
           "with one ingredient at a time removed. The body force is perturbed by one part in ten thousand, so that an unstable "
-          "variant is detected. The benefit of what keeps the particle distribution regular shows only over many seconds: the nightly suite "
-          "runs the regularised method, the one to choose for a channel, to 5 s. The method as printed is kept complete, as "
-          "what the paper compared. The largest stable step is found by bisection, 2000 steps a trial.",
+          "variant is detected. What keeps the particle distribution regular pays off only over many seconds: the "
+          "nightly suite runs the regularised method, the recommended one for a channel, to 5 s. The method as printed "
+          "is kept complete, as in the paper's comparison. The largest stable step is found by bisection, 2000 steps "
+          "per trial.",
       .times = {end, long_end},
       .measurements = {norms_of("v_x, per particle", by_particles, exact)},
       .methods = {ablation({.name = "mpm",

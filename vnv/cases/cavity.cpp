@@ -114,9 +114,10 @@ Case vnv::the_case() {
        .description =
            "The lid of a square box of 1 m slides at 1 m/s from t = 0, Mach number 0.2. When the flow is steady, at 12, 25 "
            "and 35 s for Reynolds numbers of 100, 400 and 1000, velocities on both centrelines are compared with the tables of "
-           "Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed. They are evaluated from the particles "
-           "by local fits of second degree; norms are relative to the lid's speed.\n\nMPM as printed and transport-velocity SPH "
-           "are left out: within 0.4 s the lid drives one of their particles through the downstream wall.",
+           "Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed. The velocities are evaluated "
+           "from the particles by local fits of second degree; norms are relative to the lid's speed.\n\nMPM as "
+           "printed and transport-velocity SPH are left out: within 0.4 s the lid drives one of their particles "
+           "through the downstream wall.",
        .times = {flows.front().end},
        .watch = kinetic_energy_every(output_interval),
        .measurements = {against_tables},

@@ -27,8 +27,9 @@ Method mpm_unfelt() {
   return {.name = "mpm_unfelt",
           .family = Family::mpm,
           .description = mpm_words +
-                         "Here the held node transmits no wall acceleration: particles next to a wall that starts "
-                         "impulsively never feel it. Kept to show that the suite detects it.",
+                         "Here a wall node has the velocity of the wall but transmits no acceleration: particles next "
+                         "to a wall that starts impulsively never feel the start. Kept to show that the suite detects "
+                         "this.",
           .run = mpm_with<mpm::PrescribedVelocity>(couette::scene),
           .levels = {{.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 0.1, .report = 1, .nightly = 1}},
           .claims = {at_least(l2, 5, theory("the impulse of the wall is missing")).on("M2").at(0.1)}};
@@ -65,6 +66,7 @@ Case vnv::the_case() {
   declared.title = "Start-up of plane Couette flow";
   declared.description =
       "Water at rest between two plates 1 mm apart, the upper of which slides at 0.1 mm/s from t = 0. The "
-      "oracle is the exact series of Morris, Fox & Zhu (1997), by Fourier terms late and by images early.";
+      "oracle is the exact series of Morris, Fox & Zhu (1997), evaluated by Fourier terms at late times and by images "
+      "at early times.";
   return declared;
 }

@@ -81,8 +81,8 @@ Case vnv::the_case() {
       .description =
           "Each method runs Poiseuille flow from rest, perturbed by waves of a thousandth of the body force, with steps "
           "found by bisection, 2000 steps each. A trial is unstable when a particle reaches ten times the "
-          "steady velocity, leaves the domain or becomes NaN. (31) of Sun et al. is the cell size (MPM) or smoothing length "
-          "(SPH) over the sound speed at rest.",
+          "steady velocity, leaves the domain or becomes NaN. The limit (31) of Sun et al. is the cell size (MPM) or "
+          "smoothing length (SPH) over the sound speed at rest.",
       .times = {1},
       .measurements = {},
       .methods = {printed_mpm("mpm", moving_words, mpm_solver<mpm::PrescribedMotion>, Suites::all),

@@ -113,9 +113,9 @@ Case vnv::the_case() {
       .methods = each_of(methods_and_parts(), limits_of),
       .plots = {limits_table(
           "Largest stable step, measured and by linear theory",
-          "As acoustic Courant numbers, by cells in MPM and by spacings in SPH. The Courant limit (31) of Sun et al. is 1 cell "
-          "or h. Growth is that of the fastest particle's speed per step at 1.05 times the largest stable step. The chosen "
-          "step is what the method takes where the scene gives none.",
+          "As acoustic Courant numbers, based on cells in MPM and on spacings in SPH. The Courant limit (31) of Sun et "
+          "al. is 1 cell or h. Growth is that of the fastest particle's speed per step at 1.05 times the largest "
+          "stable step. The chosen step is what the method takes where the scene prescribes none.",
           "arrangement",
           {{"measured", measured},
            {"theory", by_theory},

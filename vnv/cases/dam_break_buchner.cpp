@@ -12,9 +12,10 @@ namespace {
 
 std::vector<Claim> finest(const std::string& level) {
   return {
-      at_most(levels_rms, 0.043, baseline("0.037 to 0.038 when first measured; levels are known to 0.02")).on(level),
+      at_most(levels_rms, 0.043, baseline("0.037 to 0.038 when first measured; the measured levels are known to 0.02"))
+          .on(level),
       between(travel, 0.81, 1.04,
-              baseline("0.85 to 0.91 when first measured; when a gauge is wet is known to 4 % of this time"))
+              baseline("0.85 to 0.91 when first measured; the times of wetting of the gauges are known to 4 % of it"))
           .on(level),
       between(plateau, 0.48, 1,
               baseline("0.56 to 0.65 when first measured; three read-outs of the experiment differ by 8 %"))
@@ -33,11 +34,14 @@ std::vector<Method> three_methods() {
 Case vnv::the_case() {
   Case declared = beside_buchner(
       "Dam break of Buchner",
-      "A column of water 1.2 m long and 0.6 m high collapses from t = 0 in a tank 3.22 m long, twice that of Lobovský et al. (2014) at 0.3 m. Zhou, De Kat & "
-      "Buchner (1999) give levels at two gauges and the pressure in the far wall, as a mean over a disc of 90 mm whose centre is 0.16 m above the floor; "
-      "Buchner (2002) the same event with another clock. How the water was released is not known to us, so it is at once, and both origins of time are in doubt: "
-      "levels are compared by a clock for which h2 is wet when it was, at most 0.1 of T_H = t sqrt(g/H) later or earlier, pressures by one for which "
-      "they rise when Buchner's do, at most 0.3. The shifts needed and applied are values of their own.");
+      "A column of water 1.2 m long and 0.6 m high collapses from t = 0 in a tank 3.22 m long, twice the size of that "
+      "of Lobovský et al. (2014) with the 0.3 m column. Zhou, De Kat & Buchner (1999) give levels at two gauges and "
+      "the pressure on the far wall, as a mean over a disc of 90 mm whose centre is 0.16 m above the floor; Buchner "
+      "(2002) gives the same event with another origin of time. How the water was released is not known to us, so it "
+      "is released instantaneously, and both origins of time are uncertain: levels are compared after a time shift by "
+      "which gauge h2 gets wet when measured, at most 0.1 in T_H = t sqrt(g/H), and pressures after one by which they "
+      "rise when Buchner's do, at most 0.3. The shifts needed and the shifts applied are reported as values of their "
+      "own.");
   declared.methods = three_methods();
   return declared;
 }

@@ -51,9 +51,10 @@ void tabulate(const Results& results, Record& record) {
   Table table{
       "parts_of_energy",
       "What each part of a method adds to the energy",
-      "Since the start, in percent of what the column loses until it lies flat. Pressure and gravity: their work on the motion "
-      "together with the energy of compression and of height that answers it. Density smoothing: diffusion in SPH, the way over the "
-      "nodes in MPM. Walls: contact in SPH, the reaction of nodes on walls in MPM. Transfer: between particles and nodes.",
+      "Energy added since the start, in per cent of the potential energy that the column loses until it lies flat. "
+      "Pressure and gravity: their work on the motion plus the change of elastic or potential energy that balances it. "
+      "Density smoothing: diffusion in SPH, the transfer over the nodes in MPM. Walls: contact in SPH, the reaction of "
+      "nodes on walls in MPM. Transfer: between particles and nodes.",
       {"method", "level", "t [s]"},
       {}};
   for (const char* name :
@@ -134,10 +135,11 @@ Case vnv::the_case() {
   return {
       .title = "Energy of a dam break",
       .description =
-          "The column of Lobovský et al. (2014), 0.6 m long and 0.3 m high, released at once in a tank 1.61 m long, to 2 s. In each step, work is "
-          "found from each part's own forces and the way they go: pressure, gravity, viscosity, walls; and what changes the energy without a force: "
-          "diffusion of density, transfers between particles and nodes, shifting. Together they are the change of the "
-          "energy to rounding.",
+          "The column of Lobovský et al. (2014), 0.6 m long and 0.3 m high, is released instantaneously in a tank 1.61 "
+          "m long and computed to 2 s. In each step, the work of each part of a method is found from its own forces "
+          "and displacements: pressure, gravity, viscosity, walls; so is what changes the energy without a force: "
+          "diffusion of density, transfers between particles and nodes, shifting. Together they equal the change of "
+          "the energy, up to rounding.",
       .times = {end_of_impact},
       .watch = {.every = sampled_every,
                 .see =
@@ -148,7 +150,7 @@ Case vnv::the_case() {
                 .quantities = quantities},
       .measurements = {},
       .findings = {at_end},
-      .claims = {at_most(residual, 1e-10, theory("work is force times way, in each step"))},
+      .claims = {at_most(residual, 1e-10, theory("work is force times displacement, in each step"))},
       .methods = methods(),
       .plots = {tabulate, draw}};
 }

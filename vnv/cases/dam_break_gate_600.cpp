@@ -11,7 +11,7 @@ namespace {
 
 std::map<std::string, std::vector<Claim>> claims() {
   const Claim speed =
-      between(front_speed_error, -5, 5, baseline("the front of the experiment is that of one filling, known to 5 %"));
+      between(front_speed_error, -5, 5, baseline("the experiment gives the front of a single filling, known to 5 %"));
   const std::vector<Claim> of_sph{speed.on("80 across")},
       of_mpm{speed.on("80 across"), speed.on("160 across"),
              at_most(front_rms, 0.03, baseline("0.026 (APIC) when first measured; two fillings differ by 0.023"))
@@ -25,9 +25,9 @@ Case vnv::the_case() {
   return {
       .title = "Dam break with its gate, 0.6 m high",
       .description =
-          "A column of water 0.6 m square stands behind a gate, in a tank 1.61 m long, with the gate of the experiment of "
-          "Lobovský et al. (2014), which is drawn up at 4.53 m/s: `dam_break` is the same column without it. The front "
-          "is compared with that measured, T from 0.2 to 1.5, and the water has to live through the impact, to 2 s.",
+          "A column of water 0.6 m square stands, in a tank 1.61 m long, behind the gate of the experiment of Lobovský "
+          "et al. (2014), which is drawn up at 4.53 m/s; `dam_break` is the same column without the gate. The front is "
+          "compared with the measured one for T from 0.2 to 1.5, and the run has to survive the impact, to 2 s.",
       .times = {end_of_impact},
       .watch = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_600, level, run); }},

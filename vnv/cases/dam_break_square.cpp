@@ -19,14 +19,15 @@ std::vector<Claim> finest(const std::string& level, double first) {
   return {
       at_most(
           dam.rms_of(of_slab, "Lobovský et al. 2014"), 0.17,
-          literature("so much the experiments of two authors with one column differ, Martin & Moyce (1952) being one"))
+          literature("the experiments of two authors with the same column differ by this much, one by Martin & Moyce "
+                     "(1952)"))
           .on(level),
       at_most(
           dam.rms_of(dam.of_residual_height, martin_moyce), 0.08,
-          literature("in 0.3 of T, the doubt about the origin of time, the height falls by 0.08 (Martin & Moyce 1952)"))
+          literature("the height falls by 0.08 in 0.3 of T, the uncertainty of the time origin (Martin & Moyce 1952)"))
           .on(level),
       between(dam.speed_error_of(of_slab, martin_moyce), first - 4.5, first + 4.5,
-              baseline("value when first measured, and the 4.5 % by which two experiments with one column differ"))
+              baseline("value when first measured ± the 4.5 % by which two experiments with the same column differ"))
           .on(level)};
 }
 
@@ -44,11 +45,13 @@ std::vector<Method> methods() {
 Case vnv::the_case() {
   Case declared = beside_fronts(
       "Square dam break of Martin & Moyce",
-      "A column of water 2.25 in square collapses from t = 0, L = l / l0 and T = t sqrt(g h0) / l0. The front is compared with that of Martin & "
-      "Moyce (1952), whose paper diaphragm is freed by a pulse of current, T from 1 to the last of the data, and with that of Lobovský et al. (2014), "
-      "who draw up a gate; the residual height at the back wall with the former's. Each comparison is made with clocks as they are and with the shift that "
-      "fits best, at most 0.3, the doubt about their origin, which is a value of its own. The tank is 6 l0 long: the data end at L = 5.0, and a front 0.3 of T "
-      "early is then not yet at the wall. Surface tension is not modelled, friction by mpm_apic_friction alone.",
+      "A column of water 2.25 in square collapses from t = 0; L = l / l0 and T = t sqrt(g h0) / l0. From T = 1 to the "
+      "end of the data, the front is compared with that of Martin & Moyce (1952), whose paper diaphragm is released by "
+      "a pulse of current, and with that of Lobovský et al. (2014), who draw up a gate; the residual height at the "
+      "back wall is compared with that of Martin & Moyce. Each comparison is made without a time shift and with the "
+      "shift that fits best, at most 0.3 in T, the uncertainty of the time origins; that shift is a value of its own. "
+      "The tank is 6 l0 long: the data end at L = 5.0, where a front that is early by 0.3 in T has not yet reached the "
+      "wall. Surface tension is not modelled, and friction only by mpm_apic_friction.",
       dam, 6.3);
   declared.methods = methods();
   return declared;

@@ -24,7 +24,7 @@ std::vector<Claim> finest(const std::string& level) {
           .on(level),
       at_most(
           dam.rms_of(dam.of_residual_height, martin_moyce), 0.06,
-          literature("in 0.3 of T, the doubt about the origin of time, the height falls by 0.06 (Martin & Moyce 1952)"))
+          literature("the height falls by 0.06 in 0.3 of T, the uncertainty of the time origin (Martin & Moyce 1952)"))
           .on(level)};
 }
 
@@ -42,11 +42,13 @@ std::vector<Method> methods() {
 Case vnv::the_case() {
   Case declared = beside_fronts(
       "Tall dam break of Martin & Moyce and of Koshizuka & Oka",
-      "A column of water 0.146 m long and twice as high collapses from t = 0, L = l / l0 and T = t sqrt(g h0) / l0. In these numbers the experiments of Koshizuka & "
-      "Oka (1995), with this column, and of Martin & Moyce (1952), with one 2.25 in long, are one curve, but for surface tension and friction, which are not "
-      "modelled. The front is compared for T from 1 to the last of the data, the residual height at the back wall with that of Martin & Moyce, with clocks as they are "
-      "and with the shift that fits best, at most 0.3, the doubt about their origin, which is a value of its own. The tank is 5 l0 long: the data end at L = 4.1, "
-      "and a front 0.3 of T early is then not yet at the wall.",
+      "A column of water 0.146 m long and twice as high collapses from t = 0; L = l / l0 and T = t sqrt(g h0) / l0. In "
+      "these dimensionless variables the experiments of Koshizuka & Oka (1995), with this column, and of Martin & "
+      "Moyce (1952), with one 2.25 in long, follow one curve, apart from surface tension and friction, which are not "
+      "modelled. The front is compared from T = 1 to the end of the data, and the residual height at the back wall "
+      "with that of Martin & Moyce, each without a time shift and with the shift that fits best, at most 0.3 in T, the "
+      "uncertainty of the time origins; that shift is a value of its own. The tank is 5 l0 long: the data end at L = "
+      "4.1, where a front that is early by 0.3 in T has not yet reached the wall.",
       dam, 7.5);
   declared.methods = methods();
   return declared;

@@ -13,11 +13,13 @@ Case vnv::the_case() {
   return {
       .title = "Dam break with its gate: validation",
       .description =
-          "The dam break of Lobovský et al. (2014), column 0.6 m long and 0.3 m high, with the gate of the experiment. Front, levels and the impact on the "
-          "far wall are compared with those measured by ASME V&V 20-2009: the comparison error E = S - D stands beside the "
-          "uncertainty u_val of numbers (resolution, bulk modulus, number of starts), of inputs (gate, height, density, gravity, clocks, places of sensors) and of "
-          "the data (repeats). The verdict of each observable is agreement within 2 u_val, an error of the model E ± 2 u_val, or that the uncertainty is too "
-          "large to judge.",
+          "The dam break of Lobovský et al. (2014), column 0.6 m long and 0.3 m high, with the gate of the experiment. "
+          "Front, levels and the impact on the far wall are compared with the measurements by the procedure of ASME "
+          "V&V 20-2009: the comparison error E = S - D is set against the validation uncertainty u_val, which combines "
+          "the numerical uncertainty (resolution, bulk modulus, number of starts) with those of the inputs (gate, "
+          "height, density, gravity, clocks, positions of sensors) and of the data (repeats). The verdict on each "
+          "observable is agreement within 2 u_val, a model error of E ± 2 u_val, or that the uncertainty is too large "
+          "to judge.",
       .times = {with_300.end},
       .watch = monitored,
       .measurements = {},

@@ -31,9 +31,10 @@ Case vnv::the_case() {
   Case declared{
       .title = "Stretching elliptic drop",
       .description =
-          "A circular drop of an inviscid fluid, 1 m in radius, starts with a strain rate of 1/s, extension along x; no force acts on "
-          "it. It stays an ellipse, whose half-axes and whose pressure follow from an ordinary differential equation "
-          "(Monaghan 1994). After 0.8 s it is twice as long as at the start. Mach number 1/60.",
+          "A circular drop of an inviscid fluid, 1 m in radius, starts with a uniform strain rate of 1/s, stretching "
+          "along x; no force acts on it. It stays an ellipse, whose half-axes and pressure follow from an ordinary "
+          "differential equation (Monaghan 1994). After 0.8 s it is twice as long as at the start. The Mach number is "
+          "1/60.",
       .times = {0.2, 0.4, 0.6, end},
       .watch = monitored_axes(),
       .measurements = {error_of_axes, velocity_errors(velocity_of(exact)), error_of_pressure(exact)},

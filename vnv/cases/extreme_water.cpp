@@ -217,8 +217,9 @@ Case vnv::the_case() {
       .description =
           "Very little water, or very strong gravity: one particle, one cell, a single row; particles on the "
           "edges and in the corners of the domain; a hundredfold gravity; a drop in a domain a thousand times its size, one that "
-          "falls 11 m, two that collide at 4 m/s, one that is torn apart; a jet whose particles do not touch. 0.02 m from "
-          "particle to particle, four in a cell, the speed of sound 40 m/s. The outcome of each is declared in advance.",
+          "falls 11 m, two that collide at 4 m/s, one that is torn apart; a jet whose particles do not touch. The "
+          "particle spacing is 0.02 m, with four particles per cell; the speed of sound is 40 m/s. The outcome of each "
+          "is declared in advance.",
       .times = {1},
       .measurements = {},
       .methods = {method_meeting_extremes([](const Water& s) { return mpm_as_printed(s, output_interval, 0.4); }),

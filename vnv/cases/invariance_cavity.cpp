@@ -36,6 +36,6 @@ Case vnv::the_case() {
       "A lid-driven cavity, Reynolds number 100 and Mach number 0.2, 24 particles across, under symmetry transformations: mirrored, so "
       "that the lid slides to the left; from a disturbed lattice; with renumbered particles. The invariant is "
       "the kinetic energy after 1 s, before particles mix: later, runs that differ by rounding diverge. The equations are "
-      "invariant. Every method claims the mirror image and the renumbering.";
+      "invariant. Every method claims invariance under reflection and renumbering.";
   return declared;
 }

@@ -51,8 +51,8 @@ Case vnv::the_case() {
   declared.description =
       "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, under symmetry transformations: "
       "mirrored, so that the lower plate slides; carried along at 2 mm/s with both plates; from a disturbed "
-      "lattice; with renumbered particles. The equations are invariant. Every method claims the mirror image "
-      "and the renumbering. None claims more: the particles that make the walls of SPH stand still, even where "
-      "the walls move, and the fluid's lattice moves past them.";
+      "lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
+      "reflection and renumbering. None claims more: the wall particles of SPH stand still even where the wall moves, "
+      "so that the lattice of the fluid moves past them.";
   return declared;
 }

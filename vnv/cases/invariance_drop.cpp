@@ -35,9 +35,9 @@ Case vnv::the_case() {
   declared.description =
       "A circular drop of an inviscid fluid is stretched to twice its length, 30 particles across, under symmetry transformations: "
       "mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; rotated by 30 degrees; from a "
-      "disturbed lattice; with renumbered particles. The equations are invariant. Every method claims the "
-      "mirror image and the renumbering; SPH, which has no grid, also Galilean invariance. Rotated, "
-      "the drop is not stretched along rows of particles.";
+      "disturbed lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
+      "reflection and renumbering; SPH, which has no grid, also Galilean invariance. Rotated, the drop is not "
+      "stretched along rows of particles.";
   declared.watch = monitored_axes();
   return declared;
 }

@@ -50,8 +50,8 @@ Case vnv::the_case() {
       "A rotating square patch with a free surface, 24 particles across, under symmetry transformations: mirrored, so that it rotates the other "
       "way; carried along at (0.5, 0.3) m/s; turned by 30 degrees with its lattice; from a disturbed lattice; with particles "
       "renumbered. The invariant is the kinetic energy after 0.3 s, in the moving frame. The equations are "
-      "invariant. Every method claims the mirror image and the renumbering; SPH, which has no grid, also rotational invariance "
-      "and, without shifting, Galilean invariance: the shifting length depends on velocities in the rest "
-      "frame.";
+      "invariant. Every method claims invariance under reflection and renumbering; SPH, which has no grid, also "
+      "rotational invariance and, without shifting, Galilean invariance: the shifting length depends on velocities in "
+      "the rest frame.";
   return declared;
 }

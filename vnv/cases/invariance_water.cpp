@@ -34,8 +34,8 @@ Case vnv::the_case() {
   declared.title = "Invariance: hydrostatic equilibrium";
   declared.description =
       "Water 1 m deep under gravity, 20 particles over the depth, under symmetry transformations: in a frame moving at 0.5 m/s; from a disturbed "
-      "lattice; with renumbered particles. The equations are invariant. Every method claims the renumbering. None claims "
-      "more: the boundary particles of SPH do not make a perfectly smooth bottom, and water whose particles are not in "
-      "rows is not in equilibrium.";
+      "lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
+      "renumbering. None claims more: the boundary particles of SPH do not make a perfectly smooth bottom, and water "
+      "whose particles are not in rows is not in equilibrium.";
   return declared;
 }

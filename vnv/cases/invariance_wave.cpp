@@ -32,8 +32,8 @@ Case vnv::the_case() {
   declared.title = "Invariance: standing gravity wave";
   declared.description =
       "A standing gravity wave of small amplitude, 40 particles per wavelength, under symmetry transformations: in a frame moving "
-      "at 0.5 m/s; from a disturbed lattice; with renumbered particles. The equations are invariant. Every "
-      "method claims the renumbering. None claims more: the boundary particles of SPH do not make a perfectly smooth "
-      "bottom.";
+      "at 0.5 m/s; from a disturbed lattice; with renumbered particles. The equations are invariant. Every method "
+      "claims invariance under renumbering. None claims more: the boundary particles of SPH do not make a perfectly "
+      "smooth bottom.";
   return declared;
 }

@@ -85,7 +85,8 @@ const Claim gains_nothing =
     at_most(energy_change, 1, theory("the only source of energy is the tension that tears it apart"));
 Claim keeps_turning(double percent) {
   return between(momentum_change, -percent, percent,
-                 theory("affine velocities, and forces along the line between two particles, keep angular momentum"));
+                 theory("affine velocities, and forces along the line between two particles, conserve angular "
+                        "momentum"));
 }
 
 }  // namespace
@@ -94,12 +95,12 @@ Case vnv::the_case() {
   return {
       .title = "Long-time rotation of a drop",
       .description =
-          "A circular drop of 0.2 m radius, ten particles along the radius, rotates as a rigid body without surroundings, its edge at "
-          "a thousandth of the speed of sound, for 10000 steps, 100000 in the nightly suite. No force acts on it: its angular "
-          "momentum is conserved, and its energy up to a viscous loss that is negligible over this time. Its rotation "
-          "puts it under tension. Motion invisible to the grid is the residual of a linear fit around each particle: modes "
-          "in the null space of the transfer to the grid of a material point method. Particles of SPH that pair come closer than half a "
-          "spacing.",
+          "A circular drop of 0.2 m radius, ten particles along the radius, rotates as a rigid body in empty space, "
+          "its edge moving at a thousandth of the speed of sound, for 10000 steps, 100000 in the nightly suite. No "
+          "force acts on it: its angular momentum is conserved, and its energy up to a viscous loss that is negligible "
+          "over this time. Its rotation puts it under tension. Motion invisible to the grid, modes in the null space "
+          "of the particle-to-grid transfer of a material point method, is measured as the residual of a linear fit "
+          "around each particle. SPH particles that pair come closer than half a spacing.",
       .times = {},
       .watch = {.every = 0.05,
                 .see = monitored,

@@ -35,9 +35,9 @@ Case vnv::the_case() {
   Case declared{
       .title = "Manufactured solution",
       .description =
-          "An unsteady compressible flow in a periodic square of 1 m, which crosses the grid at 0.4 m/s with "
-          "vortices of 1 m/s; Reynolds number 100, Mach number 0.1. Its density varies by 4 %, a pressure amplitude of 4 "
-          "rho U². A body force sustains it exactly; continuity is satisfied identically.",
+          "An unsteady compressible flow in a periodic square of 1 m: vortices of 1 m/s cross the grid at 0.4 m/s; "
+          "Reynolds number 100, Mach number 0.1. The density varies by 4 %, which gives a pressure amplitude of 4 rho "
+          "U². A body force sustains it exactly; continuity is satisfied identically.",
       .times = {end},
       .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
       .methods = {with_ladder(coarse_levels, mpm_as_printed(scene, output_interval), {no_worse_than(33)}),

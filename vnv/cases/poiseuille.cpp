@@ -43,6 +43,7 @@ Case vnv::the_case() {
   declared.title = "Start-up of plane Poiseuille flow";
   declared.description =
       "Water at rest between two plates 1 mm apart is driven by a body force of 8 mm/s² along them from t = 0. The "
-      "oracle is the exact series of Morris, Fox & Zhu (1997), as a Fourier series at late and by images at early times.";
+      "oracle is the exact series of Morris, Fox & Zhu (1997), evaluated by Fourier terms at late times and by images "
+      "at early times.";
   return declared;
 }

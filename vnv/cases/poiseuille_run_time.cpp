@@ -57,8 +57,9 @@ Case vnv::the_case() {
   declared.findings.push_back(price_beside_a_plain_loop);
   declared.title = "Poiseuille flow: work-precision diagram";
   declared.description =
-      "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method over resolutions, "
-      "points per cell or smoothing lengths, and time steps up to beyond the largest stable one. Methods are compared by the "
-      "cost of a given error, the larger one of 0.1 and 1 s: at 1 s the profile is a parabola, which fits of second degree represent exactly.";
+      "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method is run over "
+      "resolutions, points per cell or smoothing lengths, and time steps up to beyond the largest stable one. Methods "
+      "are compared by the cost of a given error, the larger of those at 0.1 and 1 s: at 1 s the profile is a "
+      "parabola, which fits of second degree represent exactly.";
   return declared;
 }

@@ -14,9 +14,10 @@ Case vnv::the_case() {
   Case declared = error_against_run_time_in(poiseuille::scene, poiseuille::exact, study);
   declared.title = "Poiseuille flow: how stiff must the fluid be?";
   declared.description =
-      "The start-up of plane Poiseuille flow from rest to 1 s in fluids of several sound speeds c. With the bulk modulus of "
-      "Sun et al., 143 Pa, c is 1000 times the largest velocity U; ten times is usual, for which the longest acoustic step is a "
-      "hundred times as long and the fluid ten thousand times as soft. Each method runs over resolutions, points per cell or "
-      "smoothing lengths, and time steps at each c; the larger error of 0.1 and 1 s counts.";
+      "The start-up of plane Poiseuille flow from rest to 1 s in fluids of several sound speeds c. With K = 143 Pa in "
+      "Tait's law, as in Sun et al., c is 1000 times the largest velocity U; the usual factor is ten, with which the "
+      "longest acoustic step is a hundred times as long and the fluid ten thousand times as soft. Each method is run "
+      "over resolutions, points per cell or smoothing lengths, and time steps at each c; the larger of the errors at "
+      "0.1 and 1 s counts.";
   return declared;
 }

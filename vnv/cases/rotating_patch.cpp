@@ -61,7 +61,7 @@ Case vnv::the_case() {
           "2013). Arms grow from its corners, and its pressure, negative apart from acoustic ripples, exposes the tensile instability of "
           "particle methods. Momentum, angular momentum and the symmetry of a square are conserved; kinetic energy too, "
           "in the incompressible limit. One run starts from a disturbed lattice, which lacks that symmetry "
-          "from the start. Mach number of a corner 1/28.",
+          "from the start. The Mach number of the corners is 1/28.",
       .times = {0.5, end},
       .watch = monitored(L),
       .measurements = {what_is_not_kept(exact, is_disturbed), roughness_of_pressure(exact)},

@@ -106,9 +106,10 @@ Case vnv::the_case() {
   return {
       .title = "Scaling to ten million particles",
       .description =
-          "A channel with four particles per cell, whose size grows with the number of particles; a few steps, each run in a "
-          "process of its own and timed in turn with ten thousand particles. Where the state outgrows a cache, the time per particle "
-          "rises: by the time that the machine, measured by McCalpin's STREAM triad, takes to move a particle's memory so many times.",
+          "A channel with four particles per cell, whose size grows with the number of particles. A few steps are run, "
+          "each size in a process of its own, timed alternately with ten thousand particles. Where the state outgrows "
+          "a cache, the time per particle-step rises; the extra time is expressed as the number of times that the "
+          "machine could move a particle's memory in it, at the bandwidth measured by McCalpin's STREAM triad.",
       .times = {1},
       .measurements = {},
       .findings = {find_memory},

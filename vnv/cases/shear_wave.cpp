@@ -33,9 +33,9 @@ Case vnv::the_case() {
   Case declared = with_plots(
       {.title = "Decaying shear wave",
        .description =
-           "In a periodic square of 1 m the initial velocity along x is sin(2 pi y / m) m/s; Reynolds number 100, Mach "
-           "number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: pressure and density stay uniform, "
-           "and the wave decays by viscosity alone.",
+           "In a periodic square of side L = 1 m the initial velocity along x is U sin(2 pi y / L) with U = 1 m/s; "
+           "Reynolds number 100, Mach number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: "
+           "pressure and density stay uniform, and the wave decays by viscosity alone.",
        .times = {early, end},
        .watch = kinetic_energy_every(0.02),
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},

@@ -268,12 +268,12 @@ std::vector<Method> with_threads() {
     });
   };
   return {{.name = "mpm_threads",
-           .description = "Material point method, linear hats, in eight of the paper's channels: " + words,
+           .description = "Material point method, linear hats, in eight lengths of the paper's channel: " + words,
            .run = of_mpm,
            .levels = {timed("M4", channel_cell / 4, channel_cell)},
            .claims = {most_of_both}},
           {.name = "sph_threads",
-           .description = "Smoothed particle hydrodynamics in eight of the paper's channels: " + words,
+           .description = "Smoothed particle hydrodynamics in eight lengths of the paper's channel: " + words,
            .run = of_sph,
            .levels = {timed("S4", channel_cell / 4)},
            .claims = {most_of_both}}};
@@ -319,11 +319,12 @@ void draw_empty_background(const Results& results, Record& record) {
 }
 
 const std::string plain_sph_words =
-    " Pressure and laminar viscosity, timed in Poiseuille flow against a scalar loop over full neighbour lists. The rate "
-    "is also reported scaled to a machine on which that loop's right-hand side takes 114 ns, where the other codes were measured.";
+    " With pressure and laminar viscosity only, timed in Poiseuille flow against a scalar loop over full neighbour "
+    "lists. The rate is also scaled to the machine on which the other codes were measured, where the right-hand side "
+    "of that loop takes 114 ns.";
 const std::string column_words =
-    "The printed method in the dam break; the plain loop has its column without walls, and laminar viscosity where the "
-    "solver has the artificial one.";
+    "Smoothed particle hydrodynamics as printed, in the dam break; the plain loop has the same column but no walls, "
+    "and laminar instead of artificial viscosity.";
 
 /// Of four and of sixteen particles per cell; `least` are the speed-ups that they must keep.
 Method race_of_splines(const std::string& name, const std::string& transfer, Run (*run)(const Level&, const Schedule&),
@@ -344,27 +345,29 @@ std::vector<Method> of_accurate_sph() {
   const auto rates = [](const std::string& name, const std::string& words, const auto& run, Level level, double most) {
     return Method{.name = name,
                   .description = words +
-                                 ": a right-hand side in turn with one of the printed method, which has 20 "
-                                 "listed neighbours and one pass over the pairs.",
+                                 ": its right-hand side is timed alternately with that of the printed method, which "
+                                 "has 20 listed neighbours and one pass over the pairs.",
                   .run = run,
                   .levels = {std::move(level)},
                   .claims = {at_most(slower_rates, most, most_measured)}};
   };
   const Level in_dam = timed("S2", dam_cell / 2), in_channel = timed("S2", channel_cell / 2),
               in_square = timed("S64", 1.0 / 64);
-  const std::string second = "Smoothed particle hydrodynamics of second order", transport = "Transport velocity";
+  const std::string second = "Smoothed particle hydrodynamics of second order", transport = "Transport-velocity SPH";
   return {
       rates("sph_delta", "delta-SPH in the dam break, 47 to 58 neighbours, two passes",
             race_free_surface([](double h, double) {
               return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in_dam(h)};
             }),
             in_dam, 6),
-      rates("sph_corrected", "The same with corrected gradients", race_free_surface([](double h, double) {
+      rates("sph_corrected", "delta-SPH with corrected gradients in the dam break",
+            race_free_surface([](double h, double) {
               return sph::Parts{
                   .pressure = sph::BonetLokPressure{}, .diffusion = diffusion_in_dam(h), .gradient = sph::BonetLok{}};
             }),
             in_dam, 7),
-      rates("sph_shifted", "The same with shifted particles", race_free_surface([](double h, double spacing) {
+      rates("sph_shifted", "delta-SPH with shifted particles in the dam break",
+            race_free_surface([](double h, double spacing) {
               return sph::Parts{.pressure = sph::PressureSum{},
                                 .diffusion = diffusion_in_dam(h),
                                 .gradient = sph::PlainGradient{},
@@ -413,21 +416,23 @@ std::vector<Method> on_one_core() {
       },
       {
           .name = "mpm_watched",
-          .description = "Cost of monitoring a run where steps are cheapest.",
+          .description = "Cost of monitoring a run of the material point method as printed, whose steps are the "
+                         "cheapest.",
           .run = time_the_monitor(mpm_solver<>),
           .levels = {timed("M1", channel_cell, channel_cell), timed("M4", channel_cell / 4, channel_cell)},
           .claims = {at_most(monitor_cost, 1, set_goal)},
       },
       {
           .name = "sph_watched",
-          .description = "The same for smoothed particle hydrodynamics.",
+          .description = "Cost of monitoring a run of smoothed particle hydrodynamics as printed.",
           .run = time_the_monitor(sph_printed_solver<>),
           .levels = {timed("S1", channel_cell)},
           .claims = {at_most(monitor_cost, 1, set_goal)},
       },
       {
           .name = "mpm_single",
-          .description = "The same with particles in single precision; the plain loop is in double precision.",
+          .description = "Material point method as printed, with particles in single precision, timed in Poiseuille "
+                         "flow; the plain loop is in double precision.",
           .run = race_mpm<float>(bench::channel(), channel_step),
           .levels = {timed("M4", channel_cell / 4, channel_cell)},
           .claims = {at_least(faster, 4, goal)},
@@ -454,7 +459,8 @@ std::vector<Method> on_one_core() {
       {
           // From 0.1 s on a third of the column's top has sunk.
           .name = "mpm_dam_break",
-          .description = "The same in the dam break, from 0.1 s on. The reference loop stores the full stress tensor.",
+          .description = "Material point method as printed, timed in the dam break from 0.1 s on. The reference loop "
+                         "stores the full stress tensor.",
           .run = race_mpm(dam(), dam_mpm_step, 2000),
           .levels = {timed("M4", dam_cell / 4, dam_cell)},
           .claims = {at_least(faster, 2.5, goal)},
@@ -463,7 +469,8 @@ std::vector<Method> on_one_core() {
       race_of_splines("mpm_xpic_dam_break", "velocities by XPIC(5)", race_splines<mpm::Xpic<5>>, 0.75, 1.7),
       {
           .name = "mpm_empty_background",
-          .description = "The column of the dam break in tanks 1, 10 and 100 times as large as the paper's.",
+          .description = "Material point method as printed: the column of the dam break in tanks 1, 10 and 100 times "
+                         "as large as the paper's.",
           .run = compare_tanks,
           .levels = {timed("1", dam_cell / 4, dam_cell), timed("10", dam_cell / 4, dam_cell),
                      timed("100", dam_cell / 4, dam_cell)},
@@ -485,14 +492,15 @@ std::vector<Method> on_one_core() {
       },
       {
           .name = "sph_one_evaluation",
-          .description = "The same by Adams-Bashforth, with one right-hand side per step.",
+          .description = "Smoothed particle hydrodynamics as printed, but by Adams-Bashforth with one right-hand side "
+                         "per step, in Poiseuille flow.",
           .run = race_sph<AdamsBashforth>(bench::channel(), channel_step, laminar),
           .levels = {timed("S2", channel_cell / 2)},
           .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 13, goal)},
       },
       {
           .name = "sph_one_evaluation_dam_break",
-          .description = column_words + " With one right-hand side a step.",
+          .description = column_words + " By Adams-Bashforth, with one right-hand side per step.",
           .run = race_sph<AdamsBashforth>(dam(), dam_sph_step, artificial),
           .levels = {timed("S4", dam_cell / 4)},
           .claims = {at_least(faster_rates, 2.5, goal), at_least(scaled_rate, 8, goal)},

@@ -272,15 +272,16 @@ void declare_figures(const Results& results, Record& record) {
     record.figures.push_back(
         {figure_of(over_arrangements, method),
          method.name() + ": stability over resolution of the kernel or cell",
-         "The same for a wave of a ten-thousandth, over the smoothing length or the number of particles in a cell, with nu dt = 0.01 " +
+         "A shear wave of a ten-thousandth of the speed of sound, over the smoothing length or the number of particles "
+         "in a cell, with nu dt = 0.01 " +
              length + "^2.",
          {.label = "c dt / " + length, .logarithmic = true},
          {.label = method.has_grid() ? "particles in a cell" : "h / spacing", .low = 0}});
   record.figures.push_back(
       {figure_of(over_fluids, method),
        method.name() + ": stability over stiffness and Reynolds number",
-       "The same with the step that the method chooses, over the wave's Reynolds number and the bulk "
-       "modulus over that at which its Mach number is 0.1.",
+       "A decaying shear wave with the step that the method chooses, over the wave's Reynolds number and the bulk "
+       "modulus, relative to that at which the Mach number is 0.1.",
        {.label = "Reynolds number", .logarithmic = true},
        {.label = "K / K at Mach 0.1", .logarithmic = true}});
 }
@@ -291,10 +292,10 @@ Case vnv::the_case() {
   return {
       .title = "Stability maps",
       .description =
-          "A shear wave on a doubly periodic lattice, 16 particles across. Over the acoustic "
-          "and the viscous Courant number, the stability boundary of linear theory is drawn, from the largest "
-          "eigenvalue of the method's own linearised step; likewise over the number of particles in a cell, or the smoothing "
-          "length. Over stiffness and Reynolds number, eight decades of each, each method uses the time step that it chooses.",
+          "A shear wave on a doubly periodic lattice, 16 particles across. Maps over the acoustic and the viscous "
+          "Courant number, and over the number of particles in a cell or the smoothing length, also show the stability "
+          "boundary of linear theory, from the largest eigenvalue of the method's own linearised step. Over eight "
+          "decades each of stiffness and Reynolds number, each method uses the time step that it chooses.",
       .times = {1},
       .measurements = {},
       .methods = each_of(methods_on_lattice(), maps_of),

@@ -173,8 +173,9 @@ Flow stokes_second(Settings& set) {
   const Oscillation plate(set, 0.02, "of the plate");
   Flow flow = channel.flow(
       "Stokes' second problem",
-      "A plate below fluid oscillates along itself as cos(2 pi t / period). The oracle is Stokes' (1851) for a plate "
-      "that has always oscillated; its velocity at t = 0 is the initial state. The free-slip ceiling is far above the layer.",
+      "A plate below fluid oscillates in its own plane as cos(2 pi t / period). The oracle is Stokes' (1851) for a "
+      "plate that has always oscillated; its velocity at t = 0 is the initial state. The free-slip ceiling is far "
+      "above the layer.",
       plate.times(), oscillating({V, 0}, plate.omega()), free_slip(),
       [=](const Changes& by) { return reference::StokesSecond{.V = V, .omega = plate.omega(), .nu = channel.nu(by)}; },
       above_one_plate);

@@ -13,11 +13,11 @@ namespace touchstone::vnv::doors {
 Flow hydrostatic(Settings& set) {
   using namespace water_at_rest;
   Water water;
-  water.depth = set.positive("h", water.depth, "m", "depth that the water would have at its density without pressure");
+  water.depth = set.positive("h", water.depth, "m", "depth that the water would have if it were uncompressed");
   water.width = set.positive("L", water.width, "m", "length of the periodic box");
   water.g = set.positive("g", water.g, "m/s²", "gravity, down");
-  water.rho0 = set.positive("rho", water.rho0, "kg/m³", "density without pressure");
-  water.c = set.positive("c", water.c, "m/s", "speed of sound without pressure");
+  water.rho0 = set.positive("rho", water.rho0, "kg/m³", "density at zero pressure");
+  water.c = set.positive("c", water.c, "m/s", "speed of sound at zero pressure");
   Flow flow;
   set_scene(flow, scene_with(water));
   flow.shape = "rows of a lattice, each moved to the height at which it has its equilibrium column of water above it,";
@@ -54,9 +54,9 @@ Flow standing_wave(Settings& set) {
   wave.depth = set.positive("h", wave.depth, "m", "depth at rest");
   wave.a = set.positive("a", wave.a, "m", "amplitude at the start");
   wave.g = set.positive("g", wave.g, "m/s²", "gravity, down");
-  wave.rho = set.positive("rho", wave.rho, "kg/m³", "density without pressure");
+  wave.rho = set.positive("rho", wave.rho, "kg/m³", "density at zero pressure");
   wave.nu = set.positive("nu", wave.nu, "m²/s", "kinematic viscosity");
-  wave.c = set.positive("c", wave.c, "m/s", "speed of sound without pressure");
+  wave.c = set.positive("c", wave.c, "m/s", "speed of sound at zero pressure");
   const double scale = exact.omega() / wave.exact().omega();  // of times
   Flow flow;
   set_scene(flow, scene_with(wave));
@@ -64,9 +64,9 @@ Flow standing_wave(Settings& set) {
   flow.across = wave.L;
   flow.judged.title = "Standing gravity wave";
   flow.judged.description =
-      "Water starts at rest with a surface that is a cosine and oscillates. The oracle is the linear wave (Lamb 1932): period from "
-      "the dispersion relation, decay rate 2 nu k² from the potential flow over a floor that holds nothing back. Both are those of "
-      "the damped oscillation fitted to the first moment of the particle heights over time.";
+      "Water starts at rest with a cosine-shaped surface and oscillates. The oracle is the linear wave (Lamb 1932): "
+      "period from the dispersion relation, decay rate 2 nu k² from the potential flow over a free-slip floor. Both "
+      "are compared with those of the damped oscillation fitted to the first moment of the particle heights over time.";
   flow.judged.watch = monitored(wave.L);
   flow.judged.watch.every *= scale;
   flow.judged.times = {4 * scale};  // five periods
@@ -80,19 +80,19 @@ Flow elliptic_drop(Settings& set) {
   using namespace drop;
   const double radius = set.positive("R", R, "m", "radius at the start");
   const double strain = set.positive("s", s0, "1/s", "strain rate at the start, extension along x");
-  const double density = set.positive("rho", rho0, "kg/m³", "density without pressure");
-  const double sound_speed = set.positive("c", c, "m/s", "speed of sound without pressure");
+  const double density = set.positive("rho", rho0, "kg/m³", "density at zero pressure");
+  const double sound_speed = set.positive("c", c, "m/s", "speed of sound at zero pressure");
   const reference::EllipticDrop drop{.R = radius, .s0 = strain, .rho = density};
   const double until = end / strain;
   Flow flow;
   set_scene(flow, scene_with(drop, sound_speed));
-  flow.shape = "those places of a lattice that are in a drop of radius R about (0, 0),";
+  flow.shape = "those points of a lattice that lie within the radius R of (0, 0),";
   flow.area = std::numbers::pi * radius * radius;
   flow.across = 2 * radius;
   flow.judged.title = "Stretching elliptic drop";
   flow.judged.description =
-      "A circular drop of an inviscid fluid starts with a uniform strain; no force acts on it. It stays an ellipse, whose half-axes "
-      "and whose pressure follow from an ordinary differential equation (Monaghan 1994).";
+      "A circular drop of an inviscid fluid starts with a uniform strain rate; no force acts on it. It stays an "
+      "ellipse, whose half-axes and pressure follow from an ordinary differential equation (Monaghan 1994).";
   flow.judged.times = {until / 4, until / 2, 3 * until / 4, until};
   flow.judged.watch = monitored_axes();
   flow.judged.watch.every /= strain;
@@ -112,8 +112,8 @@ Flow rotating_patch(Settings& set) {
   using namespace patch;
   const double side = set.positive("L", L, "m", "side of the square");
   const double spin = set.positive("omega", omega, "1/s", "angular velocity at the start, clockwise");
-  const double density = set.positive("rho", rho0, "kg/m³", "density without pressure");
-  const double sound_speed = set.positive("c", c, "m/s", "speed of sound without pressure");
+  const double density = set.positive("rho", rho0, "kg/m³", "density at zero pressure");
+  const double sound_speed = set.positive("c", c, "m/s", "speed of sound at zero pressure");
   const reference::RotatingPatch patch{.L = side, .omega = spin, .rho = density};
   Flow flow;
   set_scene(flow, scene_with(patch, sound_speed));
@@ -162,10 +162,10 @@ Flow dam_break(Settings& set) {
   flow.across = l0;
   flow.judged.title = "Dam break";
   flow.judged.description =
-      "A column of water at the left end of a tank collapses under gravity from t = 0, L = l / l0 and T = t sqrt(g h0) / l0. The "
-      "oracles are the experiments with columns of its aspect: Lobovský et al. (2014), h0 = l0 and l0 / 2, Martin & Moyce (1952), "
-      "h0 = l0 and 2 l0, Koshizuka & Oka (1995), h0 = 2 l0; and Ritter's bound dL/dT = 2. A front depends on how it is read: it is "
-      "read in five ways.";
+      "A column of water at the left end of a tank collapses under gravity from t = 0; L = l / l0 and T = t sqrt(g h0) "
+      "/ l0. The oracles are the experiments with columns of the same aspect ratio: Lobovský et al. (2014), h0 = l0 "
+      "and l0 / 2, Martin & Moyce (1952), h0 = l0 and 2 l0, Koshizuka & Oka (1995), h0 = 2 l0; and Ritter's bound "
+      "dL/dT = 2. The position of a front depends on its definition: five definitions are used.";
   flow.judged.times = {0.32 * scale, 0.41 * scale, 0.46 * scale, 0.5 * scale};
   flow.judged.watch = monitored(dam);
   flow.judged.watch.every *= scale;
@@ -176,11 +176,12 @@ Flow dam_break(Settings& set) {
       between(dam.lost, 0, 0, theory("water does not cross walls")),
       at_most(dam.speed_of(dam.of_thin_slab), 2, theory("Ritter 1892: shallow water without friction")),
       at_least(dam.least_lead, 0,
-               literature("the origin of time of such an experiment is in doubt by 0.3 of T (Martin & Moyce 1952)"))};
+               literature("the time origin of such an experiment is uncertain by 0.3 in T (Martin & Moyce 1952)"))};
   for (const char* experiment : {"Lobovský et al. 2014", "Koshizuka & Oka 1995"})
     flow.of_resolved.push_back(at_most(
         dam.rms_of(dam.of_thin_slab, experiment), 0.17,
-        literature("so much the experiments of two authors with one column differ, Martin & Moyce (1952) being one")));
+        literature("the experiments of two authors with the same column differ by this much, one by Martin & Moyce "
+                   "(1952)")));
   flow.resolved = 30;
   const auto kept = [dam](const Quantity& quantity) {
     return [=](const Level& level, const Run& run) {

@@ -47,8 +47,8 @@ std::string scene_in_words(const Flow& flow, double spacing) {
   text += fmt::format("\ndomain: {} to {} m, {} along x, {} along y\n", in_words(flow.domain.box.low),
                       in_words(flow.domain.box.high), periodic(0), periodic(1));
   text += fmt::format(
-      "fluid: p = K ((rho / rho0)^7 - 1), rho0 = {:.10g} kg/m³, K = {:.10g} Pa, sound at {:.10g} m/s, viscosity "
-      "{:.10g} Pa s\n",
+      "fluid: p = K ((rho / rho0)^7 - 1), rho0 = {:.10g} kg/m³, K = {:.10g} Pa (a seventh of the bulk modulus rho0 "
+      "c²), sound at {:.10g} m/s, viscosity {:.10g} Pa s\n",
       flow.fluid.density, flow.fluid.bulk_modulus, flow.fluid.sound_speed(), flow.fluid.viscosity);
   for (const Wall& wall : flow.walls)
     text += fmt::format("wall: {} = {:g} m, {}, velocity {} m/s{}\n", wall.axis == 0 ? "x" : "y", wall.position,

@@ -125,8 +125,8 @@ Flow manufactured(Settings& set) {
   chosen.U = set.positive("U", chosen.U, "m/s", "velocity of the vortices at t = 0");
   chosen.omega = set("omega", chosen.omega, "1/s", "angular frequency of the velocity");
   chosen.ripple = set("ripple", chosen.ripple, "-", "amplitude of the density, relative; 0 to below 1");
-  chosen.rho0 = set.positive("rho", chosen.rho0, "kg/m³", "density without pressure");
-  chosen.c = set.positive("c", chosen.c, "m/s", "speed of sound without pressure");
+  chosen.rho0 = set.positive("rho", chosen.rho0, "kg/m³", "density at zero pressure");
+  chosen.c = set.positive("c", chosen.c, "m/s", "speed of sound at zero pressure");
   chosen.Re = set.positive("Re", chosen.Re, "-", "Reynolds number U L / nu");
   const reference::Manufactured exact = chosen.exact();
   const PressureWith pressure = [exact](const Changes& by) -> PressureTruth {
@@ -143,8 +143,8 @@ Flow manufactured(Settings& set) {
   add_pressure(flow, pressure, {Cause::sound_speed});
   flow.judged.title = "Manufactured solution";
   flow.judged.description =
-      "An unsteady compressible flow in a periodic square that was chosen, and the body force that sustains it exactly: every "
-      "term of the equations takes part, for a viscous stress without volume viscosity.";
+      "A prescribed unsteady compressible flow in a periodic square, and the body force that sustains it exactly: "
+      "every term of the equations takes part; the viscous stress has no bulk viscosity.";
   flow.judged.times = {vnv::manufactured::end * chosen.L / chosen.U};
   return flow;
 }
@@ -189,8 +189,9 @@ Flow cavity(Settings& set) {
   flow.across = side;
   flow.judged.title = "Lid-driven cavity";
   flow.judged.description =
-      "The lid of a square box slides from t = 0, from wall to wall. When the flow is steady, velocities on both centrelines are "
-      "compared with the tables of Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed.";
+      "The lid of a square box slides from t = 0, at full speed over its whole length. When the flow is steady, "
+      "velocities on both centrelines are compared with the tables of Ghia, Ghia & Shin (1982), whose own errors are "
+      "up to 1 % of the lid's speed.";
   flow.judged.times = {end - last, end - last / 2, end};
   flow.judged.watch = kinetic_energy_every(output_interval * side / lid);
   flow.judged.plots = {lid_driven::work()};

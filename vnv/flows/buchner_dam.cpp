@@ -187,7 +187,8 @@ std::vector<Plot> beside_what_buchner_measured() {
     plots.push_back(
         over_time({id,
                    fmt::format("Water level at {}, {:g} m from the back wall", names[k], gauges[k]),
-                   "Ours as volume over width. Clocks as they are: that of the experiment is in doubt by 0.1.",
+                   "Ours as volume over width. Without time shift; the time origin of the experiment is uncertain by "
+                   "0.1.",
                    time,
                    {"h/H", 1, false, 0, 1.2}},
                   [k](const SeenByBuchner& seen) { return seen.levels[k]; },
@@ -195,9 +196,9 @@ std::vector<Plot> beside_what_buchner_measured() {
   }
   plots.push_back(over_time(
       {"pressure",
-       "Pressure in the far wall, 0.16 m above the floor",
-       "Mean over a height of 90 mm, ours sampled every ms. Clocks as they are: that of Buchner is in doubt by "
-       "0.3, that of Zhou, De Kat & Buchner by 0.1; both read one event.",
+       "Pressure on the far wall, 0.16 m above the floor",
+       "Mean over a height of 90 mm, ours sampled every ms. Without time shift; the time origin of Buchner is "
+       "uncertain by 0.3, that of Zhou, De Kat & Buchner by 0.1; both are read-outs of one event.",
        {"T_H = t sqrt(g/H)", 1, false, 2, 8},
        {"p/(rho g H)", 1, false, -0.2, 1.5}},
       [](const SeenByBuchner& seen) { return seen.pressure; },

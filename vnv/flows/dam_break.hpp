@@ -45,8 +45,8 @@ inline const WorkDiagram work{
     .id = "work",
     .title = "Work-precision diagram of the front",
     .caption =
-        "RMS of L over T in [1, 1.5], without time shift, front as 99.5th percentile of the water, over the CPU "
-        "seconds from rest to t = 0.5 s. No method models the gate of the experiment: a difference of a few "
+        "RMS error of L for T in [1, 1.5], without time shift, front as 99.5th percentile of the water, against the "
+        "CPU seconds from rest to t = 0.5 s. No method models the gate of the experiment: a difference of a few "
         "hundredths remains at any resolution.",
     .quantity = DamFront::rms_of_percentile,
     .targets = {}};

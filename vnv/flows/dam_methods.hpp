@@ -39,8 +39,8 @@ inline std::vector<Method> methods_with_friction(const Scene<Tait, Uniform>& sce
   std::vector<Method> all = methods_through_impact(scene, height, claims, validation);
   Method rough = mpm_apic(with_friction(scene, friction), sampled_every);
   rough.name = "mpm_apic_friction";
-  rough.description +=
-      fmt::format(" Skin friction of the walls, which a plane flow does not have, c_f = {:g}.", friction.coefficient);
+  rough.description += fmt::format(" With the skin friction of the walls, c_f = {:g}, which the plane flow leaves out.",
+                                   friction.coefficient);
   rough.levels = all.front().levels;
   rough.ladders = all.front().ladders;
   rough.tolerance = all.front().tolerance;

@@ -91,19 +91,20 @@ Plot ensemble_beside_repeats() {
         {id,
          "Pressure at P2: ensemble and repeats",
          "Median and percentiles 2.5 % and 97.5 % of starts that differ by a hundredth of a spacing, and of 100 repeats "
-         "of the experiment; each start's clock is set by its arrival, by 27 ms at most.",
+         "of the experiment; each start is shifted in time to the measured arrival, by 27 ms at most.",
          {"T_H = t sqrt(g/H)", 1, false, from, to},
          {"p/(rho g H)", 1, false, -0.5, 3}});
     Table table{
         "ensemble",
         "Ensemble and repeats of the experiment",
-        "Distance: the largest difference of both distribution functions at the three percentiles of the repeats; "
-        "p-value: how often as many starts from the distribution of the repeats would be as far, exactly.",
+        "Distance: the largest difference between the two distribution functions at the three percentiles of the "
+        "repeats; p-value: the exact probability that as many starts drawn from the distribution of the repeats would "
+        "be at least as far from it.",
         {"method", "quantity", "starts", "median", "2.5 to 97.5 %", "measured median", "measured 2.5 to 97.5 %",
          "distance", "p-value"},
         {}};
     Table whole{"ensemble_in_time",
-                "How much of the time the ensemble is where the experiment is",
+                "Agreement of the ensemble with the experiment over time",
                 "Over all starts.",
                 {"method", "quantity", "value"},
                 {}};

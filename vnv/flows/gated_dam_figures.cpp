@@ -42,8 +42,8 @@ Plot front_over_time() {
   return seen_over_time(
       {id,
        "Front over time",
-       "Distance from the gate over H, as a half-full slab of two spacings, clocks as they are: from the first "
-       "motion of the gate.",
+       "Distance from the gate over H, front as a half-full slab of two spacings, without time shift: time counts from "
+       "the first motion of the gate.",
        {"T_H = t sqrt(g/H)", 1, false, 0, 3},
        {"x/H", 1, false, 0, 3.5}},
       front, {curve(id, "Lobovský et al. 2014", Role::experiment, front(measured_300()), true)});
@@ -81,7 +81,8 @@ Plot pressures_over_time() {
     plots.push_back(seen_over_time(
         {id,
          fmt::format("Pressure at P{}, {:g} mm above the floor", k + 1, 1e3 * sensors[k]),
-         "Ours by an affine fit read at the wall, sampled every ms; clocks as they are, which are in doubt by 0.15.",
+         "Ours by an affine fit evaluated at the wall, sampled every ms; without time shift, though the time origins "
+         "are uncertain by 0.15.",
          {"T_H = t sqrt(g/H)", 1, false, 2, 8},
          {"p/(rho g H)", 1, false, -0.5, most[k]}},
         pressure, measured));
@@ -95,7 +96,8 @@ Plot energies_over_time() {
     record.figures.push_back(
         {id,
          "Energy over time",
-         "Of the water, less that of the same water flat in the tank, over what it loses until then.",
+         "Energy of the water, less that of the same water lying flat in the tank, relative to what it loses until it "
+         "does.",
          {"T_H = t sqrt(g/H)", 1, false, 0, until},
          {"energy over the fall", 1, false, 0, 1.1}});
     const Run* run = finest(results);
@@ -125,7 +127,7 @@ Plot particles_coloured_by_pressure(std::vector<std::string> methods, std::vecto
     snapshots(
         {"snapshots",
          "Particles, coloured by pressure",
-         "Of the finest level that ran: the front below the gate, at the wall, up it, and the wave that comes back. "
+         "Finest level that was run: the front below the gate, at the wall and running up it, and the returning wave. "
          "Isolines every 0.5 kPa.",
          {"x [m]", 1, false, 0, tank_length},
          {"y [m]", 1, false, 0, 1},

@@ -317,29 +317,29 @@ Plot validation_tables(const Experiment& experiment) {
     Table verdicts{
         "validation",
         "Validation after ASME V&V 20",
-        "D measured, S simulated, the median over the starts at the finest resolution; E = S - D; standard "
-        "uncertainties of numbers, inputs and data; u_val, the root of the sum of their squares. What is not known is blank and left "
-        "out of u_val.",
+        "D: measured; S: simulated, the median over the starts at the finest resolution; E = S - D; u_num, u_input, "
+        "u_D: standard uncertainties of the numerics, the inputs and the data; u_val: the root of the sum of their "
+        "squares. What is not known is blank and left out of u_val.",
         {"method", "observable", "verdict", "D", "S", "E", "u_val", "u_num", "u_input", "u_D"},
         {}};
     Table inputs{"inputs",
                  "Parts of the validation uncertainty",
-                 "Standard uncertainties of the observable: of u_num those by resolution, bulk modulus and number of "
-                 "starts, of u_input the two largest.",
+                 "Standard uncertainties of the observable: the parts of u_num due to resolution, bulk modulus and "
+                 "number of starts, and the two largest parts of u_input.",
                  {"method", "observable", "resolution", "modulus", "starts", "inputs", "rule of u_num", "basis of u_D"},
                  {}};
     Table planted{
         "planted",
         "Planted errors of the model, and skin friction",
-        "By how much the median moves, and whether that is noticed: more than 2 u_val. Skin friction of floor "
-        "and side walls, by its coefficient: the plane model leaves it out.",
+        "Change of the median, and whether it is noticed: more than 2 u_val. Skin friction of floor and side walls, by "
+        "its coefficient, is left out of the plane model.",
         {"method", "observable", "2 u_val"},
         {}};
     Table moves{
         "moves",
         "Convergence of the impact",
-        "By what fraction the median moves from the second finest grid to the finest, by a doubled bulk "
-        "modulus, and from the affine fit at the sensor to the mean over a patch. Converged: each by 10 % at most.",
+        "Relative change of the median from the second finest grid to the finest, by a doubled bulk modulus, and from "
+        "the affine fit at the sensor to the mean over a patch. Converged: each is at most 10 %.",
         {"method", "observable", "grid", "bulk modulus", "sensor operator", "verdict"},
         {}};
     const std::string& name = results.method.name;

@@ -78,14 +78,17 @@ Case beside_fronts(std::string title, std::string description, const DamFront& d
   declared.plots = {
       dam.history({"front",
                    "Front over time",
-                   "Half-full slab of two spacings, clocks as they are: those of the experiments are in doubt by 0.3.",
+                   "Front as a half-full slab of two spacings, without time shift; the time origins of the experiments "
+                   "are uncertain by 0.3.",
                    {"time T", 1, false, 0, 4},
                    {"front L", 1, false, 1, last}},
                   {}),
       dam.residual_heights(
           {"residual_height",
            "Residual height of the column",
-           "Mean over a tenth of its length at the back wall, clocks as they are. Late in runs of MPM it stays where one or two upright rows of particles are left there, each 10 spacings over l0.",
+           "Mean over a tenth of the column's length at the back wall, without time shift. Late in MPM runs it "
+           "stagnates where one or two upright rows of particles are left there, each of which fills 10 spacings / l0 "
+           "of that width.",
            {"time T", 1, false, 0, until},
            {"height over h0", 1, false, 0, 1.1}})};
   return declared;

@@ -43,9 +43,9 @@ Case in_several_views(const PlaneFlow<Force>& flow, double end) {
 
 /// What methods claim of the views, for the description of a case.
 inline const std::string claimed_of_views =
-    "The equations are invariant. A method claims what follows from its discretisation: every method the mirror image and the "
-    "renumbering; SPH, which has no grid, also Galilean invariance, except with the transport velocity, whose "
-    "drift carries momentum as seen in the rest frame. None is isotropic or independent of the lattice: there the "
-    "table shows the loss.";
+    "The equations are invariant. A method claims what follows from its discretisation: every method invariance under "
+    "reflection and renumbering; SPH, which has no grid, also Galilean invariance, except with the transport velocity, "
+    "whose drift carries momentum as seen in the rest frame. None is isotropic or independent of the lattice: for "
+    "these the table shows the loss of accuracy.";
 
 }  // namespace touchstone::vnv::square

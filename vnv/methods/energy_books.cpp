@@ -22,7 +22,7 @@ std::vector<double> parts_in(const EnergyBook& book) {
 /// The same method by a solver that keeps a book: make(level, time step) returns it and where its book is.
 template <class Make>
 Method with_book(Method method, const Make& make) {
-  method.description += " The solver is one that keeps a book of the energy, and is slower.";
+  method.description += " This version of the solver keeps an energy budget and is slower.";
   method.run = [make, own_step = method.time_step](const Level& level, Schedule when) {
     const auto book = std::make_shared<std::shared_ptr<const EnergyBook>>();
     when.watch.see = [book, see = when.watch.see](const Samples& samples) {

@@ -20,8 +20,8 @@ namespace touchstone::vnv {
 template <class AnyScene>
 Method keeping_courant_number(double courant, double Level::*length, double output_interval, const AnyScene& scene,
                               Simulation (*solver)(const AnyScene&, const Level&, double), Method method) {
-  method.description +=
-      fmt::format(" Acoustic Courant number {:g}, by the {}.", courant, length == &Level::cell ? "cell" : "spacing");
+  method.description += fmt::format(" Acoustic Courant number {:g}, based on the {}.", courant,
+                                    length == &Level::cell ? "cell" : "spacing");
   method.tolerance = stretched;
   return simulating(
       std::move(method),

@@ -16,7 +16,7 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
        .family = Family::sph,
        .description = fmt::format(
            "Smoothed particle hydrodynamics for free surfaces: {}, {}walls after Adami, Hu & Adams (2012), "
-           "Wendland's C2 kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, by h.",
+           "Wendland's C2 kernel with h = {:g} spacings, kick-drift-kick. Acoustic Courant number {:g}, based on h.",
            words, viscosity, choice.ratio, choice.courant),
        .tolerance = stretched,
        .relative_cost = 4},

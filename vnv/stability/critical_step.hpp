@@ -66,7 +66,7 @@ Plot limits_table(std::string title, std::string caption, std::string levels, st
 
 /// What most such tables have to say.
 inline const std::string words_of_limits =
-    "As acoustic Courant numbers, by cells of four particles in MPM and by spacings in SPH; growth is that of the "
-    "maximum particle speed per step at 1.05 times the largest stable step.";
+    "As acoustic Courant numbers, based on cells of four particles in MPM and on spacings in SPH; growth is that of "
+    "the maximum particle speed per step at 1.05 times the largest stable step.";
 
 }  // namespace touchstone::vnv
