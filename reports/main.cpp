@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
       for (const auto& line : written.missing) fmt::print(stderr, "touchstone_report: {}\n", line);
       return 0;
     }
-    const auto standing = touchstone::reports::make_site(
+    const auto status = touchstone::reports::make_site(
         records, site,
         {.history = history, .known_failures = known_failures, .faults = faults, .claims = claims, .whole = whole});
-    fmt::print("{}: {}\n", site, standing.sentence());
+    fmt::print("{}: {}\n", site, status.sentence());
     if (!attachments.empty() && std::getenv("DASHBOARD_TEST_FROM_CTEST"))
       fmt::print("{}", touchstone::reports::attach_figures(site, attachments));
-    return standing.passes() ? 0 : 1;
+    return status.passes() ? 0 : 1;
   } catch (const touchstone::programs::Interrupted& told) {
     fmt::print(stderr, "touchstone_report: {}\n", told.sentence());
     touchstone::programs::end_by(told.signal);

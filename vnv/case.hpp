@@ -124,7 +124,7 @@ struct Case {
   std::string title{};
   std::string description{};
   std::vector<double> times;  // s  rising
-  Watch watch{};
+  Monitor monitor{};
   std::vector<Measurement> measurements;
   std::vector<Finding> findings{};
   Repeats repeats{};                                                // in the suites that show cost: report and nightly

@@ -30,18 +30,18 @@ std::string method_entry(const vnv::Record& record) {
 }
 
 /// Whether all that fails in a case is known to.
-bool is_excused(const Tally& sum, const std::string& name, const Standing& standing) {
+bool is_excused(const Tally& sum, const std::string& name, const NightStatus& status) {
   const auto is_its = [&](const vnv::Verdict& v) { return v.case_name == name; };
-  return sum.fails > 0 && std::ranges::none_of(standing.unknown, is_its);
+  return sum.fails > 0 && std::ranges::none_of(status.unknown, is_its);
 }
 
-HtmlCell counts_cell(const Tally& sum, const std::string& name, const Standing& standing) {
+HtmlCell counts_cell(const Tally& sum, const std::string& name, const NightStatus& status) {
   if (sum.total() == 0) return {"no claim", word(sum.worst())};
-  if (is_excused(sum, name, standing)) return {counts(sum) + ", known", "known"};
+  if (is_excused(sum, name, status)) return {counts(sum) + ", known", "known"};
   return {counts(sum), word(sum.worst())};
 }
 
-std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing& standing) {
+std::string table_of_cases(const std::vector<CaseRecords>& cases, const NightStatus& status) {
   HtmlTable table{"Cases.",
                   "The smallest margin is the fraction of its limit that is left to the claim closest to it; beside "
                   "each method, how many of its claims hold.",
@@ -53,7 +53,7 @@ std::string table_of_cases(const std::vector<CaseRecords>& cases, const Standing
     const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
     table.rows.push_back(
         {words_cell(fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title()))),
-         counts_cell(sum, records.name, standing), has_margin ? margin_bar(sum.worst_margin) : "",
+         counts_cell(sum, records.name, status), has_margin ? margin_bar(sum.worst_margin) : "",
          words_cell("<div class=\"methods\">" + methods + "</div>")});
   }
   return to_html(table);
@@ -88,17 +88,17 @@ std::string environment(const std::vector<CaseRecords>& cases) {
 }
 
 /// The colour of the whole night.
-std::string kind_of_night(const Tally& sum, const Standing& standing) {
-  if (standing.reds() > 0) return "fails";
-  return standing.known.empty() ? word(sum.worst()) : "known";
+std::string kind_of_night(const Tally& sum, const NightStatus& status) {
+  if (status.red_count() > 0) return "fails";
+  return status.known.empty() ? word(sum.worst()) : "known";
 }
 
 /// What the list of known failures has to say of the count.
-std::string known_words(const Standing& standing) {
+std::string known_words(const NightStatus& status) {
   std::string words;
-  if (!standing.known.empty()) words += fmt::format(" {} known to fail.", standing.known.size());
-  if (!standing.unexpected_passes.empty())
-    words += fmt::format(" {} known to fail, but passed.", standing.unexpected_passes.size());
+  if (!status.known.empty()) words += fmt::format(" {} known to fail.", status.known.size());
+  if (!status.unexpected_passes.empty())
+    words += fmt::format(" {} known to fail, but passed.", status.unexpected_passes.size());
   return words;
 }
 
@@ -115,7 +115,7 @@ std::string work_link(const std::vector<CaseRecords>& cases) {
 }
 
 /// Red and amber, with ids and expiry dates; empty if nothing fails and nothing is known.
-std::string standing_html(const Standing& s) {
+std::string status_html(const NightStatus& s) {
   std::string red, amber;
   if (!s.claims.missing.empty()) red += fmt::format("<li>{}</li>\n", escape(s.claims.missing));
   for (const auto& verdict : s.unknown) red += fmt::format("<li>{}</li>\n", typeset(verdict.sentence));
@@ -147,7 +147,7 @@ std::string faults_link(const std::optional<FaultTrials>& faults) {
 
 }  // namespace
 
-std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend,
+std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus& status, bool has_trend,
                        const std::optional<FaultTrials>& faults) {
   const auto verdicts = verdicts_of(cases);
   const Tally sum = tally(verdicts);
@@ -158,8 +158,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const Standing& st
       "not a number never holds, and what cannot be decided is called inconclusive, not passed.</p>\n{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
-      kind_of_night(sum, standing), sentence(sum), known_words(standing), standing_html(standing),
-      list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, standing),
+      kind_of_night(sum, status), sentence(sum), known_words(status), status_html(status),
+      list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, status),
       verdicts_link + orders_link(cases) + work_link(cases) + (has_trend ? trend_link : "") + faults_link(faults),
       environment(cases));
   return html_page("Touchstone", "", body);

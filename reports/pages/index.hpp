@@ -11,7 +11,7 @@
 namespace touchstone::reports {
 
 /// With a history it leads to the trend, too, and with trials of faults to their page.
-std::string index_page(const std::vector<CaseRecords>& cases, const Standing& standing, bool has_trend,
+std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus& status, bool has_trend,
                        const std::optional<FaultTrials>& faults = {});
 
 }  // namespace touchstone::reports

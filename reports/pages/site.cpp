@@ -73,22 +73,22 @@ void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::p
 
 }  // namespace
 
-Standing make_site(const fs::path& records, const fs::path& site, const Memory& memory) {
+NightStatus make_site(const fs::path& records, const fs::path& site, const SiteInputs& inputs) {
   auto cases = read_cases(records);
   require_apart(records, "records", site);
   const auto known =
-      memory.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(memory.known_failures);
-  Standing tonight = standing(cases, known, date_of(cases));
-  if (!memory.claims.empty())
-    tonight.claims = claims_standing(cases, vnv::read_all_accepted_claims(memory.claims), memory.whole);
+      inputs.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(inputs.known_failures);
+  NightStatus tonight = night_status(cases, known, date_of(cases));
+  if (!inputs.claims.empty())
+    tonight.claims = claims_status(cases, vnv::read_all_accepted_claims(inputs.claims), inputs.whole);
   std::optional<FaultTrials> faults;
-  if (!memory.faults.empty()) faults = read_fault_trials(memory.faults);
+  if (!inputs.faults.empty()) faults = read_fault_trials(inputs.faults);
   std::optional<History> history;
-  if (!memory.history.empty()) {
-    require_apart(memory.history, "nights", site);
+  if (!inputs.history.empty()) {
+    require_apart(inputs.history, "nights", site);
     const Night night = night_of(cases);
-    write_night(night, memory.history);
-    history = read_history(memory.history, night.suite);
+    write_night(night, inputs.history);
+    history = read_history(inputs.history, night.suite);
     if (history->nights.empty())  // not even what was just written
       throw std::runtime_error(fmt::format("no night can be read: {}", fmt::join(history->refused, "; ")));
   }
@@ -115,7 +115,7 @@ Standing make_site(const fs::path& records, const fs::path& site, const Memory& 
     write_whole(staging.folder() / "work.csv", work_csv(cases));
   }
   if (history) write_trend(staging.folder(), *history, cases);
-  if (faults) write_faults(staging.folder(), *faults, memory.faults);
+  if (faults) write_faults(staging.folder(), *faults, inputs.faults);
   staging.publish();
   return tonight;
 }

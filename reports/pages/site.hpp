@@ -8,7 +8,7 @@
 namespace touchstone::reports {
 
 /// What a site may know beside the records of its night.
-struct Memory {
+struct SiteInputs {
   std::filesystem::path history{};         // folder of all nights, which this one joins; empty: no trend
   std::filesystem::path known_failures{};  // file; empty: none is known
   std::filesystem::path faults{};          // file of what try.py has found; empty: no page of it
@@ -21,6 +21,7 @@ struct Memory {
 /// Without gnuplot the tables are still written, and GnuplotMissing is thrown.
 /// Throws std::runtime_error if records, known failures or faults cannot be read, figures cannot be drawn or the site
 /// cannot be written, and programs::Interrupted if this program is asked to end.
-Standing make_site(const std::filesystem::path& records, const std::filesystem::path& site, const Memory& memory = {});
+NightStatus make_site(const std::filesystem::path& records, const std::filesystem::path& site,
+                      const SiteInputs& inputs = {});
 
 }  // namespace touchstone::reports

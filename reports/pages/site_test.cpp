@@ -237,9 +237,9 @@ TEST_F(Site, IsRedWithFewerClaimsThanAcceptedAndNotGreenWithoutAny) {
   accept(1);
   EXPECT_TRUE(make_site(records, site, {.claims = folder / "claims"}).passes());
   accept(2);
-  const Standing standing = make_site(records, site, {.claims = folder / "claims"});
-  EXPECT_FALSE(standing.passes());
-  EXPECT_TRUE(contains(standing.sentence(), "1 red: ")) << standing.sentence();
+  const NightStatus status = make_site(records, site, {.claims = folder / "claims"});
+  EXPECT_FALSE(status.passes());
+  EXPECT_TRUE(contains(status.sentence(), "1 red: ")) << status.sentence();
   EXPECT_TRUE(contains(page("index.html"), "<p class=\"sum fails\">"));
   EXPECT_TRUE(contains(page("index.html"), "1 claim fewer than accepted: poiseuille.mpm (1 of 2 literature)"));
   vnv::Record record = sample_record();

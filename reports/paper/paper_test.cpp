@@ -163,7 +163,7 @@ TEST_F(Export, IsCompiledByLaTeXWithinTheWidthOfItsText) {
       << cited << "\n\\bibliographystyle{plain}\n\\bibliography{literature}\n\\end{document}\n";
   const programs::Words latex_it{"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document"};
   for (const programs::Words& words : {latex_it, {"bibtex", "document"}, latex_it, latex_it, latex_it})
-    ASSERT_TRUE(programs::run_limited(words[0], words, paper, paper / "said.txt", {}).well()) << text("said.txt");
+    ASSERT_TRUE(programs::run_limited(words[0], words, paper, paper / "said.txt", {}).succeeded()) << text("said.txt");
   EXPECT_GT(fs::file_size(paper / "document.pdf"), 0u);
   std::istringstream log(text("document.log"));
   for (std::string line; std::getline(log, line);)

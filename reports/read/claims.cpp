@@ -57,32 +57,32 @@ Named more_among(const std::vector<CaseRecords>& cases, const vnv::AcceptedClaim
 
 }  // namespace
 
-ClaimsStanding claims_standing(const std::vector<CaseRecords>& cases, const vnv::AcceptedClaims& accepted, bool whole) {
+ClaimsStatus claims_status(const std::vector<CaseRecords>& cases, const vnv::AcceptedClaims& accepted, bool whole) {
   const std::string suite = cases.front().records.front().suite;
   std::vector<vnv::ClaimCount> rows = accepted.rows;
   std::erase_if(rows, [&](const vnv::ClaimCount& row) { return row.suite != suite; });
-  ClaimsStanding standing;
+  ClaimsStatus status;
   if (rows.empty()) {
     const auto is_ours = [](const CaseRecords& one) {
       return !std::ranges::all_of(one.records, &vnv::Record::another_code);
     };
     if (std::ranges::any_of(cases, is_ours))
-      standing.note = fmt::format(
+      status.note = fmt::format(
           "No claims of the suite {0} were accepted yet; accept them with: build/vnv/vnv accept CASE --suite {0} --claims RECORDS --reason \"...\"",
           suite);
-    return standing;
+    return status;
   }
   long not_run = 0;
   const Named missing = missing_among(cases, rows, whole, not_run), more = more_among(cases, accepted);
   if (missing.claims > 0)
-    standing.missing =
+    status.missing =
         fmt::format("{} fewer than accepted: {}", counted(missing.claims, "claim"), fmt::join(missing.names, ", "));
-  if (not_run > 0) standing.note = fmt::format("{} of {} accepted methods were not run. ", not_run, rows.size());
+  if (not_run > 0) status.note = fmt::format("{} of {} accepted methods were not run. ", not_run, rows.size());
   if (more.claims > 0)
-    standing.note += fmt::format(
+    status.note += fmt::format(
         "{} more than accepted: {}; accept them with: build/vnv/vnv accept CASE --suite {} --claims RECORDS --reason \"...\"",
         counted(more.claims, "claim"), fmt::join(more.names, ", "), suite);
-  return standing;
+  return status;
 }
 
 }  // namespace touchstone::reports

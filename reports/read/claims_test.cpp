@@ -22,38 +22,37 @@ const vnv::AcceptedClaims accepted{{},
                                     {"poiseuille", "mpm", "nightly", 0, 9, 0},
                                     {"poiseuille", "sph", "acceptance", 0, 3, 0}}};
 
-ClaimsStanding standing_of(const std::vector<vnv::Record>& records, bool whole) {
-  return claims_standing({{"poiseuille", records}}, accepted, whole);
+ClaimsStatus status_of(const std::vector<vnv::Record>& records, bool whole) {
+  return claims_status({{"poiseuille", records}}, accepted, whole);
 }
 
-TEST(AStandingOfClaims, NamesEachMethodThatMakesFewerThanAccepted) {
-  EXPECT_EQ(standing_of({record_of("mpm", 1), record_of("sph", 3)}, false).missing,
+TEST(AClaimsStatus, NamesEachMethodThatMakesFewerThanAccepted) {
+  EXPECT_EQ(status_of({record_of("mpm", 1), record_of("sph", 3)}, false).missing,
             "1 claim fewer than accepted: poiseuille.mpm (1 of 2 literature)");
 }
 
-TEST(AStandingOfClaims, MissesAMethodThatWasNotRunOnlyWhereAllWas) {
+TEST(AClaimsStatus, MissesAMethodThatWasNotRunOnlyWhereAllWas) {
   const std::vector records{record_of("mpm", 2)};
-  EXPECT_EQ(standing_of(records, true).missing,
-            "8 claims fewer than accepted: couette.mpm (all), poiseuille.sph (all)");
-  EXPECT_EQ(standing_of(records, false).missing, "");
-  EXPECT_EQ(standing_of(records, false).note, "2 of 3 accepted methods were not run. ");
+  EXPECT_EQ(status_of(records, true).missing, "8 claims fewer than accepted: couette.mpm (all), poiseuille.sph (all)");
+  EXPECT_EQ(status_of(records, false).missing, "");
+  EXPECT_EQ(status_of(records, false).note, "2 of 3 accepted methods were not run. ");
 }
 
-TEST(AStandingOfClaims, SaysWhatThereIsMoreAndIsNotRedForIt) {
-  const ClaimsStanding standing = standing_of({record_of("mpm", 3), record_of("new", 1)}, false);
-  EXPECT_EQ(standing.missing, "");
-  EXPECT_TRUE(contains(standing.note, "2 claims more than accepted: poiseuille.mpm (1), poiseuille.new (1)"))
-      << standing.note;
+TEST(AClaimsStatus, SaysWhatThereIsMoreAndIsNotRedForIt) {
+  const ClaimsStatus status = status_of({record_of("mpm", 3), record_of("new", 1)}, false);
+  EXPECT_EQ(status.missing, "");
+  EXPECT_TRUE(contains(status.note, "2 claims more than accepted: poiseuille.mpm (1), poiseuille.new (1)"))
+      << status.note;
 }
 
-TEST(AStandingOfClaims, CountsNoneWhereOneFails) {
+TEST(AClaimsStatus, CountsNoneWhereOneFails) {
   vnv::Record failing = record_of("mpm", 0);
   failing.verdicts = {sample_verdict(vnv::Outcome::fails, -1)};
-  EXPECT_EQ(standing_of({failing}, false).missing, "");
+  EXPECT_EQ(status_of({failing}, false).missing, "");
 }
 
-TEST(AStandingOfClaims, OfASuiteThatWasNeverAcceptedSaysSo) {
-  EXPECT_TRUE(contains(claims_standing({{"poiseuille", {record_of("mpm", 1)}}}, {}, true).note,
+TEST(AClaimsStatus, OfASuiteThatWasNeverAcceptedSaysSo) {
+  EXPECT_TRUE(contains(claims_status({{"poiseuille", {record_of("mpm", 1)}}}, {}, true).note,
                        "No claims of the suite acceptance were accepted yet"));
 }
 

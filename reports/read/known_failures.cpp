@@ -72,9 +72,9 @@ std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file)
   return all;
 }
 
-std::string Standing::sentence() const {
+std::string NightStatus::sentence() const {
   std::string text =
-      fmt::format("{} red: {}, {}; {} known", reds(), counted(std::ssize(unknown), "unknown or expired failure"),
+      fmt::format("{} red: {}, {}; {} known", red_count(), counted(std::ssize(unknown), "unknown or expired failure"),
                   counted(std::ssize(unexpected_passes), "unexpected pass"), known.size());
   if (inconclusive > 0) text += fmt::format("; {} inconclusive", inconclusive);
   for (const std::string& words : {claims.missing, claims.note})
@@ -82,9 +82,9 @@ std::string Standing::sentence() const {
   return text;
 }
 
-Standing standing(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
-                  const std::string& today) {
-  Standing result;
+NightStatus night_status(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
+                         const std::string& today) {
+  NightStatus result;
   std::vector<long> judged(known.size()), failed(known.size());
   for (const auto& verdict : verdicts_of(cases)) {
     const auto row = std::ranges::find_if(known, [&](const KnownFailure& k) { return k.covers(verdict); });

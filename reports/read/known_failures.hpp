@@ -33,24 +33,24 @@ std::vector<KnownFailure> read_known_failures(const std::filesystem::path& file)
 
 /// A night's failures beside those that are known. What is red: an unknown failure, one whose row has expired, a known
 /// one that passes, and claims fewer than accepted.
-struct Standing {
+struct NightStatus {
   std::vector<vnv::Verdict> unknown, known;
   std::vector<KnownFailure> of_known;  // beside each of `known`, its row
   std::vector<KnownFailure> expired;   // rows of what fails, and so is unknown again
   std::vector<KnownFailure> unexpected_passes;
-  ClaimsStanding claims{};
+  ClaimsStatus claims{};
   long judged = 0, inconclusive = 0;
 
-  std::size_t reds() const { return unknown.size() + unexpected_passes.size() + !claims.missing.empty(); }
+  std::size_t red_count() const { return unknown.size() + unexpected_passes.size() + !claims.missing.empty(); }
   /// Whether something was judged, and all of it holds or is known to fail.
-  bool passes() const { return reds() == 0 && inconclusive == 0 && judged > 0; }
+  bool passes() const { return red_count() == 0 && inconclusive == 0 && judged > 0; }
   /// "3 red: 2 failures unknown or expired, 1 unexpected pass; 4 known", and what there is to say of claims.
   std::string sentence() const;
 };
 
 /// A row passes unexpectedly if its claims were judged and none of them fails. A row of what this night does not judge
 /// says nothing.
-Standing standing(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
-                  const std::string& today);
+NightStatus night_status(const std::vector<CaseRecords>& cases, const std::vector<KnownFailure>& known,
+                         const std::string& today);
 
 }  // namespace touchstone::reports

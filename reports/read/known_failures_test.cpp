@@ -72,57 +72,58 @@ std::vector<CaseRecords> night_with(vnv::Outcome outcome) {
 }
 const std::string today = "2026-11-22T17:00:00Z";
 
-TEST(AStanding, IsAmberWhereTheFailureIsKnown) {
+TEST(ANightStatus, IsAmberWhereTheFailureIsKnown) {
   const auto cases = night_with(vnv::Outcome::fails);
-  const Standing found = standing(cases, {known()}, today);
-  EXPECT_EQ(found.reds(), 0u);
+  const NightStatus found = night_status(cases, {known()}, today);
+  EXPECT_EQ(found.red_count(), 0u);
   const std::string html = index_page(cases, found, false);
   EXPECT_TRUE(contains(html, "class=\"sum known\"")) << html;
   EXPECT_TRUE(contains(html, "known as drift until 2026-12-01: it drifts")) << html;
   EXPECT_TRUE(contains(html, "<td class=\"known\">1 of 1 fails, known")) << html;
 }
 
-TEST(AStanding, IsRedWhereTheFailureIsUnknown) {
+TEST(ANightStatus, IsRedWhereTheFailureIsUnknown) {
   const auto cases = night_with(vnv::Outcome::fails);
   for (const auto& rows : {std::vector<KnownFailure>{}, {KnownFailure{}}}) {
-    const Standing found = standing(cases, rows, today);
+    const NightStatus found = night_status(cases, rows, today);
     EXPECT_EQ(found.sentence(), "1 red: 1 unknown or expired failure, 0 unexpected passes; 0 known");
     EXPECT_TRUE(contains(index_page(cases, found, false), "class=\"sum fails\""));
   }
 }
 
-TEST(AStanding, IsRedWhereTheKnownFailureIsOfAnotherCaseMethodLevelOrQuantity) {
+TEST(ANightStatus, IsRedWhereTheKnownFailureIsOfAnotherCaseMethodLevelOrQuantity) {
   const auto cases = night_with(vnv::Outcome::fails);
   for (std::string KnownFailure::* part :
        {&KnownFailure::case_name, &KnownFailure::method, &KnownFailure::level, &KnownFailure::quantity})
     for (const char* other : {"another", ""}) {
       KnownFailure row = known();
       row.*part = other;
-      EXPECT_EQ(standing(cases, {row}, today).reds(), 1u) << row.case_name << row.method << row.level << row.quantity;
+      EXPECT_EQ(night_status(cases, {row}, today).red_count(), 1u)
+          << row.case_name << row.method << row.level << row.quantity;
     }
 }
 
-TEST(AStanding, IsRedWhereTheRowHasExpired) {
+TEST(ANightStatus, IsRedWhereTheRowHasExpired) {
   const auto cases = night_with(vnv::Outcome::fails);
-  EXPECT_EQ(standing(cases, {known("2026-11-22")}, today).reds(), 0u);
-  const Standing found = standing(cases, {known("2026-11-21")}, today);
-  EXPECT_EQ(found.reds(), 1u);
+  EXPECT_EQ(night_status(cases, {known("2026-11-22")}, today).red_count(), 0u);
+  const NightStatus found = night_status(cases, {known("2026-11-21")}, today);
+  EXPECT_EQ(found.red_count(), 1u);
   EXPECT_TRUE(contains(index_page(cases, found, false), "drift expired on 2026-11-21"));
 }
 
-TEST(AStanding, IsRedWhereAKnownFailurePasses) {
+TEST(ANightStatus, IsRedWhereAKnownFailurePasses) {
   const auto cases = night_with(vnv::Outcome::holds);
-  const Standing found = standing(cases, {known()}, today);
+  const NightStatus found = night_status(cases, {known()}, today);
   EXPECT_EQ(found.sentence(), "1 red: 0 unknown or expired failures, 1 unexpected pass; 0 known");
   const std::string html = index_page(cases, found, false);
   EXPECT_TRUE(contains(html, "unexpected pass of the known failure drift: remove it")) << html;
   EXPECT_TRUE(contains(html, "class=\"sum fails\"")) << html;
 }
 
-TEST(AStanding, SaysNothingOfWhatWasNotJudged) {
+TEST(ANightStatus, SaysNothingOfWhatWasNotJudged) {
   KnownFailure other = known();
   other.case_name = "couette";
-  EXPECT_EQ(standing(night_with(vnv::Outcome::holds), {other}, today).reds(), 0u);
+  EXPECT_EQ(night_status(night_with(vnv::Outcome::holds), {other}, today).red_count(), 0u);
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ void find_rates_by(const Terms& terms_of_method, Neighbourhood<Packed>& near, do
       near.fluid_near_fluid, near.seen,
       [terms = terms_of_method, mass = all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, mass);
-        const auto pull = terms.on(ij, slope);
-        return std::array{ij.continuity(), pull.x, pull.y};
+        const auto acceleration = terms.on(ij, slope);
+        return std::array{ij.continuity(), acceleration.x, acceleration.y};
       },
       [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data()](Index i, const std::array<double, 3>& sums) {
         if constexpr (of_density) drho[i] = sums[0];

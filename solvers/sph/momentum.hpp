@@ -57,9 +57,9 @@ template <class... Terms>
 struct Momentum {
   std::tuple<Terms...> terms;
 
-  /// The pull of all terms on a pair, whose slope is found on the way.
+  /// The acceleration by all terms, of a pair whose slope is found on the way.
   template <class Kernel, class Real>
-  Pull<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
+  Acceleration<Real> on(Pair<Real>& ij, const Slope<Kernel>& slope) const {
     constexpr std::size_t first = Slope<Kernel>::needs_reciprocal;
     std::array<Real, first + (0 + ... + int(Dividing<Terms, Real>))> divisors;
     if constexpr (first) divisors[0] = ij.r2;  // and not r: the division need not wait for the root
@@ -70,9 +70,9 @@ struct Momentum {
       ij.slope = slope(ij.r, Real(ij.r * per[0]));
     else
       ij.slope = slope(ij.r);
-    Pull<Real> sum;
+    Acceleration<Real> sum;
     next = first;
-    std::apply([&](const auto&... term) { ((sum += pull_of(term, ij, per, next)), ...); }, terms);
+    std::apply([&](const auto&... term) { ((sum += acceleration_of(term, ij, per, next)), ...); }, terms);
     return sum;
   }
 
@@ -83,10 +83,10 @@ struct Momentum {
     if constexpr (Dividing<Term, Real>) divisors[next++] = term.divisor(ij);
   }
   template <class Term, class Real, std::size_t count>
-  static Pull<Real> pull_of(const Term& term, const Pair<Real>& ij, const std::array<Real, count>& per,
-                            std::size_t& next) {
+  static Acceleration<Real> acceleration_of(const Term& term, const Pair<Real>& ij, const std::array<Real, count>& per,
+                                            std::size_t& next) {
     if constexpr (Dividing<Term, Real>)
-      return term.pull(ij, per[next++]);
+      return term.acceleration(ij, per[next++]);
     else
       return term(ij);
   }
@@ -111,12 +111,12 @@ auto pair_of(const I& i, const J& j, double mass) {
   const auto v_i = i.two(&Packed::vx), v_j = j.two(&Packed::vx);
   ij.vx = v_i[0] - v_j[0];
   ij.vy = v_i[1] - v_j[1];
-  const auto rho_push_i = i.two(&Packed::rho), rho_push_j = j.two(&Packed::rho);
-  ij.rho_i = rho_push_i[0], ij.push_i = rho_push_i[1];
-  ij.rho_j = rho_push_j[0], ij.push_j = rho_push_j[1];
-  const auto volume_p_i = i.two(&Packed::volume), volume_p_j = j.two(&Packed::volume);
-  ij.volume_i = volume_p_i[0], ij.p_i = volume_p_i[1];
-  ij.volume_j = volume_p_j[0], ij.p_j = volume_p_j[1];
+  const auto rho_and_p_over_rho2_i = i.two(&Packed::rho), rho_and_p_over_rho2_j = j.two(&Packed::rho);
+  ij.rho_i = rho_and_p_over_rho2_i[0], ij.p_over_rho2_i = rho_and_p_over_rho2_i[1];
+  ij.rho_j = rho_and_p_over_rho2_j[0], ij.p_over_rho2_j = rho_and_p_over_rho2_j[1];
+  const auto volume_and_p_i = i.two(&Packed::specific_volume), volume_and_p_j = j.two(&Packed::specific_volume);
+  ij.specific_volume_i = volume_and_p_i[0], ij.p_i = volume_and_p_i[1];
+  ij.specific_volume_j = volume_and_p_j[0], ij.p_j = volume_and_p_j[1];
   ij.mass = static_cast<Number<Real>>(mass);
   return ij;
 }

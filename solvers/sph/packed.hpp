@@ -39,16 +39,16 @@ struct Place<float> {
 template <class Number_>
 struct alignas(16) Packed : Place<Number_> {
   using Number = Number_;
-  Number vx, vy;     // m/s
-  Number rho, push;  // kg/m³; Pa m⁶/kg²  p / rho²
-  Number volume, p;  // m³/kg  1 / rho; Pa
+  Number vx, vy;              // m/s
+  Number rho, p_over_rho2;    // kg/m³; Pa m⁶/kg²  p / rho²
+  Number specific_volume, p;  // m³/kg  1 / rho; Pa
 
   void set_state(double density, double pressure) {
     const double per = 1 / density;
     rho = static_cast<Number>(density);
     p = static_cast<Number>(pressure);
-    volume = static_cast<Number>(per);
-    push = static_cast<Number>(pressure * per * per);
+    specific_volume = static_cast<Number>(per);
+    p_over_rho2 = static_cast<Number>(pressure * per * per);
   }
   void move(double at_vx, double at_vy) {
     vx = static_cast<Number>(at_vx);

@@ -81,8 +81,8 @@ TEST(Integrators, AgreeOnAFlowThatTheyResolve) {
   EXPECT_LT(gap(after_transport<AdamsBashforth>(200), after_transport<KickDriftKick>(200)), 2e-3);
 }
 
-TEST(Without, RestorationIsLeftOutAndNothingElse) {
-  using Left = Without<Restoration>;
+TEST(Without, DensityReinitialisationIsLeftOutAndNothingElse) {
+  using Left = Without<DensityReinitialisation>;
   expect_equal(after_printed<PredictorCorrector, double, Left>(29), after_printed(29));
   EXPECT_GT(gap(after_printed<PredictorCorrector, double, Left>(60), after_printed(60)), 0);
 }
@@ -96,19 +96,19 @@ TEST(Without, RepulsionIsLeftOutAndNothingElse) {
   EXPECT_GT(push(100), 0);
 }
 
-TEST(Without, VolumeKeepingIsLeftOutAndNothingElse) {
-  using Left = Without<VolumeKeeping>;
+TEST(Without, VolumeConstraintIsLeftOutAndNothingElse) {
+  using Left = Without<VolumeConstraint>;
   expect_equal(after_transport<KickDriftKick, double, Left>(29), after_transport(29));
   const auto volume = [](const Samples& samples) { return samples.volumes().sum() / (0.4 * mm * height) - 1; };
   EXPECT_NEAR(volume(after_transport(300)), 0, 1e-12);
   EXPECT_GT(std::abs(volume(after_transport<KickDriftKick, double, Left>(300))), 1e-12);
 }
 
-TEST(Without, SpreadingTakesTheMomentumOfDriftWithIt) {
-  expect_equal(after_transport<KickDriftKick, double, Without<Spreading>>(100),
-               after_transport<KickDriftKick, double, Without<Spreading, MomentumOfDrift>>(100));
-  EXPECT_GT(gap(after_transport<KickDriftKick, double, Without<Spreading>>(100), after_transport(100)), 0);
-  EXPECT_GT(gap(after_transport<KickDriftKick, double, Without<MomentumOfDrift>>(100), after_transport(100)), 0);
+TEST(Without, BackgroundPressureTakesTheDriftMomentumWithIt) {
+  expect_equal(after_transport<KickDriftKick, double, Without<BackgroundPressure>>(100),
+               after_transport<KickDriftKick, double, Without<BackgroundPressure, DriftMomentum>>(100));
+  EXPECT_GT(gap(after_transport<KickDriftKick, double, Without<BackgroundPressure>>(100), after_transport(100)), 0);
+  EXPECT_GT(gap(after_transport<KickDriftKick, double, Without<DriftMomentum>>(100), after_transport(100)), 0);
 }
 
 /// The channel with other walls.

@@ -213,20 +213,20 @@ TEST(Neighbours, TakeAllFieldsOfAParticleAlongWhenItIsSorted) {
 TEST(Neighbours, SumOverLanesEqualsAPlainLoop) {
   const Near near = disordered(channel, plates);
   const Particles& all = near.all;
-  const auto pull_of = terms();
+  const auto all_terms = terms();
   Scalars ax(all.fluid), ay(all.fluid);
   sum_over_neighbours<2>(
       near.fluid_near_fluid, near.seen,
       [&](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, all.mass);
-        const auto pull = pull_of.on(ij, Slope<CubicSpline>(h));
-        return std::array{pull.x, pull.y};
+        const auto acceleration = all_terms.on(ij, Slope<CubicSpline>(h));
+        return std::array{acceleration.x, acceleration.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { ax[i] = sums[0], ay[i] = sums[1]; });
   for (Index i = 0; i < all.fluid; ++i) {
-    Pull<double> plain;
+    Acceleration<double> plain;
     for (const int j : listed(near, i, 2 * h))
-      std::apply([&](const auto&... term) { ((plain += term(pair_at(near, i, j))), ...); }, pull_of.terms);
+      std::apply([&](const auto&... term) { ((plain += term(pair_at(near, i, j))), ...); }, all_terms.terms);
     EXPECT_NEAR(ax[i], plain.x, 1e-9 * std::abs(plain.x) + 1e-9);
     EXPECT_NEAR(ay[i], plain.y, 1e-9 * std::abs(plain.y) + 1e-9);
   }
@@ -238,7 +238,7 @@ void expect_action_equals_reaction(const Term& term) {
   double largest = 0;
   for (Index i = 0; i < near.all.fluid; ++i)
     for (const int j : listed(near, i, 2 * h)) {
-      const Pull<double> there = term(pair_at(near, i, j)), back = term(pair_at(near, j, i));
+      const Acceleration<double> there = term(pair_at(near, i, j)), back = term(pair_at(near, j, i));
       const double size = std::hypot(there.x, there.y);
       largest = std::max(largest, size);
       EXPECT_NEAR(there.x, -back.x, 1e-12 * size);
@@ -258,9 +258,9 @@ TEST(Terms, PressureDifferenceIsNoForceInAUniformPressure) {
   Near near = disordered({.box = box}, {});
   see(near, Scalars::Constant(near.all.fluid, 12345));
   for (const int j : listed(near, 40, 2 * h)) {
-    const Pull<double> pull = PressureDifference{}(pair_at(near, 40, j));
-    EXPECT_EQ(pull.x, 0);
-    EXPECT_EQ(pull.y, 0);
+    const Acceleration<double> acceleration = PressureDifference{}(pair_at(near, 40, j));
+    EXPECT_EQ(acceleration.x, 0);
+    EXPECT_EQ(acceleration.y, 0);
   }
 }
 
@@ -268,7 +268,7 @@ TEST(Terms, PressureDifferencePushesTowardsTheLowerPressure) {
   Pair<double> ij{};
   ij.x = spacing;  // i is to the right of j
   ij.slope = -1;
-  ij.volume_i = ij.volume_j = 1e-3;
+  ij.specific_volume_i = ij.specific_volume_j = 1e-3;
   ij.mass = 1;
   ij.p_j = 1;  // j presses
   EXPECT_GT(PressureDifference{}(ij).x, 0);
@@ -280,7 +280,9 @@ TEST(Terms, ViscosityTakesEnergyFromEveryPair) {
   const ArtificialViscosity artificial{.alpha = 0.01, .sound_speed = 1, .h = h};
   for (const int j : listed(near, 40, 2 * h)) {
     const Pair<double> ij = pair_at(near, 40, j);
-    const auto power = [&](const Pull<double>& pull) { return pull.x * ij.vx + pull.y * ij.vy; };
+    const auto power = [&](const Acceleration<double>& acceleration) {
+      return acceleration.x * ij.vx + acceleration.y * ij.vy;
+    };
     EXPECT_LT(power(laminar(ij)), 0);
     EXPECT_LE(power(artificial(ij)), 0);
   }
@@ -354,7 +356,7 @@ TEST(RestoreDensity, KeepsAConstantDensityAlsoAtASurface) {
   near.all.rho = 1000;
   near.all.mass = 1000 * spacing * spacing;
   see(near, Scalars::Zero(near.all.fluid));
-  restore_density<CubicSpline>(near, h);
+  reinitialise_density<CubicSpline>(near, h);
   EXPECT_NEAR(near.all.rho.minCoeff(), 1000, 1e-9);
   EXPECT_NEAR(near.all.rho.maxCoeff(), 1000, 1e-9);
 }
@@ -364,7 +366,7 @@ TEST(RestoreDensity, IsTheMassAroundOverItsVolumeTheParticleItselfIncluded) {
   Near near = disordered(free, {});
   const Scalars rho = near.all.rho;
   const Listed around = all_within(near, free, 2 * h, 0, near.all.fluid, 0, near.all.fluid);
-  restore_density<CubicSpline>(near, h);
+  reinitialise_density<CubicSpline>(near, h);
   for (Index i = 0; i < near.all.fluid; ++i) {
     double mass = CubicSpline::w(0.0), volume = CubicSpline::w(0.0) / rho[i];
     for (const Index j : around.at(i)) {
@@ -444,8 +446,8 @@ Vectors accelerations() {
       lists, seen,
       [&, terms = terms()](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, all.mass);
-        const auto pull = terms.on(ij, Slope<CubicSpline>(h));
-        return std::array{pull.x, pull.y};
+        const auto acceleration = terms.on(ij, Slope<CubicSpline>(h));
+        return std::array{acceleration.x, acceleration.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { a.col(i) = Vec2(sums[0], sums[1]); });
   return a;
@@ -466,9 +468,10 @@ void expect_lanes_to_hold_fields() {
   using Field = Number Packed::*;
   std::vector<Packed> seen(2 * width);
   Number next = 0;
-  const std::array<Field, 6> firsts{&Packed::vx,          &Packed::rho,  &Packed::volume,
+  const std::array<Field, 6> firsts{&Packed::vx,          &Packed::rho,  &Packed::specific_volume,
                                     &Packed::rho_along_x, &Packed::l_xx, &Packed::l_yy},
-      seconds{&Packed::vy, &Packed::push, &Packed::p, &Packed::rho_along_y, &Packed::l_xy, &Packed::fullness};
+      seconds{&Packed::vy,          &Packed::p_over_rho2, &Packed::p,
+              &Packed::rho_along_y, &Packed::l_xy,        &Packed::least_eigenvalue};
   for (Packed& of : seen) {
     of.stand_at(next, -next);
     for (const auto& fields : {firsts, seconds})

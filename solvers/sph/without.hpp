@@ -6,11 +6,11 @@
 
 namespace touchstone::sph {
 
-struct Restoration {};      // printed: density restored every 30 steps (29), (30)
-struct Repulsion {};        // printed: particles on the walls that push
-struct VolumeKeeping {};    // transport velocity: the particles' volumes add up to that of the fluid
-struct Spreading {};        // transport velocity: the background pressure, and with it all drift
-struct MomentumOfDrift {};  // transport velocity: what the drift of particles carries of momentum
+struct DensityReinitialisation {};  // printed: density reinitialised every 30 steps (29), (30)
+struct Repulsion {};                // printed: particles on the walls that push
+struct VolumeConstraint {};         // transport velocity: the particles' volumes add up to that of the fluid
+struct BackgroundPressure {};       // transport velocity: the background pressure, and with it all drift
+struct DriftMomentum {};            // transport velocity: what the drift of particles carries of momentum
 
 template <class... Parts>
 struct Without {

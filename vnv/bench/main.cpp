@@ -39,7 +39,7 @@ struct Formulation {
 constexpr Formulation mpm_work{.flops = 46 + 55, .bytes = 8.0 * (8 + 5 + 8), .state = 8.0 * 8};
 
 /// SPH as printed, two right-hand sides a step, 20 pairs a particle: differences of place and velocity 4, r² 3, kernel
-/// slope 11, approach and continuity 6, pressure 6, laminar viscosity 9, and one more to add up; one root, two
+/// slope 11, v · r and continuity 6, pressure 6, laminar viscosity 9, and one more to add up; one root, two
 /// divisions. Seven numbers of each neighbour and its index are read.
 constexpr Formulation sph_work{.flops = 2 * 20 * 40, .bytes = 2 * 20 * (8.0 * 7 + 4), .state = 8.0 * 7 + 20 * 4};
 

@@ -74,8 +74,8 @@ Case vnv::the_case() {
                {.spacing = cell, .report = 0.5, .nightly = 0.5},
                {sph_variant(unabridged, mean_pressure, artificial),
                 sph_variant("without artificial viscosity", mean_pressure),
-                sph_variant<sph::Without<sph::Restoration>>("without Shepard density reinitialisation", mean_pressure,
-                                                            artificial),
+                sph_variant<sph::Without<sph::DensityReinitialisation>>("without Shepard density reinitialisation",
+                                                                        mean_pressure, artificial),
                 sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure, artificial),
                 sph_variant(viscosity_of_water, mean_pressure, artificial, laminar)})};
   declared.plots = {ablation_table(front.rms, {viscosity_of_water})};

@@ -89,7 +89,7 @@ Case vnv::the_case() {
           "with one ingredient at a time removed or added. Errors are those of the front before the impact and of the "
           "pressure at P2 after it; the largest stable step is found by bisection over the first 1000 steps.",
       .times = {end},
-      .watch = monitored,
+      .monitor = monitored,
       .measurements = {[](const Level& at, const Run& run) { return compared(filled_300, at, run); }},
       .methods = {ablation({.name = "mpm_apic",
                             .description = "Material point method on quadratic B-splines, APIC, affine densities.",

@@ -52,7 +52,7 @@ Variant printed_variant(std::string name, Terms... terms) {
 }
 
 /// The regularised method with these terms, and without what `Left` names.
-template <class Left = sph::Without<sph::MomentumOfDrift>, class... Terms>
+template <class Left = sph::Without<sph::DriftMomentum>, class... Terms>
 Variant regularised_variant(std::string name, Terms... terms) {
   return variant(std::move(name), 4 * dt, search, [=](const Level& level, double step) {
     return sph::transport_velocity<sph::QuinticSpline, KickDriftKick, double, Left>(
@@ -101,8 +101,8 @@ Case vnv::the_case() {
                             printed_variant("without artificial viscosity", mean_pressure, laminar),
                             printed_variant("without laminar viscosity", mean_pressure, artificial),
                             printed_variant("without pressure", laminar, artificial),
-                            printed_variant<sph::Without<sph::Restoration>>("without Shepard density reinitialisation",
-                                                                            mean_pressure, laminar, artificial),
+                            printed_variant<sph::Without<sph::DensityReinitialisation>>(
+                                "without Shepard density reinitialisation", mean_pressure, laminar, artificial),
                             printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure,
                                                                           laminar, artificial),
                             printed_variant("differences of pressure", difference, laminar, artificial)}),
@@ -113,9 +113,9 @@ Case vnv::the_case() {
                            {regularised_variant(unabridged, sph::PressureDifference{}, morris),
                             regularised_variant("without pressure", morris),
                             regularised_variant("without laminar viscosity", sph::PressureDifference{}),
-                            regularised_variant<sph::Without<sph::VolumeKeeping, sph::MomentumOfDrift>>(
+                            regularised_variant<sph::Without<sph::VolumeConstraint, sph::DriftMomentum>>(
                                 "without volume constraint", sph::PressureDifference{}, morris),
-                            regularised_variant<sph::Without<sph::Spreading, sph::MomentumOfDrift>>(
+                            regularised_variant<sph::Without<sph::BackgroundPressure, sph::DriftMomentum>>(
                                 "without background pressure", sph::PressureDifference{}, morris),
                             regularised_variant<sph::Without<>>(with_momentum, sph::PressureDifference{}, morris),
                             regularised_variant("conservative pressure", sph::Pressure{}, morris)})},

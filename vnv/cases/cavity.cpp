@@ -119,7 +119,7 @@ Case vnv::the_case() {
            "printed and transport-velocity SPH are left out: within 0.4 s the lid drives one of their particles "
            "through the downstream wall.",
        .times = {flows.front().end},
-       .watch = kinetic_energy_every(output_interval),
+       .monitor = kinetic_energy_every(output_interval),
        .measurements = {against_tables},
        .findings = {unsteadiness(0, 3)},
        .methods = {in_cavity(affine, coarse_levels, within(6, flows[0].at(24), first_measured)),

@@ -51,7 +51,7 @@ std::map<std::string, std::vector<Claim>> claims() {
         order_between(spacing_ladder, l2_rows, -0.6, 0,
                       theory("the error grows: the lattice is elastic at any spacing"))
             .at(1)
-            .over(3)}},
+            .with_at_least_levels(3)}},
       {"sph_regularised",
        {at_most(l2, 0.2, baseline("the regularised method is required to stay within 0.2 %")).on("S1").at(1),
         at_most(l2, 0.2, baseline("the same at 10 s")).on("S1").at(10)}}};

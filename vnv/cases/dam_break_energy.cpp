@@ -1,7 +1,7 @@
 /// Where the energy of a dam break goes: what each part of a method adds to it, found from its own forces in each step.
 
 #include "vnv/flows/gated_dam.hpp"
-#include "vnv/methods/energy_books.hpp"
+#include "vnv/methods/energy_budgets.hpp"
 #include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ const Quantity residual{"largest energy that no part accounts for, over the fall
                         Better::smaller};
 
 double percent_of_fall(const Run& run, std::size_t row, std::size_t column) {
-  return 100 * run.history.seen[row][column] / filled_300.fall();
+  return 100 * run.history.values[row][column] / filled_300.fall();
 }
 
 /// At the end, of each part, in percent of the fall.
@@ -37,9 +37,9 @@ std::vector<Value> at_end(const Results& results, const Record&) {
     };
     for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
       add(over_fall(parts_of_energy[part]),
-          percent_of_fall(run, run.history.seen.size() - 1, energies_monitored + part));
+          percent_of_fall(run, run.history.values.size() - 1, energies_monitored + part));
     double largest = 0;
-    for (const std::vector<double>& seen : run.history.seen) largest = std::max(largest, std::abs(seen[unaccounted]));
+    for (const std::vector<double>& row : run.history.values) largest = std::max(largest, std::abs(row[unaccounted]));
     add(residual, largest / filled_300.fall());
     add(energy_made, largest_rise_of_energy(run, 0, filled_300.fall()));
   }
@@ -91,12 +91,12 @@ void draw(const Results& results, Record& record) {
   const Run& run = results.runs.back();
   const auto curve = [&](const std::string& figure, const std::string& label, const auto& of) {
     Curve found{figure, label, Role::ours, run.history.time, {}, false};
-    for (const std::vector<double>& seen : run.history.seen) found.y.push_back(100 * of(seen) / fall);
+    for (const std::vector<double>& row : run.history.values) found.y.push_back(100 * of(row) / fall);
     record.curves.push_back(std::move(found));
   };
-  const auto sum = [](const std::vector<double>& seen) {
+  const auto sum = [](const std::vector<double>& row) {
     double all = 0;
-    for (std::size_t part = energies_monitored; part < seen.size(); ++part) all += seen[part];
+    for (std::size_t part = energies_monitored; part < row.size(); ++part) all += row[part];
     return all;
   };
   curve("lost", fmt::format("{} {}", name, run.summary.level), sum);
@@ -108,15 +108,15 @@ void draw(const Results& results, Record& record) {
        time,
        {"energy added over the fall [%]", 1}});
   for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
-    if (std::ranges::any_of(run.history.seen,
-                            [&](const auto& seen) { return std::abs(seen[energies_monitored + part]) > 1e-4 * fall; }))
+    if (std::ranges::any_of(run.history.values,
+                            [&](const auto& row) { return std::abs(row[energies_monitored + part]) > 1e-4 * fall; }))
       curve(id, parts_of_energy[part].name.substr(std::string("energy by ").size()),
-            [&](const auto& seen) { return seen[energies_monitored + part]; });
+            [&](const auto& row) { return row[energies_monitored + part]; });
 }
 
 std::vector<Method> methods() {
   std::vector<Method> all;
-  for (const Method& method : methods_with_books(scene, sampled_every)) {
+  for (const Method& method : methods_with_energy_budget(scene, sampled_every)) {
     all.push_back(with_ladder(levels_across(filled_300.height, {{20, 0, end_of_impact, end_of_impact}}), method));
     std::vector<Claim>& claims = all.back().claims;
     if (!method.as_printed)
@@ -141,13 +141,13 @@ Case vnv::the_case() {
           "diffusion of density, transfers between particles and nodes, shifting. Together they equal the change of "
           "the energy, up to rounding.",
       .times = {end_of_impact},
-      .watch = {.every = sampled_every,
-                .see =
-                    [](const Samples& samples) {
-                      const auto parts = energies(samples, scene.fluid, filled_300.gravity);
-                      return std::vector<double>(parts.begin(), parts.end());
-                    },
-                .quantities = quantities},
+      .monitor = {.interval = sampled_every,
+                  .evaluate =
+                      [](const Samples& samples) {
+                        const auto parts = energies(samples, scene.fluid, filled_300.gravity);
+                        return std::vector<double>(parts.begin(), parts.end());
+                      },
+                  .quantities = quantities},
       .measurements = {},
       .findings = {at_end},
       .claims = {at_most(residual, 1e-10, theory("work is force times displacement, in each step"))},

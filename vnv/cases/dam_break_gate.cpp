@@ -1,5 +1,5 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, with its gate, through the impact on the far wall to
-/// 2 s: front, levels and wall pressures beside the experiment's, and the books of the energy.
+/// 2 s: front, levels and wall pressures beside the experiment's, and the energy budget.
 
 #include "vnv/flows/dam_methods.hpp"
 #include "vnv/flows/gated_dam_figures.hpp"
@@ -33,7 +33,7 @@ Case vnv::the_case() {
           "pressures at four sensors are compared with those measured, in units of H and sqrt(H/g), until 2 s. After "
           "the impact the flow is chaotic: `splash` judges ensembles of it.",
       .times = {0.2, 0.42, 0.7, 1.1, end_of_impact},
-      .watch = monitored,
+      .monitor = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
       .methods = methods_with_friction(collapse(filled_300), filled_300.height, friction, claims(), end_of_impact),

@@ -29,7 +29,7 @@ Case vnv::the_case() {
           "et al. (2014), which is drawn up at 4.53 m/s; `dam_break` is the same column without the gate. The front is "
           "compared with the measured one for T from 0.2 to 1.5, and the run has to survive the impact, to 2 s.",
       .times = {end_of_impact},
-      .watch = monitored,
+      .monitor = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_600, level, run); }},
       .claims = {at_most(energy_made, 0.01, theory("gravity is the only source of energy"))},
       .methods = methods_with_friction(collapse(filled_600), filled_600.height, friction, claims(), end_of_impact)};

@@ -78,7 +78,7 @@ Method from_all_starts(const std::vector<Starts>& all_starts, bool with_gate, bo
     Scene<Tait, Uniform> scene = with_gate ? column.scene : without_gates(column.scene);
     scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(member.start)](
                              const Vectors& lattice) { return disturbed(lattice, by, seed); };
-    when.watch.see = [&](const Samples& samples) {
+    when.monitor.evaluate = [&](const Samples& samples) {
       std::vector<double> parts;
       for (const double energy : energies(samples, scene.fluid, -scene.body_force.per_mass.y()))
         parts.push_back(energy / column.fall);
@@ -191,10 +191,10 @@ Case vnv::the_case() {
           "of the spacing. No run may diverge, lose a particle or gain energy; the methods as printed may, but claims "
           "limit how early and by how much.",
       .times = {end_of_impact},
-      .watch = {.every = sampled_every,
-                .quantities = {{"kinetic energy over the fall"},
-                               {"potential energy over the fall"},
-                               {"elastic energy over the fall"}}},
+      .monitor = {.interval = sampled_every,
+                  .quantities = {{"kinetic energy over the fall"},
+                                 {"potential energy over the fall"},
+                                 {"elastic energy over the fall"}}},
       .measurements = {},
       .findings = {of_all_runs},
       .methods = methods(),

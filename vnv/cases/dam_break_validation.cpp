@@ -21,7 +21,7 @@ Case vnv::the_case() {
           "observable is agreement within 2 u_val, a model error of E ± 2 u_val, or that the uncertainty is too large "
           "to judge.",
       .times = {with_300.end},
-      .watch = monitored,
+      .monitor = monitored,
       .measurements = {},
       .findings = {validation_values(with_300), ensemble_values},
       .claims = {at_least(planted_noticed, 5, baseline("each moves the level in the reservoir by more than 2 u_val")),

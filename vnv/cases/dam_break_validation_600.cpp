@@ -16,7 +16,7 @@ Case vnv::the_case() {
           "is compared with the measured one by the procedure of ASME V&V 20-2009, as in `dam_break_validation` for "
           "the column half as high.",
       .times = {with_600.end},
-      .watch = monitored,
+      .monitor = monitored,
       .measurements = {},
       .findings = {validation_values(with_600)},
       .claims = {at_most(model_errors, 0, baseline("none when first measured"))},

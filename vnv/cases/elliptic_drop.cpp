@@ -18,7 +18,8 @@ std::map<std::string, std::vector<Claim>> claims() {
   const Claim holds_its_shape =
       at_most(axes_error, 0.5, baseline("half-axes within 0.5 % are expected until the length has doubled"));
   const Claim converges =
-      order_at_least(ladder_across, axes_error, 1, 0.75, theory("the free surface is resolved to one cell")).over(4);
+      order_at_least(ladder_across, axes_error, 1, 0.75, theory("the free surface is resolved to one cell"))
+          .with_at_least_levels(4);
   return {{"mpm_affine", {holds_its_shape, converges}},
           {"mpm_apic", {holds_its_shape}},
           {"sph_corrected", {holds_its_shape}}};
@@ -36,7 +37,7 @@ Case vnv::the_case() {
           "differential equation (Monaghan 1994). After 0.8 s it is twice as long as at the start. The Mach number is "
           "1/60.",
       .times = {0.2, 0.4, 0.6, end},
-      .watch = monitored_axes(),
+      .monitor = monitored_axes(),
       .measurements = {error_of_axes, velocity_errors(velocity_of(exact)), error_of_pressure(exact)},
       .methods = with_ladder(levels, methods_on(scene()), claims()),
       .plots = {over_time("length", "Major half-axis over time", "From the second moments of the particles.",

@@ -43,8 +43,8 @@ Case vnv::the_case() {
           "the equilibrium of Tait's law; each row of particles starts at the height at which it has its equilibrium "
           "column of water above it. Any motion is spurious.",
       .times = {settled, 2, end},
-      .watch = monitored(g),
-      .measurements = {norms_of("p, per particle", pressures, pressure_at), unrest(depth)},
+      .monitor = monitored(g),
+      .measurements = {norms_of("p, per particle", pressures, pressure_at), spurious_motion(depth)},
       .methods = {with_ladder(levels, printed(scene)), with_ladder(levels, affine(scene), claims()),
                   with_ladder(coarser, apic(scene), claims()), with_ladder(coarser, xpic(scene), claims()),
                   with_ladder(coarser, printed_sph(scene)), with_ladder(levels, delta(scene), claims(rearranges()))},

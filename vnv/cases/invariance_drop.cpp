@@ -38,6 +38,6 @@ Case vnv::the_case() {
       "disturbed lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
       "reflection and renumbering; SPH, which has no grid, also Galilean invariance. Rotated, the drop is not "
       "stretched along rows of particles.";
-  declared.watch = monitored_axes();
+  declared.monitor = monitored_axes();
   return declared;
 }

@@ -37,7 +37,7 @@ const Quantity steps_taken{"steps completed", "", Kind::count},
     energy_change{"relative change of kinetic energy", "%", Kind::invariant},
     momentum_change{"relative change of angular momentum", "%", Kind::invariant};
 
-enum Seen { energy, momentum, hidden, closest };
+enum Column { energy, momentum, hidden, closest };
 
 /// Kinetic energy [J/m], angular momentum [kg m/s], fraction of hidden motion, closest pair in spacings.
 std::vector<double> monitored(const Samples& s) {
@@ -45,14 +45,14 @@ std::vector<double> monitored(const Samples& s) {
 }
 
 std::vector<Value> drifts(const Level& level, const Run& run) {
-  const auto& seen = run.history.seen;
+  const auto& rows = run.history.values;
   const Value steps{level.name, level.spacing, run.summary.end_time, steps_taken, double(run.summary.cost.steps)};
-  if (!run.summary.finished || seen.empty()) return {steps};
-  const auto change = [&](Seen what) { return 100 * (seen.back()[what] / seen.front()[what] - 1); };
-  double most_hidden = 0, closest_ever = seen.front()[closest];
-  for (const std::vector<double>& at : seen) {
-    most_hidden = std::max(most_hidden, 100 * at[hidden]);
-    closest_ever = std::min(closest_ever, at[closest]);
+  if (!run.summary.finished || rows.empty()) return {steps};
+  const auto change = [&](Column what) { return 100 * (rows.back()[what] / rows.front()[what] - 1); };
+  double most_hidden = 0, closest_ever = rows.front()[closest];
+  for (const std::vector<double>& row : rows) {
+    most_hidden = std::max(most_hidden, 100 * row[hidden]);
+    closest_ever = std::min(closest_ever, row[closest]);
   }
   const auto value_of = [&](const Quantity& quantity, double value) {
     return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
@@ -102,12 +102,12 @@ Case vnv::the_case() {
           "of the particle-to-grid transfer of a material point method, is measured as the residual of a linear fit "
           "around each particle. SPH particles that pair come closer than half a spacing.",
       .times = {},
-      .watch = {.every = 0.05,
-                .see = monitored,
-                .quantities = {{"kinetic energy", "J/m"},
-                               {"angular momentum", "kg m/s"},
-                               {"fraction of hidden motion"},
-                               {"closest pair over spacing"}}},
+      .monitor = {.interval = 0.05,
+                  .evaluate = monitored,
+                  .quantities = {{"kinetic energy", "J/m"},
+                                 {"angular momentum", "kg m/s"},
+                                 {"fraction of hidden motion"},
+                                 {"closest pair over spacing"}}},
       .measurements = {drifts},
       .methods = {for_long(mpm_as_printed(scene, output_interval, 0.4), {gains_nothing}),
                   for_long(mpm_affine(scene, output_interval, 0.4), {gains_nothing, keeps_turning(0.1)}),

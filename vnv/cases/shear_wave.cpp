@@ -24,7 +24,7 @@ const std::vector<Level> finer_levels = levels_across(
     side, {{64, early, 0, end}, {88, early, 0, early}, {128, 0, 0, early}, {176, 0, 0, early}, {256, 0, 0, early}});
 
 Claim of_second_order(const std::string& words) {
-  return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory(words)).at(early).over(5);
+  return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory(words)).at(early).with_at_least_levels(5);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Case vnv::the_case() {
            "Reynolds number 100, Mach number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: "
            "pressure and density stay uniform, and the wave decays by viscosity alone.",
        .times = {early, end},
-       .watch = kinetic_energy_every(0.02),
+       .monitor = kinetic_energy_every(0.02),
        .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
                    with_ladder(levels, mpm_gimp(scene, output_interval),

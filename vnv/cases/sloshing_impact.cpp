@@ -35,7 +35,7 @@ const Scene<Tait, Rolling> scene{
 
 /// At the level of the water at rest in the wall that is hit first [Pa]; the sensor's diameter is that of Lobovský et
 /// al. (2014), of the same laboratory.
-std::vector<double> see(const Samples& samples) {
+std::vector<double> pressure_at_wall(const Samples& samples) {
   Samples mirrored = samples;
   mirrored.x.row(0) = length - samples.x.row(0).array();
   return {fitted_wall_pressure(mirrored, {length, depth, 4.2e-3}, std::sqrt(samples.mass.maxCoeff() / density))};
@@ -48,16 +48,16 @@ Quantity peak(std::size_t k) { return {fmt::format("peak {} of the pressure", k 
 /// later each.
 std::vector<Value> peaks_of(const Level& level, const Run& run) {
   const auto& history = run.history;
-  const auto begun = std::ranges::find_if(history.seen, [](const auto& seen) { return seen[0] > 500; });
-  if (!run.summary.finished || begun == history.seen.end()) return {};
-  const double first = history.time[static_cast<std::size_t>(begun - history.seen.begin())];
+  const auto begun = std::ranges::find_if(history.values, [](const auto& row) { return row[0] > 500; });
+  if (!run.summary.finished || begun == history.values.end()) return {};
+  const double first = history.time[static_cast<std::size_t>(begun - history.values.begin())];
   std::vector<Value> found;
   for (std::size_t k = 0; k < peaks; ++k) {
     double most = 0;
     for (std::size_t i = 0; i < history.time.size(); ++i)
       if (const double since = history.time[i] - first - static_cast<double>(k) * period;
           since > -0.1 * period && since < 0.4 * period)
-        most = std::max(most, history.seen[i][0]);
+        most = std::max(most, history.values[i][0]);
     found.push_back({level.name, level.spacing, end, peak(k), most});
   }
   return found;
@@ -137,7 +137,9 @@ Case vnv::the_case() {
           "hundredth of the spacing, and the peaks of all are compared with those of 100 repeats. Neither the air nor "
           "the gap of 62 mm between the walls is modelled, so agreement is claimed only within a band.",
       .times = {1.4, 2.25, end},
-      .watch = {.every = output_interval, .see = see, .quantities = {{"pressure at the wall", "Pa"}}},
+      .monitor = {.interval = output_interval,
+                  .evaluate = pressure_at_wall,
+                  .quantities = {{"pressure at the wall", "Pa"}}},
       .measurements = {peaks_of},
       .findings = {count_within},
       .claims = {at_least(within_repeats, 3, baseline("of four peaks; what one repeat shows, another does not"))},

@@ -30,7 +30,7 @@
 #include "vnv/flows/channel.hpp"
 #include "vnv/flows/manufactured.hpp"
 #include "vnv/record/record.hpp"
-#include "vnv/run/soundness.hpp"
+#include "vnv/run/state_check.hpp"
 
 #include <optional>
 #include <thread>
@@ -192,13 +192,13 @@ const Quantity monitor_cost{"time of a monitor sample over that of the steps bet
 auto time_the_monitor(Simulation (*solver)(const Scene<Newtonian, Uniform>&, const Level&, double)) {
   return [=](const Level& level, const Schedule&) {
     Simulation simulation = solver(bench::channel(), level, channel_step);
-    const Soundness soundness(simulation.medium(), simulation.samples());
+    const StateCheck state_check(simulation.medium(), simulation.samples());
     const auto step = [&] {
-      for (long k = 0; k < steps_between_looks; ++k) simulation.step();
+      for (long k = 0; k < steps_between_checks; ++k) simulation.step();
     };
-    const auto sample = [&] { soundness.require(simulation.samples(), simulation.steps()); };
+    const auto sample = [&] { state_check.require(simulation.samples(), simulation.steps()); };
     const Times times = time_in_turn({sample, step});
-    Run run = run_of(simulation, times.of(1) / steps_between_looks);
+    Run run = run_of(simulation, times.of(1) / steps_between_checks);
     run.add(monitor_cost, 100 * times.ratio(0, 1));
     run.add(spread, 100 * times.spread(0, 1));
     return run;

@@ -39,14 +39,14 @@ std::vector<double> monitored(const Samples& s) {
 double seen_at(const Run& run, Column column, double time) {
   const auto after = std::ranges::upper_bound(run.history.time, time * (1 + 1e-9));
   const auto row = std::distance(run.history.time.begin(), after) - 1;
-  return run.history.seen[static_cast<std::size_t>(row)][column];
+  return run.history.values[static_cast<std::size_t>(row)][column];
 }
 
 /// When the front comes within a cell of the far wall, between two samples [s]; infinite if it never does.
 double arrival(const Run& run) {
   const double there = tank_length - cell;
   for (std::size_t k = 1; k < run.history.time.size(); ++k) {
-    const double before = run.history.seen[k - 1][front], now = run.history.seen[k][front];
+    const double before = run.history.values[k - 1][front], now = run.history.values[k][front];
     if (now > there) return std::lerp(run.history.time[k - 1], run.history.time[k], (there - before) / (now - before));
   }
   return INFINITY;
@@ -57,7 +57,7 @@ const Quantity most_energy{"maximum kinetic energy over the column's initial pot
 
 double highest(const Run& run, Column column) {
   double most = 0;
-  for (const std::vector<double>& seen : run.history.seen) most = std::max(most, seen[column]);
+  for (const std::vector<double>& row : run.history.values) most = std::max(most, row[column]);
   return most;
 }
 
@@ -124,13 +124,13 @@ Case vnv::the_case() {
           "is compared with the last accepted one: the hypothesis of equal distributions must not be rejected by the Anderson-"
           "Darling test at a significance level of 1e-4.",
       .times = {end},
-      .watch = {.every = 0.02,
-                .see = monitored,
-                .quantities = {{"front", "m"},
-                               {"kinetic energy over initial potential energy"},
-                               {"mean level, left quarter", "m"},
-                               {"mean level, right quarter", "m"},
-                               {"run-up at the far wall", "m"}}},
+      .monitor = {.interval = 0.02,
+                  .evaluate = monitored,
+                  .quantities = {{"front", "m"},
+                                 {"kinetic energy over initial potential energy"},
+                                 {"mean level, left quarter", "m"},
+                                 {"mean level, right quarter", "m"},
+                                 {"run-up at the far wall", "m"}}},
       .measurements = {numbers_of},
       .findings = {count_ended},
       .claims = {at_most(most_energy, 1, theory("gravity is the only source of energy")),

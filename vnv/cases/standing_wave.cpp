@@ -15,9 +15,9 @@ constexpr double end = 4;  // s
 const std::vector<Level> levels = levels_across(L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
 
 /// From so many particles to a wave on.
-std::vector<Claim> swings_right(const std::vector<std::string>& names) {
+std::vector<Claim> period_and_decay_agree(const std::vector<std::string>& names) {
   std::vector<Claim> all;
-  for (const std::string& level : names) all.insert(all.end(), {swings_in_time.on(level), fades.on(level)});
+  for (const std::string& level : names) all.insert(all.end(), {period_agrees.on(level), decay_agrees.on(level)});
   return all;
 }
 
@@ -27,9 +27,9 @@ std::vector<Claim> swings_right(const std::vector<std::string>& names) {
 std::vector<Method> methods_up_levels() {
   Level at_night = levels[0];
   at_night.acceptance = 0;
-  std::vector<Method> methods = with_ladder(
-      levels, methods_on(scene),
-      {{"mpm_affine", swings_right({"100 across", "150 across"})}, {"sph_delta", swings_right({"50 across"})}});
+  std::vector<Method> methods = with_ladder(levels, methods_on(scene),
+                                            {{"mpm_affine", period_and_decay_agree({"100 across", "150 across"})},
+                                             {"sph_delta", period_and_decay_agree({"50 across"})}});
   for (Method& method : methods)
     if (method.name == "mpm_xpic")
       method = with_ladder({at_night}, method, method.claims);
@@ -51,8 +51,8 @@ Case vnv::the_case() {
           "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
           "damped oscillation fitted to the first moment of the particle heights.",
       .times = {end},
-      .watch = monitored(L),
-      .measurements = {errors_of_swing(exact)},
+      .monitor = monitored(L),
+      .measurements = {errors_of_oscillation(exact)},
       .methods = methods_up_levels(),
       .plots = {over_time("swing", "First moment of the particle heights",
                           "Mass times height times the cosine of the wave, summed over all particles.",

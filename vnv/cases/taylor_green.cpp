@@ -13,7 +13,7 @@ namespace {
 /// Of the methods of second order: how energy decays and, once the flow has begun to tear the lattice, the order.
 /// Levels stand close to each other, since the error of a method that remeshes or spreads particles falls unevenly.
 std::vector<Claim> claims_of_second_order(const Claim& order) {
-  std::vector<Claim> claims = {order.at(early).over(6)};
+  std::vector<Claim> claims = {order.at(early).with_at_least_levels(6)};
   for (const auto& [level, limit] : {std::pair("50 across", 1.0), std::pair("100 across", 0.3)})
     claims.push_back(between(decay_error, -limit, limit, baseline("goal for " + std::string(level))).on(level).at(end));
   return claims;

@@ -22,10 +22,10 @@ Baselines accepted_of(const Description& one) { return read_baselines(one.baseli
 /// Whether the program accepted; it refuses where a claim of theory or literature fails, and within a test.
 bool accept_one(const Build& build, const AcceptOptions& options, const Chosen& one) {
   const Baselines before = accepted_of(*one.of);
-  const programs::Heard heard = programs::run_and_hear(
+  const programs::CapturedOutput captured = programs::run_and_capture(
       build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}));
-  if (!heard.ending.well()) {
-    fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), heard.complaint());
+  if (!captured.ending.succeeded()) {
+    fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), captured.complaint());
     return false;
   }
   const std::vector<Change> found = changes(before, accepted_of(*one.of));

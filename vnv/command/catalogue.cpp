@@ -26,10 +26,10 @@ std::vector<std::string> case_names(const Build& build) {
 }
 
 Description described_by(const Words& call) {
-  const programs::Heard heard = programs::run_and_hear(call);
+  const programs::CapturedOutput captured = programs::run_and_capture(call);
   const std::string source = fmt::format("{}", fmt::join(call, " "));
-  if (!heard.ending.well()) throw std::runtime_error(fmt::format("{}: {}", source, heard.complaint()));
-  return description_in(heard.output, source);
+  if (!captured.ending.succeeded()) throw std::runtime_error(fmt::format("{}: {}", source, captured.complaint()));
+  return description_in(captured.output, source);
 }
 
 /// By name, as the cases of the list are.

@@ -167,11 +167,11 @@ class Elsewhere : public Engine {
       const auto found = waiting_.find(entry.path().filename());
       if (found == waiting_.end()) continue;
       const Job& job = *found->second;
-      const std::optional<Fate> fate = ended_elsewhere(options_.records, job.name, job.key);
-      if (!fate) continue;
+      const std::optional<JobResult> result = ended_elsewhere(options_.records, job.name, job.key);
+      if (!result) continue;
       waiting_.erase(found);
       line_.clear();
-      listener.ended(job, *fate);
+      listener.ended(job, *result);
     }
   }
 
@@ -273,10 +273,10 @@ class Slurm : public Elsewhere {
                fmt::format("--time={:.0f}", std::ceil(wall / 60)),
                fmt::format("--output={}", (folder_ / (name + ".%a.txt")).string())};
     asks.insert(asks.end(), needs.begin(), needs.end());
-    const programs::Heard heard = programs::run_and_hear(
+    const programs::CapturedOutput captured = programs::run_and_capture(
         sbatch(asks, fmt::format("exec sh {}.$SLURM_ARRAY_TASK_ID.sh", programs::quoted((folder_ / name).string()))));
-    if (!heard.ending.well()) throw std::runtime_error(fmt::format("sbatch: {}", heard.complaint()));
-    arrays_.push_back(heard.output.substr(0, heard.output.find_first_of(";\n")));
+    if (!captured.ending.succeeded()) throw std::runtime_error(fmt::format("sbatch: {}", captured.complaint()));
+    arrays_.push_back(captured.output.substr(0, captured.output.find_first_of(";\n")));
     for (std::size_t k = 0; k < elements.size(); ++k)
       for (const Job& job : elements[k]) places_.emplace(job.name, Place{arrays_.back(), k});
   }
@@ -299,15 +299,16 @@ class Slurm : public Elsewhere {
 
   std::string why_lost(const Job& job) override {
     const Place& place = places_.at(job.name);
-    const programs::Heard heard = programs::run_and_hear({"squeue", "--noheader", "--states=all", "--format=%T %N",
-                                                          fmt::format("--jobs={}_{}", place.array, place.element)});
-    std::istringstream said(heard.output);
+    const programs::CapturedOutput captured =
+        programs::run_and_capture({"squeue", "--noheader", "--states=all", "--format=%T %N",
+                                   fmt::format("--jobs={}_{}", place.array, place.element)});
+    std::istringstream said(captured.output);
     std::string state = "unknown state", node = "unknown node";
     said >> state >> node;
     return fmt::format("lost by job {}_{}: {} on {}", place.array, place.element, state, node);
   }
 
-  void cancel() override { programs::run_and_hear({"scancel", "--me", "--name", job_name()}); }
+  void cancel() override { programs::run_and_capture({"scancel", "--me", "--name", job_name()}); }
 
   std::vector<std::string> arrays_;      // ids
   std::map<std::string, Place> places_;  // by name of the job
@@ -315,7 +316,7 @@ class Slurm : public Elsewhere {
 
 }  // namespace
 
-std::string Fate::sentence() const { return Ran::sentence() + (host.empty() ? "" : " on " + host); }
+std::string JobResult::sentence() const { return ProcessResult::sentence() + (host.empty() ? "" : " on " + host); }
 
 std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
   if (!options.hosts.empty() && options.engine != "parallel")
@@ -325,19 +326,19 @@ std::unique_ptr<Engine> make_engine(const EngineOptions& options) {
   return std::make_unique<Local>(options);
 }
 
-std::optional<Fate> ended_elsewhere(const fs::path& records, const std::string& name, const std::string& key) {
+std::optional<JobResult> ended_elsewhere(const fs::path& records, const std::string& name, const std::string& key) {
   std::ifstream file(ended_file(records, name));
   std::string of, host;
   int status = 0;
   double seconds = 0;
   if (!(file >> of >> status >> seconds >> host) || of != key) return std::nullopt;
   constexpr int was_ended = 124, died = 128;  // of timeout(1), of a shell
-  Fate fate{{}, host};
+  JobResult result{{}, host};
   if (status == was_ended)
-    fate.stopped = fmt::format("took longer than {:g} s", seconds);
+    result.stopped = fmt::format("took longer than {:g} s", seconds);
   else
-    fate.ending = status > died ? programs::Ending{.signal = status - died} : programs::Ending{.status = status};
-  return fate;
+    result.ending = status > died ? programs::Ending{.signal = status - died} : programs::Ending{.status = status};
+  return result;
 }
 
 void forget_ended(const fs::path& records, const std::string& name) { fs::remove(ended_file(records, name)); }

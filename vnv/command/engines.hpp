@@ -36,7 +36,7 @@ struct Job {
 };
 
 /// How the program of a job ended, and where.
-struct Fate : programs::Ran {
+struct JobResult : programs::ProcessResult {
   std::string host{};  // empty: here
 
   /// "was killed by signal 9 (Killed) on n2"
@@ -48,7 +48,7 @@ class Engine {
   /// Called once for each job; `begins` only by an engine that knows when.
   struct Listener {
     std::function<void(const Job&)> begins;
-    std::function<void(const Job&, const Fate&)> ended;
+    std::function<void(const Job&, const JobResult&)> ended;
   };
 
   virtual ~Engine() = default;
@@ -70,8 +70,8 @@ inline const std::vector<std::string> engines{"local", "parallel", "slurm"};
 std::unique_ptr<Engine> make_engine(const EngineOptions& options);
 
 /// How a job ended that ran elsewhere, also for a run that was killed before it heard of it; nothing if it has not.
-std::optional<Fate> ended_elsewhere(const std::filesystem::path& records, const std::string& name,
-                                    const std::string& key);
+std::optional<JobResult> ended_elsewhere(const std::filesystem::path& records, const std::string& name,
+                                         const std::string& key);
 void forget_ended(const std::filesystem::path& records, const std::string& name);
 
 /// How long a job may take [s] and how much memory [bytes], by what it took last: five times and a minute more, twice

@@ -25,16 +25,17 @@ class AnEngineElsewhere : public testing::Test {
     std::map<std::string, std::string> ended;
     make_engine({.engine = "parallel", .records = scratch_.path()})
         ->run(jobs, {.begins = [](const Job&) {},
-                     .ended = [&](const Job& one, const Fate& fate) { ended[one.name] = fate.sentence(); }});
+                     .ended = [&](const Job& one, const JobResult& result) { ended[one.name] = result.sentence(); }});
     return ended;
   }
 
   void SetUp() override {
-    if (!programs::run_and_hear({"sh", "-c", "command -v parallel"}).ending.well()) GTEST_SKIP() << "no GNU parallel";
+    if (!programs::run_and_capture({"sh", "-c", "command -v parallel"}).ending.succeeded())
+      GTEST_SKIP() << "no GNU parallel";
   }
 
   const programs::ScratchFolder scratch_;
-  const std::string here_ = " on " + programs::run_and_hear({"sh", "-c", "printf %s \"$(uname -n)\""}).output;
+  const std::string here_ = " on " + programs::run_and_capture({"sh", "-c", "printf %s \"$(uname -n)\""}).output;
 };
 
 TEST_F(AnEngineElsewhere, SaysHowEachEndedAndWhere) {
@@ -74,9 +75,9 @@ TEST_F(AnEngineElsewhere, GivesNoMoreMemoryThanTheLimit) {
 
 TEST_F(AnEngineElsewhere, LeavesHowAJobEndedForWhoComesLater) {
   run({job("a.b", "exit 1")});
-  const std::optional<Fate> fate = ended_elsewhere(scratch_.path(), "a.b", "suite-1");
-  ASSERT_TRUE(fate);
-  EXPECT_EQ(fate->ending.status, 1);
+  const std::optional<JobResult> result = ended_elsewhere(scratch_.path(), "a.b", "suite-1");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->ending.status, 1);
   EXPECT_FALSE(ended_elsewhere(scratch_.path(), "a.b", "suite-2")) << "of another program";
   forget_ended(scratch_.path(), "a.b");
   EXPECT_FALSE(ended_elsewhere(scratch_.path(), "a.b", "suite-1"));

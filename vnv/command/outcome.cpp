@@ -51,21 +51,21 @@ MethodOutcome outcome_in(const Record& record) {
   return outcome;
 }
 
-MethodOutcome outcome_of(const std::string& name, const Fate& fate, const std::filesystem::path& record,
+MethodOutcome outcome_of(const std::string& name, const JobResult& result, const std::filesystem::path& record,
                          const std::filesystem::path& log) {
   const bool is_written = std::filesystem::exists(record);
   MethodOutcome outcome = is_written ? outcome_in(read_record(record)) : MethodOutcome{};
-  if (!fate.well() && outcome.failures.empty())
+  if (!result.succeeded() && outcome.failures.empty())
     outcome.failures.push_back(
-        fmt::format("{}: its program {}{}; {}", name, fate.sentence(), complaint_in(log, name), where(log)));
+        fmt::format("{}: its program {}{}; {}", name, result.sentence(), complaint_in(log, name), where(log)));
   else if (!is_written)
     outcome.failures.push_back(fmt::format("{}: its program wrote no record; {}", name, where(log)));
   return outcome;
 }
 
-bool is_conclusive(const MethodOutcome& outcome, const Fate& fate) {
-  return fate.stopped.empty() && fate.ending.signal == 0 && outcome.is_of_method && outcome.judged > 0 &&
-         (fate.ending.status == 0) == (outcome.held == outcome.judged);
+bool is_conclusive(const MethodOutcome& outcome, const JobResult& result) {
+  return result.stopped.empty() && result.ending.signal == 0 && outcome.is_of_method && outcome.judged > 0 &&
+         (result.ending.status == 0) == (outcome.held == outcome.judged);
 }
 
 }  // namespace touchstone::vnv::command

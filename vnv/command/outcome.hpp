@@ -22,10 +22,10 @@ MethodOutcome outcome_in(const Record& record);
 
 /// Of a program that has just ended, and the record it was to write. A program that did not end by itself, that wrote
 /// no record, or that failed although no claim did, is a failure of its own; `log` is where it said why, and is quoted.
-MethodOutcome outcome_of(const std::string& name, const Fate& fate, const std::filesystem::path& record,
+MethodOutcome outcome_of(const std::string& name, const JobResult& result, const std::filesystem::path& record,
                          const std::filesystem::path& log);
 
 /// Whether another run would give the same: then the method need not run again.
-bool is_conclusive(const MethodOutcome& outcome, const Fate& fate);
+bool is_conclusive(const MethodOutcome& outcome, const JobResult& result);
 
 }  // namespace touchstone::vnv::command

@@ -28,7 +28,7 @@ class AnOutcome : public testing::Test {
 
   const programs::ScratchFolder scratch_;
   const fs::path folder_ = scratch_.path();
-  const Fate well_{}, failed_{{.ending = {.status = 1}}}, killed_{{.ending = {.signal = 9}}};
+  const JobResult succeeded_{}, failed_{{.ending = {.status = 1}}}, killed_{{.ending = {.signal = 9}}};
 };
 
 TEST_F(AnOutcome, CountsWhatHoldsAndQuotesWhatDoesNot) {
@@ -82,9 +82,9 @@ TEST_F(AnOutcome, ThatMayBeTheMachinesIsTriedAgain) {
 }
 
 TEST_F(AnOutcome, WithoutARecordIsAFailure) {
-  const MethodOutcome outcome = outcome_of("small.mpm", well_, folder_ / "none.json", "log");
+  const MethodOutcome outcome = outcome_of("small.mpm", succeeded_, folder_ / "none.json", "log");
   EXPECT_EQ(outcome.failures.size(), 1u);
-  EXPECT_FALSE(is_conclusive(outcome, well_));
+  EXPECT_FALSE(is_conclusive(outcome, succeeded_));
 }
 
 TEST(CostOfAMethod, IsInTheResourceThatItsRunsOccupied) {

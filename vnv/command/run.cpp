@@ -68,8 +68,9 @@ class Judging {
     for (const Chosen& one : methods)
       if (options_.again || !was_done(one)) todo.push_back(job_of(one));
     make_engine(options_.where)
-        ->run(std::move(todo), {.begins = [&](const Job& job) { begin(job); },
-                                .ended = [&](const Job& job, const Fate& fate) { end(job.name, fate, false); }});
+        ->run(std::move(todo),
+              {.begins = [&](const Job& job) { begin(job); },
+               .ended = [&](const Job& job, const JobResult& result) { end(job.name, result, false); }});
   }
 
  private:
@@ -88,8 +89,8 @@ class Judging {
     const std::string name = one.name();
     const Inputs& inputs = inputs_of(one);
     if (!is_done(records(), name, inputs)) {
-      const std::optional<Fate> fate = ended_elsewhere(records(), name, key_of(inputs));
-      return fate && end(name, *fate, true);
+      const std::optional<JobResult> result = ended_elsewhere(records(), name, key_of(inputs));
+      return result && end(name, *result, true);
     }
     const fs::path record = record_file(records(), name);
     files::remove_what_the_killed_left(record);
@@ -115,10 +116,10 @@ class Judging {
   }
 
   /// Whether that is how it ends; a former run's is only if another would give the same.
-  bool end(const std::string& name, const Fate& fate, bool is_former) {
+  bool end(const std::string& name, const JobResult& result, bool is_former) {
     const MethodOutcome outcome =
-        outcome_of(name, fate, record_file(records(), name), records() / "logs" / (name + ".txt"));
-    const bool is_final = is_conclusive(outcome, fate);
+        outcome_of(name, result, record_file(records(), name), records() / "logs" / (name + ".txt"));
+    const bool is_final = is_conclusive(outcome, result);
     if (is_final) set_done(records(), name, inputs_.at(name));
     if (is_final || !is_former) add(sum_, name, outcome, is_former);
     return is_final;

@@ -254,10 +254,10 @@ TEST_F(Doors, SeeWhatAPatchLoses) {
   const Judgement kept = judged("rotating_patch", {changed(flow, 0, slower(0)), changed(flow, 1, slower(0))}),
                   lost =
                       judged("rotating_patch", {changed(flow, 0, slower(0), 40), changed(flow, 1, slower(0.02), 40)});
-  for (const Quantity& quantity : {patch::drift, patch::torque, patch::loss, patch::skew})
+  for (const Quantity& quantity : {patch::drift, patch::angular_momentum_error, patch::loss, patch::asymmetry})
     EXPECT_NEAR(value_of(kept, quantity), 0, 1e-9) << quantity.name;
-  EXPECT_NEAR(value_of(lost, patch::torque), 2, 1e-9);
-  EXPECT_EQ(outcome_of(lost, patch::torque), Outcome::fails);
+  EXPECT_NEAR(value_of(lost, patch::angular_momentum_error), 2, 1e-9);
+  EXPECT_EQ(outcome_of(lost, patch::angular_momentum_error), Outcome::fails);
   EXPECT_EQ(outcome_of(lost, patch::drift), Outcome::holds);
 }
 

@@ -88,7 +88,7 @@ std::string Flow::title() const {
 
 Claim is_consistent(const Quantity& quantity) {
   return order_at_least(ladder_of_files, quantity, 0.9, 0.5, theory("a consistent method is of first order at least"))
-      .over(3);
+      .with_at_least_levels(3);
 }
 
 std::vector<std::string> flow_names() {
@@ -105,7 +105,7 @@ Flow flow_named(const std::string& name, Settings settings) {
   flow.name = name;
   flow.parameters = settings.all_of(name);
   std::ranges::transform(flow.judged.times, flow.judged.times.begin(), as_meant);
-  flow.judged.watch.every = as_meant(flow.judged.watch.every);
+  flow.judged.monitor.interval = as_meant(flow.judged.monitor.interval);
   return flow;
 }
 

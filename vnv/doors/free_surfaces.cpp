@@ -27,7 +27,7 @@ Flow hydrostatic(Settings& set) {
       "Water rests under gravity between a bottom wall and a free surface, periodic along x. The oracle is the equilibrium of "
       "Tait's law. Any motion is spurious.";
   flow.judged.times = {settled, 2, 10};
-  flow.judged.watch = monitored(water.g);
+  flow.judged.monitor = monitored(water.g);
   flow.judged.claims = {is_consistent(l2_p)};
   flow.of_resolved = {
       at_most(displacement, 1, theory("water at rest stays at rest; a surface is resolved to half a spacing"))};
@@ -43,7 +43,7 @@ Flow hydrostatic(Settings& set) {
                    };
                  }}};
   flow.measured = {{{"pressure"}, norms_of("p, per particle", pressures, pressure_of(water.exact()))},
-                   {{"velocity"}, unrest(water.depth), Span{0, settled, 3}, "rest"}};
+                   {{"velocity"}, spurious_motion(water.depth), Span{0, settled, 3}, "rest"}};
   return flow;
 }
 
@@ -67,12 +67,12 @@ Flow standing_wave(Settings& set) {
       "Water starts at rest with a cosine-shaped surface and oscillates. The oracle is the linear wave (Lamb 1932): "
       "period from the dispersion relation, decay rate 2 nu k² from the potential flow over a free-slip floor. Both "
       "are compared with those of the damped oscillation fitted to the first moment of the particle heights over time.";
-  flow.judged.watch = monitored(wave.L);
-  flow.judged.watch.every *= scale;
+  flow.judged.monitor = monitored(wave.L);
+  flow.judged.monitor.interval *= scale;
   flow.judged.times = {4 * scale};  // five periods
-  flow.of_resolved = {swings_in_time, fades};
+  flow.of_resolved = {period_agrees, decay_agrees};
   flow.resolved = 100;
-  flow.measured = {{{}, errors_of_swing(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"}};
+  flow.measured = {{{}, errors_of_oscillation(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"}};
   return flow;
 }
 
@@ -94,8 +94,8 @@ Flow elliptic_drop(Settings& set) {
       "A circular drop of an inviscid fluid starts with a uniform strain rate; no force acts on it. It stays an "
       "ellipse, whose half-axes and pressure follow from an ordinary differential equation (Monaghan 1994).";
   flow.judged.times = {until / 4, until / 2, 3 * until / 4, until};
-  flow.judged.watch = monitored_axes();
-  flow.judged.watch.every /= strain;
+  flow.judged.monitor = monitored_axes();
+  flow.judged.monitor.interval /= strain;
   flow.judged.claims = {is_consistent(axes_error)};
   flow.exact = {{.field = "velocity",
                  .norms = {l2_velocity.name, linf_velocity.name},
@@ -123,14 +123,14 @@ Flow rotating_patch(Settings& set) {
       "A square patch of an inviscid fluid starts in rigid rotation, with a free surface all around (Colagrossi 2005). Momentum, "
       "angular momentum and the symmetry of a square are conserved; kinetic energy too, in the incompressible limit.";
   flow.judged.times = {0.5 / spin, 1 / spin};
-  flow.judged.watch = monitored(side);
-  flow.judged.watch.every /= spin;
+  flow.judged.monitor = monitored(side);
+  flow.judged.monitor.interval /= spin;
   flow.judged.claims = {at_most(drift, 1e-6, theory("no external force; files in single precision")),
-                        between(skew, -1, 1, theory("fourfold symmetry"))};
-  flow.of_resolved = {at_most(torque, 1, theory("no external torque"))};
+                        between(asymmetry, -1, 1, theory("fourfold symmetry"))};
+  flow.of_resolved = {at_most(angular_momentum_error, 1, theory("no external torque"))};
   flow.resolved = 40;
   flow.measured = {{{"velocity"},
-                    what_is_not_kept(patch, [](const Level&) { return true; }),
+                    conservation_errors(patch, [](const Level&) { return true; }),
                     Span{0, 1 / spin, 2},
                     "what is conserved"},
                    {{"pressure"}, roughness_of_pressure(patch)},
@@ -167,8 +167,8 @@ Flow dam_break(Settings& set) {
       "and l0 / 2, Martin & Moyce (1952), h0 = l0 and 2 l0, Koshizuka & Oka (1995), h0 = 2 l0; and Ritter's bound "
       "dL/dT = 2. The position of a front depends on its definition: five definitions are used.";
   flow.judged.times = {0.32 * scale, 0.41 * scale, 0.46 * scale, 0.5 * scale};
-  flow.judged.watch = monitored(dam);
-  flow.judged.watch.every *= scale;
+  flow.judged.monitor = monitored(dam);
+  flow.judged.monitor.interval *= scale;
   if (is_published)
     flow.judged.plots = {[](const Results&, Record& record) { record.diagrams.push_back(vnv::dam_break::work); }};
   flow.judged.claims = {

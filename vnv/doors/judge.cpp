@@ -71,7 +71,7 @@ void require_volumes(const Flow& flow, const std::string& source, Reading& readi
 }
 
 /// A run of what was given, whose samples it takes, as if it had been computed here.
-Run run_of(GivenLevel& given, const std::string& level, const Watch& watch) {
+Run run_of(GivenLevel& given, const std::string& level, const Monitor& monitor) {
   Run run{.summary = {.level = level,
                       .spacing = given.spacing,
                       .finished = given.outcome == "finished",
@@ -79,9 +79,9 @@ Run run_of(GivenLevel& given, const std::string& level, const Watch& watch) {
                       .cost = given.cost}};
   for (auto& [time, samples] : given.at) {
     run.samples.push_back(std::move(samples));
-    if (!watch.see) continue;
+    if (!monitor.evaluate) continue;
     run.history.time.push_back(time);
-    run.history.seen.push_back(watch.see(run.samples.back()));
+    run.history.values.push_back(monitor.evaluate(run.samples.back()));
   }
   if (run.samples.empty()) return run;
   run.summary.end_time = run.samples.back().time;
@@ -163,7 +163,7 @@ std::vector<Claim> own_claims(const Flow& flow, const Judged& what, const std::s
     if (what.order_at_least && claim.quantity.kind == Kind::norm)
       claims.push_back(order_at_least(ladder_of_files, claim.quantity, *what.order_at_least, *what.order_at_least - 0.5,
                                       baseline("order that the user expects"))
-                           .over(3));
+                           .with_at_least_levels(3));
   return claims;
 }
 
@@ -262,7 +262,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   std::vector<Run> runs;
   for (GivenLevel& level : given.levels) {
     const std::string name = fmt::format("{:.4g} across", flow.across / level.spacing);
-    runs.push_back(run_of(level, name, flow.judged.watch));
+    runs.push_back(run_of(level, name, flow.judged.monitor));
     if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
       for (const Claim& claim : flow.of_resolved) judged.claims.push_back(claim.on(name));
     const double end = level.at.empty() ? times.back() : asked(level.at.rbegin()->first, times, runs.back().samples);

@@ -67,9 +67,9 @@ std::string scene_in_words(const Flow& flow, double spacing) {
       places_at_start(flow, spacing).cols(), spacing);
   text += fmt::format("output: {} at t = {:.10g} s; more times are judged, too\n", fmt::join(fields_of(flow), ", "),
                       fmt::join(flow.judged.times, ", "));
-  if (std::isfinite(flow.judged.watch.every))
+  if (std::isfinite(flow.judged.monitor.interval))
     text += fmt::format("output over time: from 0 to {:.10g} s every {:.10g} s or more often\n",
-                        flow.judged.times.back(), flow.judged.watch.every);
+                        flow.judged.times.back(), flow.judged.monitor.interval);
   return text;
 }
 
@@ -106,7 +106,7 @@ std::string scene_as_json(const Flow& flow, double spacing) {
   }
   json["spacing [m]"] = spacing;
   json["times [s]"] = flow.judged.times;
-  if (std::isfinite(flow.judged.watch.every)) json["times from 0 on, every [s]"] = flow.judged.watch.every;
+  if (std::isfinite(flow.judged.monitor.interval)) json["times from 0 on, every [s]"] = flow.judged.monitor.interval;
   json["fields"] = fields_of(flow);
   return json.dump(2) + "\n";
 }

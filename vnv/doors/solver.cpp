@@ -173,7 +173,7 @@ Judgement judged(const Solver& solver, Given given, Suite suite) {
 constexpr std::string_view began_and_ended = ".began_and_ended";
 
 /// Of a run that somebody else made: its wall time, by run.sh.
-programs::Ran ran_elsewhere(const fs::path& folder) {
+programs::ProcessResult result_elsewhere(const fs::path& folder) {
   std::ifstream file(folder / began_and_ended);
   double began = 0, ended = 0;
   const bool is_known = file >> began >> ended && ended >= began;
@@ -181,13 +181,13 @@ programs::Ran ran_elsewhere(const fs::path& folder) {
 }
 
 /// In the resource that the solver says it occupies, else in user time.
-Cost cost_of(const Solver& solver, const programs::Ran& ran) {
-  Cost cost{.cpu = solver.resources > 0 ? not_a_number : ran.cpu,
-            .wall = ran.wall,
-            .peak_memory = ran.peak_memory,
+Cost cost_of(const Solver& solver, const programs::ProcessResult& result) {
+  Cost cost{.cpu = solver.resources > 0 ? not_a_number : result.cpu,
+            .wall = result.wall,
+            .peak_memory = result.peak_memory,
             .resource = solver.resource};
   cost.cpu_lowest = cost.cpu_highest = cost.cpu;
-  if (solver.resources > 0) cost.occupied = ran.wall * solver.resources;
+  if (solver.resources > 0) cost.occupied = result.wall * solver.resources;
   return cost;
 }
 
@@ -228,18 +228,19 @@ Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) 
   Given given;
   for (const double spacing : solver.spacings) {
     const fs::path own = fs::absolute(folder) / name_of(solver, spacing), log = own / log_file;
-    const programs::Ran ran = programs::run_limited(solver.case_and_method() + " " + name_of(solver, spacing),
-                                                    {"sh", (own / run_script).string()}, own, log, solver.limits);
-    if (ran.well()) {
+    const programs::ProcessResult result =
+        programs::run_limited(solver.case_and_method() + " " + name_of(solver, spacing),
+                              {"sh", (own / run_script).string()}, own, log, solver.limits);
+    if (result.succeeded()) {
       read_level(solver, spacing, own, given);
     } else {
       std::string said = programs::last_lines(log, 3);
       std::ranges::replace(said, '\n', ';');
       given.levels.push_back(
           {.spacing = spacing,
-           .outcome = fmt::format("{}{}{}{}", no_answer, ran.sentence(), said.empty() ? "" : "; it said: ", said)});
+           .outcome = fmt::format("{}{}{}{}", no_answer, result.sentence(), said.empty() ? "" : "; it said: ", said)});
     }
-    given.levels.back().cost = cost_of(solver, ran);
+    given.levels.back().cost = cost_of(solver, result);
   }
   return judged(solver, std::move(given), suite);
 }
@@ -249,7 +250,7 @@ Judgement collect(const Solver& solver, const fs::path& folder, Suite suite) {
   for (const double spacing : solver.spacings) {
     const fs::path own = folder / name_of(solver, spacing);
     read_level(solver, spacing, own, given);
-    given.levels.back().cost = cost_of(solver, ran_elsewhere(own));
+    given.levels.back().cost = cost_of(solver, result_elsewhere(own));
   }
   return judged(solver, std::move(given), suite);
 }

@@ -193,7 +193,7 @@ Flow cavity(Settings& set) {
       "velocities on both centrelines are compared with the tables of Ghia, Ghia & Shin (1982), whose own errors are "
       "up to 1 % of the lid's speed.";
   flow.judged.times = {end - last, end - last / 2, end};
-  flow.judged.watch = kinetic_energy_every(output_interval * side / lid);
+  flow.judged.monitor = kinetic_energy_every(output_interval * side / lid);
   flow.judged.plots = {lid_driven::work()};
   flow.of_resolved = within(2, ghia);
   flow.resolved = 100;

@@ -18,37 +18,37 @@ const double unit_of_time = std::sqrt(buchner.column_height / buchner.gravity), 
     unit_of_pressure = buchner.density * buchner.gravity * buchner.column_height;  // Pa
 constexpr double before_return = 5.5, at_the_end = 7.9;  // of T_H; the wave that comes back is at h1 at 5.7
 
-std::vector<double> seen_of_buchner(const Samples& samples) {
-  std::vector<double> seen = monitored(buchner, samples);
+std::vector<double> monitored_of_buchner(const Samples& samples) {
+  std::vector<double> row = monitored(buchner, samples);
   const double spacing = std::sqrt(samples.mass.maxCoeff() / buchner.density), half_width = std::max(5e-3, spacing);
   for (const double gauge : gauges) {
     const Samples near = within(samples, gauge - 2 * spacing - half_width, gauge + 2 * spacing + half_width);
-    seen.push_back(near.size() == 0 ? 0 : water_level(near, gauge, half_width, spacing).volume);
+    row.push_back(near.size() == 0 ? 0 : water_level(near, gauge, half_width, spacing).volume);
   }
   const WallSensor sensor{buchner.tank_length, disc_height, disc};
   const Samples near = within(samples, sensor.wall - disc - 4 * spacing, sensor.wall + spacing);
-  seen.push_back(near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing));
-  seen.push_back(near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing));
-  return seen;
+  row.push_back(near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing));
+  row.push_back(near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing));
+  return row;
 }
 
 /// h/H at both gauges and p/(rho g H) over T_H, computed or measured.
-struct SeenByBuchner {
+struct ObservedByBuchner {
   std::array<Series, gauges.size()> levels{};
   Series pressure{}, fitted{};
 };
 
-SeenByBuchner seen_in(const Run& run) {
-  SeenByBuchner seen{.pressure = scaled(followed(run, pressure_from), unit_of_time, 0, unit_of_pressure),
-                     .fitted = scaled(followed(run, pressure_from + 1), unit_of_time, 0, unit_of_pressure)};
+ObservedByBuchner observed_in(const Run& run) {
+  ObservedByBuchner observed{.pressure = scaled(followed(run, pressure_from), unit_of_time, 0, unit_of_pressure),
+                             .fitted = scaled(followed(run, pressure_from + 1), unit_of_time, 0, unit_of_pressure)};
   for (std::size_t k = 0; k < gauges.size(); ++k)
-    seen.levels[k] = scaled(followed(run, gauges_from + k), unit_of_time, 0, buchner.column_height);
-  return seen;
+    observed.levels[k] = scaled(followed(run, gauges_from + k), unit_of_time, 0, buchner.column_height);
+  return observed;
 }
 
 /// What was measured, and how much the origin of its clock is in doubt, of T_H.
 struct Measured {
-  SeenByBuchner seen;
+  ObservedByBuchner observed;
   double origin;
 };
 
@@ -75,7 +75,7 @@ Measured measured_by_zhou() {
   constexpr std::array names{"h2", "h1"};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     require_geometry(levels, std::string(names[k]) + "_place", gauges[k], 1e-6);
-    found.seen.levels[k] =
+    found.observed.levels[k] =
         scaled(series_of(levels.only("gauge", names[k]), "T_H [-]", "h [m]"), 1, 0, buchner.column_height);
   }
   return found;
@@ -109,22 +109,22 @@ ImpactOnDisc impact_on(const Series& pressure, double rise) {
 }
 
 std::vector<Value> compared_with_buchner(const Level& level, const Run& run) {
-  std::vector<Value> found = books(buchner, level, run);
+  std::vector<Value> found = conservation_errors(buchner, level, run);
   if (found.empty()) return found;
   const auto add = [&](const Quantity& quantity, double value) {
     found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
   const auto rms = [](const std::string& name) { return Quantity{name, "", Kind::error}; };
-  const SeenByBuchner ours = seen_in(run);
+  const ObservedByBuchner ours = observed_in(run);
   const Measured zhou = measured_by_zhou(), disc_of_buchner = measured_by_buchner();
   // Measured pressures rise from 0 to 0.5 within 0.15, ours slowly. The read-out of Zhou, De Kat & Buchner has noise up
   // to 0.16.
   const double rise = impacts::first_above(ours.pressure, 0.05),
-               rise_of_zhou = impacts::first_above(zhou.seen.pressure, 0.2),
-               rise_of_buchner = impacts::first_above(disc_of_buchner.seen.pressure, 0.05);
+               rise_of_zhou = impacts::first_above(zhou.observed.pressure, 0.2),
+               rise_of_buchner = impacts::first_above(disc_of_buchner.observed.pressure, 0.05);
   const ImpactOnDisc impact = impact_on(ours.pressure, rise), fitted = impact_on(ours.fitted, rise),
-                     measured = impact_on(disc_of_buchner.seen.pressure, rise_of_buchner);
-  const double h2 = wet(ours.levels[0]), measured_h2 = wet(zhou.seen.levels[0]);
+                     measured = impact_on(disc_of_buchner.observed.pressure, rise_of_buchner);
+  const double h2 = wet(ours.levels[0]), measured_h2 = wet(zhou.observed.levels[0]);
 
   add({"arrival T_H at h2"}, h2);
   add({"arrival T_H at h1"}, wet(ours.levels[1]));
@@ -140,16 +140,16 @@ std::vector<Value> compared_with_buchner(const Level& level, const Run& run) {
   const auto rms_of_levels = [&](double until) {
     std::vector<double> all;
     for (std::size_t k = 0; k < gauges.size(); ++k)
-      std::ranges::copy(
-          differences(shifted(ours.levels[k], by_level.applied), zhou.seen.levels[k], wet(zhou.seen.levels[k]), until),
-          std::back_inserter(all));
+      std::ranges::copy(differences(shifted(ours.levels[k], by_level.applied), zhou.observed.levels[k],
+                                    wet(zhou.observed.levels[k]), until),
+                        std::back_inserter(all));
     return root_mean_square(all);
   };
   add(levels_rms, rms_of_levels(before_return));
   add(rms("RMS error of levels h/H, T_H to 7.9, clock of h2"), rms_of_levels(at_the_end));
   const auto rms_of_pressure = [&](double until) {
-    return root_mean_square(
-        differences(shifted(ours.pressure, by_rise.applied), disc_of_buchner.seen.pressure, rise_of_buchner, until));
+    return root_mean_square(differences(shifted(ours.pressure, by_rise.applied), disc_of_buchner.observed.pressure,
+                                        rise_of_buchner, until));
   };
   add(rms("RMS error of p/(rho g H), rise to T_H = 5.5, clock of the rise"), rms_of_pressure(before_return));
   add(rms("RMS error of p/(rho g H), rise to the end of the data, clock of the rise"), rms_of_pressure(at_the_end));
@@ -161,12 +161,12 @@ std::vector<Value> compared_with_buchner(const Level& level, const Run& run) {
   return found;
 }
 
-Plot over_time(const Figure& frame, const std::function<Series(const SeenByBuchner&)>& of,
+Plot over_time(const Figure& frame, const std::function<Series(const ObservedByBuchner&)>& of,
                const std::vector<Curve>& measured) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
     if (const Run* run = finest(results)) {
-      const Series ours = of(seen_in(*run));
+      const Series ours = of(observed_in(*run));
       record.curves.push_back(
           {frame.id, results.method.name + " " + run->summary.level, Role::ours, ours.time, ours.value, false});
     }
@@ -191,8 +191,8 @@ std::vector<Plot> beside_what_buchner_measured() {
                    "0.1.",
                    time,
                    {"h/H", 1, false, 0, 1.2}},
-                  [k](const SeenByBuchner& seen) { return seen.levels[k]; },
-                  {measured(id, "Zhou, De Kat & Buchner 1999", zhou.seen.levels[k], Role::experiment)}));
+                  [k](const ObservedByBuchner& observed) { return observed.levels[k]; },
+                  {measured(id, "Zhou, De Kat & Buchner 1999", zhou.observed.levels[k], Role::experiment)}));
   }
   plots.push_back(over_time(
       {"pressure",
@@ -201,9 +201,9 @@ std::vector<Plot> beside_what_buchner_measured() {
        "uncertain by 0.3, that of Zhou, De Kat & Buchner by 0.1; both are read-outs of one event.",
        {"T_H = t sqrt(g/H)", 1, false, 2, 8},
        {"p/(rho g H)", 1, false, -0.2, 1.5}},
-      [](const SeenByBuchner& seen) { return seen.pressure; },
-      {measured("pressure", "Buchner 2002", disc_of_buchner.seen.pressure, Role::experiment),
-       measured("pressure", "Zhou, De Kat & Buchner 1999", zhou.seen.pressure, Role::published)}));
+      [](const ObservedByBuchner& observed) { return observed.pressure; },
+      {measured("pressure", "Buchner 2002", disc_of_buchner.observed.pressure, Role::experiment),
+       measured("pressure", "Zhou, De Kat & Buchner 1999", zhou.observed.pressure, Role::published)}));
   return plots;
 }
 
@@ -220,7 +220,7 @@ Case beside_buchner(std::string title, std::string description) {
   names.insert(
       names.end(),
       {{"level h2", "m"}, {"level h1", "m"}, {"pressure, mean over the disc", "Pa"}, {"pressure, affine fit", "Pa"}});
-  declared.watch = {.every = sampled_every, .see = seen_of_buchner, .quantities = names};
+  declared.monitor = {.interval = sampled_every, .evaluate = monitored_of_buchner, .quantities = names};
   declared.measurements = {compared_with_buchner};
   declared.plots = beside_what_buchner_measured();
   return declared;

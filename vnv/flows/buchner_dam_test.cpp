@@ -16,10 +16,10 @@ double value_of(const std::vector<Value>& all, const std::string& name) {
 constexpr std::size_t mass = 3, inside = 4, level_h2 = 8, level_h1 = 9, pressure = 10, fitted = 11, columns = 12;
 
 std::vector<double> row(const DamFront& dam) {
-  std::vector<double> seen(columns, 0.0);
-  seen[mass] = dam.density * dam.column_length * dam.column_height;
-  seen[inside] = 1;
-  return seen;
+  std::vector<double> values(columns, 0.0);
+  values[mass] = dam.density * dam.column_length * dam.column_height;
+  values[inside] = 1;
+  return values;
 }
 
 /// What the comparison finds of a run that reads what was measured, but so much earlier, of T_H.
@@ -36,15 +36,15 @@ std::vector<Value> found_of_measured(double earlier) {
   run.summary = {.level = "20 across", .spacing = 0.03, .end_time = 2, .finished = true};
   for (int k = 0; k <= 4500; ++k) {  // until all data have ended
     const double T = 2e-3 * k, then = T + earlier;
-    std::vector<double> seen = row(buchner);
+    std::vector<double> values = row(buchner);
     const auto at = [&](const Series& series) {
       return std::isnan(value_at(series, then)) ? 0 : value_at(series, then);
     };
-    seen[level_h2] = at(h2);
-    seen[level_h1] = at(h1);
-    seen[pressure] = seen[fitted] = 1000 * 9.81 * 0.6 * at(p);
+    values[level_h2] = at(h2);
+    values[level_h1] = at(h1);
+    values[pressure] = values[fitted] = 1000 * 9.81 * 0.6 * at(p);
     run.history.time.push_back(T * unit);
-    run.history.seen.push_back(seen);
+    run.history.values.push_back(values);
   }
   return beside_buchner("", "").measurements[0]({.name = "20 across", .spacing = 0.03}, run);
 }

@@ -1,13 +1,13 @@
 #include "vnv/flows/dam.hpp"
 
-#include "solvers/stepping/energy_book.hpp"
+#include "solvers/stepping/energy_budget.hpp"
 #include "vnv/measures/decay.hpp"
 
 namespace touchstone::vnv {
 
 Series followed(const Run& run, std::size_t column) {
   Series series{run.history.time, {}};
-  for (const std::vector<double>& seen : run.history.seen) series.value.push_back(seen[column]);
+  for (const std::vector<double>& row : run.history.values) series.value.push_back(row[column]);
   return series;
 }
 
@@ -27,8 +27,8 @@ std::array<double, 3> energies(const Samples& samples, const Tait& water, double
 
 double largest_rise_of_energy(const Run& run, std::size_t kinetic, double fall) {
   double least = INFINITY, rise = 0;
-  for (const std::vector<double>& seen : run.history.seen) {
-    const double total = seen[kinetic] + seen[kinetic + 1] + seen[kinetic + 2];
+  for (const std::vector<double>& row : run.history.values) {
+    const double total = row[kinetic] + row[kinetic + 1] + row[kinetic + 2];
     least = std::min(least, total);
     rise = std::max(rise, total - least);
   }

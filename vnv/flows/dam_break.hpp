@@ -52,8 +52,10 @@ inline const WorkDiagram work{
     .targets = {}};
 
 /// What is followed of a front.
-inline Watch monitored(const DamFront& of) {
-  return {.every = 0.01, .see = [of](const Samples& s) { return of.monitored(s); }, .quantities = DamFront::quantities};
+inline Monitor monitored(const DamFront& of) {
+  return {.interval = 0.01,
+          .evaluate = [of](const Samples& s) { return of.monitored(s); },
+          .quantities = DamFront::quantities};
 }
 
 /// A case of this dam break, which follows its front.
@@ -61,7 +63,7 @@ inline Case front_followed(std::string title, std::string description) {
   return {.title = std::move(title),
           .description = std::move(description),
           .times = {0.5},
-          .watch = monitored(front),
+          .monitor = monitored(front),
           .measurements = {[](const Level& level, const Run& run) { return front.compare(level, run); }},
           .methods = {}};
 }

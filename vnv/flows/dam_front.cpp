@@ -45,9 +45,9 @@ std::vector<Experiment> experiments_of(double aspect) {
     DataTable table = read_table(data_folder() / "experiments" / read.file, read.headings);
     if (std::abs(table.provenance().geometry.at("column_aspect").value / aspect - 1) > 1e-3) continue;
     if (*read.series) table = table.only("series", read.series);
-    const auto& doubts = table.provenance().uncertainty;
-    const auto origin = doubts.find("T.origin");
-    const double most = origin == doubts.end() ? shifts.high : origin->second.value;
+    const auto& uncertainties = table.provenance().uncertainty;
+    const auto origin = uncertainties.find("T.origin");
+    const double most = origin == uncertainties.end() ? shifts.high : origin->second.value;
     all.push_back({read.name,
                    read.headings[1] == "L [-]",
                    {table.numbers("T [-]"), table.numbers(read.headings[1])},
@@ -81,7 +81,7 @@ FrontHistory history_of(const DamFront& dam, const Run& run, Column column) {
   FrontHistory front;
   for (std::size_t k = 0; k < run.history.time.size(); ++k) {
     front.T.push_back(dam.scaled_time(run.history.time[k]));
-    front.L.push_back(run.history.seen[k][column]);
+    front.L.push_back(run.history.values[k][column]);
   }
   return front;
 }
@@ -98,8 +98,8 @@ double arrival(const DamFront& dam, const FrontHistory& front) {
 /// The worst number over the history.
 double largest_departure(const Run& run, Column column) {
   double worst = 0;
-  for (const std::vector<double>& seen : run.history.seen) {
-    const double departure = seen[column] - run.history.seen.front()[column];
+  for (const std::vector<double>& row : run.history.values) {
+    const double departure = row[column] - run.history.values.front()[column];
     if (!std::isnan(worst) && !(std::abs(departure) <= std::abs(worst))) worst = departure;
   }
   return worst;
@@ -202,7 +202,7 @@ std::vector<Value> DamFront::lead(const Level& level, const Run& run) const {
 std::vector<Value> DamFront::kept(const Level& level, const Run& run) const {
   if (!run.summary.finished) return {};
   const double end = run.summary.end_time,
-               change = run.history.seen.back()[mass] / (density * column_length * column_height) - 1;
+               change = run.history.values.back()[mass] / (density * column_length * column_height) - 1;
   return {{level.name, level.spacing, end, mass_change, change},
           {level.name, level.spacing, end, lost, 0 - largest_departure(run, inside)}};
 }
@@ -245,7 +245,7 @@ std::vector<Value> DamFront::against_lobovsky(const Level& level, const Run& run
 
 const Run* finest(const Results& results) {
   const auto found = std::ranges::min_element(results.runs, {}, [](const Run& run) { return run.summary.spacing; });
-  return found == results.runs.end() || found->history.seen.empty() ? nullptr : &*found;
+  return found == results.runs.end() || found->history.values.empty() ? nullptr : &*found;
 }
 
 Plot DamFront::history(Figure frame, std::vector<std::string> levels) const {

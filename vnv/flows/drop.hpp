@@ -47,9 +47,9 @@ inline Scene<Tait> scene_with(const reference::EllipticDrop& flow, double sound_
 inline Scene<Tait> scene() { return scene_with(exact, c); }
 
 /// Both half-axes over time.
-inline Watch monitored_axes() {
-  return {.every = 0.02,
-          .see =
+inline Monitor monitored_axes() {
+  return {.interval = 0.02,
+          .evaluate =
               [](const Samples& s) {
                 const auto axes = half_axes(s);
                 return std::vector{axes[0], axes[1]};
@@ -67,9 +67,9 @@ inline Measurement error_of_axes_in(const reference::EllipticDrop& flow) {
     for (std::size_t k = 0; k < run.history.time.size(); ++k) {
       const auto state = flow.at(run.history.time[k]);
       largest =
-          norms::larger_magnitude(largest, run.history.seen[k][0] / run.history.seen[0][0] * flow.R / state.a - 1);
+          norms::larger_magnitude(largest, run.history.values[k][0] / run.history.values[0][0] * flow.R / state.a - 1);
       largest =
-          norms::larger_magnitude(largest, run.history.seen[k][1] / run.history.seen[0][1] * flow.R / state.b - 1);
+          norms::larger_magnitude(largest, run.history.values[k][1] / run.history.values[0][1] * flow.R / state.b - 1);
     }
     return {{level.name, level.spacing, run.summary.end_time, axes_error, 100 * std::abs(largest)}};
   };

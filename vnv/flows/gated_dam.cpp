@@ -16,31 +16,31 @@ namespace {
 constexpr double until_return_wave = 5;  // of T_H, until which two runs of the experiment agree
 
 /// Energies by the nominal density, gravity and bulk modulus, also of runs that vary them.
-std::vector<double> see(const Samples& samples) {
+std::vector<double> evaluate(const Samples& samples) {
   const double spacing = std::sqrt(samples.mass.maxCoeff() / filled_300.density);
-  std::vector<double> seen(column::count);
+  std::vector<double> row(column::count);
   std::ranges::copy(
       energies(samples, {.density = filled_300.density, .bulk_modulus = filled_300.bulk_modulus}, filled_300.gravity),
-      seen.begin() + column::kinetic);
-  seen[column::front_slab] = half_full_slab(samples, 2 * spacing);
-  seen[column::front_percentile] = percentile_front(samples) + spacing / 2;
-  seen[column::front_of_film] = half_full_slab(samples, 2 * capillary_length);
+      row.begin() + column::kinetic);
+  row[column::front_slab] = half_full_slab(samples, 2 * spacing);
+  row[column::front_percentile] = percentile_front(samples) + spacing / 2;
+  row[column::front_of_film] = half_full_slab(samples, 2 * capillary_length);
   constexpr std::array sides{0.0, -1.0, 1.0};
   const double gauge = std::max(5e-3, spacing), wall_strip = sensor_diameter + 4 * spacing;
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Samples near = within(samples, gauges[k] - 2 * gauge - spacing, gauges[k] + 2 * gauge + spacing);
     for (std::size_t side = 0; side < sides.size(); ++side)
-      seen[column::level + 3 * k + side] =
-          near.size() == 0 ? 0 : water_level(near, gauges[k] + sides[side] * gauge_doubt, gauge, spacing).volume;
+      row[column::level + 3 * k + side] =
+          near.size() == 0 ? 0 : water_level(near, gauges[k] + sides[side] * gauge_uncertainty, gauge, spacing).volume;
   }
   const Samples near = within(samples, tank_length - wall_strip, tank_length + spacing);
   for (std::size_t k = 0; k < sensors.size(); ++k)
     for (std::size_t side = 0; side < sides.size(); ++side) {
-      const WallSensor sensor{tank_length, sensors[k] + sides[side] * sensor_doubt, sensor_diameter};
-      seen[column::patch + 3 * k + side] = near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing);
-      seen[column::fit + 3 * k + side] = near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing);
+      const WallSensor sensor{tank_length, sensors[k] + sides[side] * sensor_uncertainty, sensor_diameter};
+      row[column::patch + 3 * k + side] = near.size() == 0 ? 0 : mean_wall_pressure(near, sensor, spacing);
+      row[column::fit + 3 * k + side] = near.size() == 0 ? 0 : fitted_wall_pressure(near, sensor, spacing);
     }
-  return seen;
+  return row;
 }
 
 std::vector<Quantity> names() {
@@ -116,14 +116,15 @@ double speed(const Series& front, double from, double to) {
   return slope_of("a front", {front.time, front.value}, {from, to});
 }
 
-double speed_of_front(const Seen& seen) { return speed(seen.front, 1, 1.58); }
+double speed_of_front(const Observed& observed) { return speed(observed.front, 1, 1.58); }
 
 /// x/H at some T_H, and the speed. There is one curve of each filling: its repeatability is that between fillings, its
 /// frames are half of 1/300 s apart.
-std::vector<Observable> observables_of_front(const Seen& measured, const std::vector<double>& times, double repeat) {
+std::vector<Observable> observables_of_front(const Observed& measured, const std::vector<double>& times,
+                                             double repeat) {
   std::vector<Observable> all;
   for (const double T : times) {
-    const auto of = [T](const Seen& seen) { return value_at(seen.front, T); };
+    const auto of = [T](const Observed& observed) { return value_at(observed.front, T); };
     all.push_back({{fmt::format("front x/H at T_H = {:g}", T)},
                    of,
                    of(measured),
@@ -146,7 +147,7 @@ constexpr double front_until = 2.4;
 
 }  // namespace
 
-const Watch monitored{.every = sampled_every, .see = see, .quantities = names()};
+const Monitor monitored{.interval = sampled_every, .evaluate = evaluate, .quantities = names()};
 
 Scene<Tait, Uniform> collapse(const Inputs& inputs) {
   const Tait water{.density = inputs.density, .bulk_modulus = inputs.bulk_modulus};
@@ -161,25 +162,25 @@ Scene<Tait, Uniform> collapse(const Inputs& inputs) {
       .start = {.pressure = [=](const Vec2& x) { return inputs.density * inputs.gravity * (inputs.height - x.y()); }}};
 }
 
-Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading) {
+Observed observed_in(const Run& run, const Inputs& inputs, const Reading& reading) {
   const double unit = inputs.unit_of_time();
-  Seen seen{.front = scaled(followed(run, reading.front), unit, column_length, inputs.height)};
+  Observed observed{.front = scaled(followed(run, reading.front), unit, column_length, inputs.height)};
   for (std::size_t k = 0; k < gauges.size(); ++k)
-    seen.levels[k] = scaled(followed(run, column::level + 3 * k + reading.place), unit, 0, inputs.height);
+    observed.levels[k] = scaled(followed(run, column::level + 3 * k + reading.place), unit, 0, inputs.height);
   for (std::size_t k = 0; k < sensors.size(); ++k)
-    seen.pressures[k] =
+    observed.pressures[k] =
         scaled(followed(run, reading.pressures + 3 * k + reading.place), unit, 0, inputs.unit_of_pressure());
-  return seen;
+  return observed;
 }
 
-Seen measured_300(int run) {
+Observed measured_300(int run) {
   const DataTable levels = level_table(), event = event_table();
-  Seen seen{.front = series_of(front_table(), "T_H [-]", "X_H [-]")};
+  Observed observed{.front = series_of(front_table(), "T_H [-]", "X_H [-]")};
   for (std::size_t k = 0; k < gauges.size(); ++k)
-    seen.levels[k] = series_of(levels, "T_H [-]", fmt::format("H{}_run_{} [-]", k + 1, k == 0 ? 1 : run));
+    observed.levels[k] = series_of(levels, "T_H [-]", fmt::format("H{}_run_{} [-]", k + 1, k == 0 ? 1 : run));
   for (std::size_t k = 0; k < sensors.size(); ++k)
-    seen.pressures[k] = series_of(event, "T_H [-]", fmt::format("P{} [-]", k + 1));
-  return seen;
+    observed.pressures[k] = series_of(event, "T_H [-]", fmt::format("P{} [-]", k + 1));
+  return observed;
 }
 
 std::vector<std::pair<std::string, Series>> band_of_P2() {
@@ -211,12 +212,12 @@ Impact impact_on(const Series& pressure) {
 
 Series aligned_by_arrival(const Series& pressure) {
   static const double measured = impact_on(band_of_P2()[1].second).arrival;
-  const double bound = clock_doubt / filled_300.unit_of_time(), shift = measured - impact_on(pressure).arrival;
+  const double bound = clock_uncertainty / filled_300.unit_of_time(), shift = measured - impact_on(pressure).arrival;
   return std::isnan(shift) ? pressure : shifted(pressure, std::clamp(shift, -bound, bound));
 }
 
 std::vector<Observable> observables_300() {
-  const Seen first = measured_300(1), second = measured_300(2);
+  const Observed first = measured_300(1), second = measured_300(2);
   const DataTable band = band_table(), front = front_table();
   std::vector<Observable> all;
 
@@ -224,7 +225,7 @@ std::vector<Observable> observables_300() {
   all = observables_of_front(first, {1.0, 1.5, 2.0, 2.4}, front_repeat);
   for (std::size_t k = 1; k < gauges.size(); ++k) {
     const double station = (gauges[k] - column_length) / filled_300.height;
-    const auto of = [station](const Seen& seen) { return impacts::first_above(seen.front, station); };
+    const auto of = [station](const Observed& observed) { return impacts::first_above(observed.front, station); };
     all.push_back({{fmt::format("passing time T_H of the front at H{}", k + 1)},
                    of,
                    of(first),
@@ -237,7 +238,9 @@ std::vector<Observable> observables_300() {
   // Of two runs the difference by sqrt(2) is the standard deviation of one; D, their mean, has it by sqrt(2) again.
   for (std::size_t k = 0; k < gauges.size(); ++k)
     for (const auto& [from, to] : std::vector<std::pair<double, double>>{{2.5, 3.5}, {3.5, 4.5}, {4.5, 5}}) {
-      const auto of = [=, from = from, to = to](const Seen& seen) { return time_mean(seen.levels[k], from, to); };
+      const auto of = [=, from = from, to = to](const Observed& observed) {
+        return time_mean(observed.levels[k], from, to);
+      };
       const double one = of(first), two = of(second);
       all.push_back({{fmt::format("level h/H at H{}, mean over T_H {:g} to {:g}", k + 1, from, to)},
                      of,
@@ -255,8 +258,8 @@ std::vector<Observable> observables_300() {
   const auto of_band = [&](const char* column) { return impact_on(series_of(band, "T_H [-]", column)); };
   const Impact low = of_band("p2_5 [-]"), middle = of_band("median [-]"), high = of_band("p97_5 [-]");
   for (std::size_t k = 0; k < sensors.size(); ++k) {
-    const auto on = [k](const Seen& seen) { return impact_on(seen.pressures[k]); };
-    const auto add = [&](const std::string& name, const std::function<double(const Seen&)>& of, double measured,
+    const auto on = [k](const Observed& observed) { return impact_on(observed.pressures[k]); };
+    const auto add = [&](const std::string& name, const std::function<double(const Observed&)>& of, double measured,
                          double standard, const std::string& basis, double useful, const std::string& clock = {}) {
       all.push_back(
           {{fmt::format("{} at P{}", name, k + 1)}, of, measured, standard, basis, useful, clock, height_of_sensors});
@@ -264,7 +267,7 @@ std::vector<Observable> observables_300() {
     const bool has_band = k == 1;
     const auto add_integral = [&](const std::string& name, double Impact::*number) {
       add(
-          name, [=](const Seen& seen) { return on(seen).*number; }, (has_band ? middle : on(first)).*number,
+          name, [=](const Observed& observed) { return on(observed).*number; }, (has_band ? middle : on(first)).*number,
           has_band ? standard_of_95_percent(low.*number, high.*number) : not_a_number,
           has_band ? "percentiles of the band over 100 repeats" : "one event", 0.2);
     };
@@ -274,14 +277,16 @@ std::vector<Observable> observables_300() {
     const std::string by_repeats = "percentiles over 100 repeats";
     if (k < 3)
       add(
-          "first peak p/(rho g H)", [=](const Seen& seen) { return on(seen).peak; }, peak, of_peaks, by_repeats, 0.5);
+          "first peak p/(rho g H)", [=](const Observed& observed) { return on(observed).peak; }, peak, of_peaks,
+          by_repeats, 0.5);
     else  // the second wave is the higher one
       add(
-          "largest p/(rho g H) until T_H = 7", [k](const Seen& seen) { return largest_until(seen.pressures[k], 7); },
-          peak, of_peaks, by_repeats, 0.5);
+          "largest p/(rho g H) until T_H = 7",
+          [k](const Observed& observed) { return largest_until(observed.pressures[k], 7); }, peak, of_peaks, by_repeats,
+          0.5);
     if (has_band)  // what rises sooner has the higher percentile
       add(
-          "arrival T_H", [=](const Seen& seen) { return on(seen).arrival; }, middle.arrival,
+          "arrival T_H", [=](const Observed& observed) { return on(observed).arrival; }, middle.arrival,
           standard_of_95_percent(high.arrival, low.arrival), "percentiles of the band over 100 repeats", 0.2,
           clock_of_pressures);
     add_integral("impulse over 100 ms by rho g H sqrt(H/g)", &Impact::impulse);
@@ -303,21 +308,21 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
     found.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
   add(energy_made, largest_rise_of_energy(run, column::kinetic, inputs.fall()));
-  const Seen ours = seen_in(run, inputs);
+  const Observed ours = observed_in(run, inputs);
   if (inputs.height != filled_300.height) {
     const Series front = front_of_600(front_table_600());
     add(front_rms, rms_between(ours.front, front, 0.2, 1.5));
     add(front_speed_error, 100 * (speed(ours.front, 1, 1.58) / speed(front, 1, 1.58) - 1));
     return found;
   }
-  const Seen first = measured_300(1), second = measured_300(2);
+  const Observed first = measured_300(1), second = measured_300(2);
   add(front_rms, rms_between(ours.front, first.front, 0, front_until));
   add(front_speed_error, 100 * (speed(ours.front, 1, 1.58) / speed(first.front, 1, 1.58) - 1));
   std::vector<double> before;
   for (std::size_t k = 1; k < gauges.size(); ++k)
-    for (const Seen* seen : {&first, &second}) {
+    for (const Observed* observed : {&first, &second}) {
       const double arrival = impacts::first_above(first.front, (gauges[k] - column_length) / inputs.height) + 0.1;
-      before.push_back(rms_between(ours.levels[k], seen->levels[k], arrival, until_return_wave));
+      before.push_back(rms_between(ours.levels[k], observed->levels[k], arrival, until_return_wave));
     }
   add(levels_rms, root_mean_square(before));
   const auto band = band_of_P2();
@@ -332,7 +337,7 @@ std::vector<Value> compared(const Inputs& inputs, const Level& level, const Run&
     add({"impulse over 100 ms by rho g H sqrt(H/g)" + at}, impact.impulse);
     add({"plateau p/(rho g H)" + at}, impact.plateau);
   }
-  const Impact by_mean = impact_on(seen_in(run, inputs, {.pressures = column::patch}).pressures[1]);
+  const Impact by_mean = impact_on(observed_in(run, inputs, {.pressures = column::patch}).pressures[1]);
   add({"first peak p/(rho g H) at P2, mean over a patch"}, by_mean.peak);
   add({"impulse over 100 ms by rho g H sqrt(H/g) at P2, mean over a patch"}, by_mean.impulse);
   return found;

@@ -15,9 +15,9 @@ inline constexpr std::array gauges{0.3, 0.865, 1.114, 1.3625};    // m  H1 to H4
 inline constexpr std::array sensors{0.003, 0.015, 0.030, 0.080};  // m  P1 to P4, above the floor
 inline constexpr double sensor_diameter = 4.2e-3;                 // m
 /// How far gauges and sensors may stand off their places [m], to either side.
-inline constexpr double gauge_doubt = 1e-3, sensor_doubt = 0.5e-3;
+inline constexpr double gauge_uncertainty = 1e-3, sensor_uncertainty = 0.5e-3;
 /// By how much the clocks of front and pressures may differ [s].
-inline constexpr double clock_doubt = 27e-3;
+inline constexpr double clock_uncertainty = 27e-3;
 
 /// What a computation takes from the experiment, and what it chooses, the bulk modulus.
 struct Inputs {
@@ -66,23 +66,23 @@ inline constexpr std::size_t kinetic = 0, potential = 1, elastic = 2,  // J/m
     fit = patch + 3 * sensors.size(),   // Pa  the same by an affine fit read at the wall
     count = fit + 3 * sensors.size();
 }  // namespace column
-extern const Watch monitored;
+extern const Monitor monitored;
 
-/// What was seen of a dam break, computed or measured, in the numbers of the experiment, over T_H.
-struct Seen {
+/// What was observed of a dam break, computed or measured, in the numbers of the experiment, over T_H.
+struct Observed {
   Series front;                                    // x/H from the gate
   std::array<Series, gauges.size()> levels{};      // h/H
   std::array<Series, sensors.size()> pressures{};  // p/(rho g H)
 };
 
-/// Which of the followed columns, and whose place: nominal, or off it by its doubt to one side or the other.
+/// Which of the followed columns, and whose place: nominal, or off it by its uncertainty to one side or the other.
 struct Reading {
   std::size_t front = column::front_slab, pressures = column::fit, place = 0;
 };
-Seen seen_in(const Run& run, const Inputs& inputs, const Reading& reading = {});
+Observed observed_in(const Run& run, const Inputs& inputs, const Reading& reading = {});
 
 /// The experiment at H = 0.3 m: front, levels of one of two runs, pressures of one event.
-Seen measured_300(int run = 1);
+Observed measured_300(int run = 1);
 /// Percentiles 2.5 %, 50 % and 97.5 % over 100 repeats of p/(rho g H) at P2 over T_H, each with its name.
 std::vector<std::pair<std::string, Series>> band_of_P2();
 /// The same percentiles of the first peak of p/(rho g H) at P1 to P3.
@@ -92,7 +92,7 @@ std::vector<std::vector<double>> peaks_of_repeats();
 Impact impact_on(const Series& pressure);
 
 /// A pressure at P2 whose clock is set by its arrival to that of the median of the repeats: by 27 ms at most, as much
-/// as the clocks are in doubt.
+/// as the clocks are uncertain.
 Series aligned_by_arrival(const Series& pressure);
 
 /// Inputs of data/experiments/lobovsky_2014_inputs_*.csv that no run has to vary.
@@ -102,7 +102,7 @@ inline const std::string clock_of_front = "start of front and levels", clock_of_
 /// A number that computed and measured dam breaks have, and what is known of the measured one.
 struct Observable {
   Quantity quantity;
-  std::function<double(const Seen&)> of;
+  std::function<double(const Observed&)> of;
   double measured;               // D
   double standard;               // u_D; not a number: unknown
   std::string basis;             // of u_D

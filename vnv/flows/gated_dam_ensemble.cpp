@@ -20,16 +20,16 @@ struct Compared {
   AgainstQuantiles test() const { return against_quantiles(members, repeats, percentiles); }
 };
 
-std::vector<Seen> seen_of(const std::vector<const Run*>& runs) {
-  std::vector<Seen> all;
-  for (const Run* run : runs) all.push_back(seen_in(*run, filled_300));
+std::vector<Observed> observed_of(const std::vector<const Run*>& runs) {
+  std::vector<Observed> all;
+  for (const Run* run : runs) all.push_back(observed_in(*run, filled_300));
   return all;
 }
 
 /// At P2, with clocks aligned.
-std::vector<Series> pressures_at_P2(const std::vector<Seen>& members) {
+std::vector<Series> pressures_at_P2(const std::vector<Observed>& members) {
   std::vector<Series> all;
-  for (const Seen& seen : members) all.push_back(aligned_by_arrival(seen.pressures[1]));
+  for (const Observed& observed : members) all.push_back(aligned_by_arrival(observed.pressures[1]));
   return all;
 }
 
@@ -39,7 +39,7 @@ std::vector<double> times() {
   return all;
 }
 
-std::vector<Compared> comparisons(const std::vector<Seen>& members, const std::vector<Series>& pressures) {
+std::vector<Compared> comparisons(const std::vector<Observed>& members, const std::vector<Series>& pressures) {
   std::vector<Compared> all;
   const auto band = band_of_P2();
   for (const double time : {2.6, 2.8, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0}) {
@@ -51,7 +51,7 @@ std::vector<Compared> comparisons(const std::vector<Seen>& members, const std::v
   const std::vector<std::vector<double>> peaks = peaks_of_repeats();
   for (std::size_t k = 0; k < peaks.size(); ++k) {
     Compared one{fmt::format("first peak p/(rho g H) at P{}", k + 1), {}, peaks[k]};
-    for (const Seen& seen : members) one.members.push_back(impact_on(seen.pressures[k]).peak);
+    for (const Observed& observed : members) one.members.push_back(impact_on(observed.pressures[k]).peak);
     all.push_back(one);
   }
   return all;
@@ -65,14 +65,14 @@ double median_inside(const std::vector<Series>& pressures) {
 
 /// The fraction of T_H 5 to 7, after the return wave, in which a level as both runs of the experiment have it in the
 /// mean lies within the range of the ensemble; of the gauges H2 to H4 the mean.
-double late_levels_inside(const std::vector<Seen>& members) {
+double late_levels_inside(const std::vector<Observed>& members) {
   std::vector<double> late;
   for (int step = 0; step <= 100; ++step) late.push_back(5 + 0.02 * step);
-  const Seen first = measured_300(1), second = measured_300(2);
+  const Observed first = measured_300(1), second = measured_300(2);
   double inside = 0;
   for (std::size_t k = 1; k < gauges.size(); ++k) {
     std::vector<Series> levels;
-    for (const Seen& seen : members) levels.push_back(seen.levels[k]);
+    for (const Observed& observed : members) levels.push_back(observed.levels[k]);
     const Series low = quantile_of(levels, late, 0), high = quantile_of(levels, late, 1);
     for (std::size_t i = 0; i < late.size(); ++i) {
       const double mean = (value_at(first.levels[k], late[i]) + value_at(second.levels[k], late[i])) / 2;
@@ -113,7 +113,7 @@ Plot ensemble_beside_repeats() {
           {id, label, label.ends_with("median") ? Role::experiment : Role::guide, series.time, series.value, false});
     const std::vector<const Run*> runs = ensemble_of(results);
     if (!runs.empty()) {
-      const std::vector<Seen> members = seen_of(runs);
+      const std::vector<Observed> members = observed_of(runs);
       const std::vector<Series> pressures = pressures_at_P2(members);
       const std::string of = fmt::format("{}, {} starts at {:g} across", name, runs.size(),
                                          std::round(filled_300.height / runs.front()->summary.spacing));
@@ -135,7 +135,7 @@ Plot ensemble_beside_repeats() {
     for (const double coefficient : friction_coefficients)
       if (const auto rough = runs_with_friction(results, coefficient); !rough.empty())
         whole.rows.push_back({name, fmt::format("{}, skin friction {:g}", median_inside_band.name, coefficient),
-                              median_inside(pressures_at_P2(seen_of(rough)))});
+                              median_inside(pressures_at_P2(observed_of(rough)))});
     for (Table* one : {&table, &whole}) record.tables.push_back(std::move(*one));
   };
 }
@@ -143,7 +143,7 @@ Plot ensemble_beside_repeats() {
 std::vector<Value> ensemble_values(const Results& results, const Record&) {
   const std::vector<const Run*> runs = ensemble_of(results);
   if (runs.empty()) return {};
-  const std::vector<Seen> members = seen_of(runs);
+  const std::vector<Observed> members = observed_of(runs);
   std::vector<Value> found;
   const auto add = [&](const Quantity& quantity, double value) {
     found.push_back({"", not_a_number, with_300.end, quantity, value});

@@ -18,12 +18,12 @@ Curve curve(const std::string& figure, const std::string& label, Role role, cons
 std::string label_of(const Results& results, const Run& run) { return results.method.name + " " + run.summary.level; }
 
 /// A figure of one of the series that were seen: ours, and the experiment's.
-Plot seen_over_time(const Figure& frame, const std::function<Series(const Seen&)>& of,
-                    const std::vector<Curve>& experiment) {
+Plot observed_over_time(const Figure& frame, const std::function<Series(const Observed&)>& of,
+                        const std::vector<Curve>& experiment) {
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
     if (const Run* run = finest(results))
-      record.curves.push_back(curve(frame.id, label_of(results, *run), Role::ours, of(seen_in(*run, filled_300))));
+      record.curves.push_back(curve(frame.id, label_of(results, *run), Role::ours, of(observed_in(*run, filled_300))));
     record.curves.insert(record.curves.end(), experiment.begin(), experiment.end());
   };
 }
@@ -38,8 +38,8 @@ Plot all_of(const std::vector<Plot>& plots) {
 
 Plot front_over_time() {
   const std::string id = "front";
-  const auto front = [](const Seen& seen) { return seen.front; };
-  return seen_over_time(
+  const auto front = [](const Observed& observed) { return observed.front; };
+  return observed_over_time(
       {id,
        "Front over time",
        "Distance from the gate over H, front as a half-full slab of two spacings, without time shift: time counts from "
@@ -53,17 +53,17 @@ Plot levels_over_time() {
   std::vector<Plot> plots;
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const std::string id = fmt::format("level_H{}", k + 1);
-    const auto level = [k](const Seen& seen) { return seen.levels[k]; };
+    const auto level = [k](const Observed& observed) { return observed.levels[k]; };
     std::vector<Curve> measured{
         curve(id, "Lobovský et al. 2014, run 1", Role::experiment, level(measured_300(1)), true)};
     if (k > 0)
       measured.push_back(curve(id, "Lobovský et al. 2014, run 2", Role::published, level(measured_300(2)), true));
-    plots.push_back(seen_over_time({id,
-                                    fmt::format("Water level at H{}, {:g} m from the back wall", k + 1, gauges[k]),
-                                    "Ours as volume over width, which holes and spray do not disturb.",
-                                    {"T_H = t sqrt(g/H)", 1, false, 0, until},
-                                    {"h/H", 1, false, 0, k == 0 ? 1.1 : 0.8}},
-                                   level, measured));
+    plots.push_back(observed_over_time({id,
+                                        fmt::format("Water level at H{}, {:g} m from the back wall", k + 1, gauges[k]),
+                                        "Ours as volume over width, which holes and spray do not disturb.",
+                                        {"T_H = t sqrt(g/H)", 1, false, 0, until},
+                                        {"h/H", 1, false, 0, k == 0 ? 1.1 : 0.8}},
+                                       level, measured));
   }
   return all_of(plots);
 }
@@ -73,12 +73,12 @@ Plot pressures_over_time() {
   const std::array<double, sensors.size()> most{4, 3, 3, 2};
   for (std::size_t k = 0; k < sensors.size(); ++k) {
     const std::string id = fmt::format("pressure_P{}", k + 1);
-    const auto pressure = [k](const Seen& seen) { return seen.pressures[k]; };
+    const auto pressure = [k](const Observed& observed) { return observed.pressures[k]; };
     std::vector<Curve> measured{
         curve(id, "Lobovský et al. 2014, one event", Role::experiment, pressure(measured_300()))};
     if (k == 1)
       for (const auto& [label, series] : band_of_P2()) measured.push_back(curve(id, label, Role::guide, series));
-    plots.push_back(seen_over_time(
+    plots.push_back(observed_over_time(
         {id,
          fmt::format("Pressure at P{}, {:g} mm above the floor", k + 1, 1e3 * sensors[k]),
          "Ours by an affine fit evaluated at the wall, sampled every ms; without time shift, though the time origins "

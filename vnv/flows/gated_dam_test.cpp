@@ -29,18 +29,18 @@ Samples lake(double spacing) {
 }
 
 TEST(GatedDam, ReadsWaterAtRestAsItIs) {
-  const std::vector<double> seen = monitored.see(lake(0.01));
-  ASSERT_EQ(seen.size(), monitored.quantities.size());
-  EXPECT_EQ(seen[column::kinetic], 0);
-  EXPECT_NEAR(seen[column::potential], 997 * 9.81 * tank_length * 0.2 * 0.1, 1e-6);
-  EXPECT_EQ(seen[column::elastic], 0);
-  EXPECT_NEAR(seen[column::front_percentile], tank_length, 0.011);
-  for (std::size_t k = 0; k < gauges.size(); ++k) EXPECT_NEAR(seen[column::level + 3 * k], 0.2, 1e-3);
+  const std::vector<double> row = monitored.evaluate(lake(0.01));
+  ASSERT_EQ(row.size(), monitored.quantities.size());
+  EXPECT_EQ(row[column::kinetic], 0);
+  EXPECT_NEAR(row[column::potential], 997 * 9.81 * tank_length * 0.2 * 0.1, 1e-6);
+  EXPECT_EQ(row[column::elastic], 0);
+  EXPECT_NEAR(row[column::front_percentile], tank_length, 0.011);
+  for (std::size_t k = 0; k < gauges.size(); ++k) EXPECT_NEAR(row[column::level + 3 * k], 0.2, 1e-3);
   for (std::size_t k = 0; k < sensors.size(); ++k) {
-    EXPECT_NEAR(seen[column::fit + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 1e-3);
-    EXPECT_NEAR(seen[column::fit + 3 * k + 1] - seen[column::fit + 3 * k + 2], 997 * 9.81 * 2 * sensor_doubt,
+    EXPECT_NEAR(row[column::fit + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 1e-3);
+    EXPECT_NEAR(row[column::fit + 3 * k + 1] - row[column::fit + 3 * k + 2], 997 * 9.81 * 2 * sensor_uncertainty,
                 k ? 1e-3 : 3);
-    EXPECT_NEAR(seen[column::patch + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 60);
+    EXPECT_NEAR(row[column::patch + 3 * k], 997 * 9.81 * (0.2 - sensors[k]), 60);
   }
 }
 
@@ -49,25 +49,26 @@ TEST(GatedDam, CountsTheEnergyOfCompression) {
   compressed.density *= 1.01;
   const double volume = compressed.mass.sum() / 997;  // at rest
   // p from 0 to 7 K 0.01 as the volume shrinks by 0.0099
-  EXPECT_NEAR(monitored.see(compressed)[column::elastic], 7 * 0.36e6 * 0.01 * 0.0099 / 2 * volume, 0.03 * 125 * volume);
+  EXPECT_NEAR(monitored.evaluate(compressed)[column::elastic], 7 * 0.36e6 * 0.01 * 0.0099 / 2 * volume,
+              0.03 * 125 * volume);
 }
 
 TEST(GatedDam, ReadsGaugesAndSensorsAsFarOffAsTheirTableSays) {
-  const auto doubts = read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
-  EXPECT_EQ(input_named(place_of_gauges, doubts).half_width, gauge_doubt);
-  EXPECT_EQ(input_named(height_of_sensors, doubts).half_width, sensor_doubt);
-  EXPECT_EQ(input_named(clock_of_pressures, doubts).half_width, clock_doubt);
+  const auto uncertain = read_inputs(data_folder() / "experiments" / "lobovsky_2014_inputs_300.csv");
+  EXPECT_EQ(input_named(place_of_gauges, uncertain).half_width, gauge_uncertainty);
+  EXPECT_EQ(input_named(height_of_sensors, uncertain).half_width, sensor_uncertainty);
+  EXPECT_EQ(input_named(clock_of_pressures, uncertain).half_width, clock_uncertainty);
 }
 
 TEST(GatedDam, TakesItsInputsFromTheTableOfTheirUncertainties) {
   for (const Experiment* experiment : {&with_300, &with_600}) {
     const Inputs& inputs = experiment->inputs;
-    const auto doubts = read_inputs(data_folder() / "experiments" / experiment->inputs_file);
-    EXPECT_EQ(input_named("gate speed", doubts).value, inputs.gate_speed);
-    EXPECT_EQ(input_named("gate acceleration", doubts).value, inputs.gate_acceleration);
-    EXPECT_EQ(input_named("column height", doubts).value, inputs.height);
-    EXPECT_EQ(input_named("density", doubts).value, inputs.density);
-    EXPECT_EQ(input_named("gravity", doubts).value, inputs.gravity);
+    const auto uncertain = read_inputs(data_folder() / "experiments" / experiment->inputs_file);
+    EXPECT_EQ(input_named("gate speed", uncertain).value, inputs.gate_speed);
+    EXPECT_EQ(input_named("gate acceleration", uncertain).value, inputs.gate_acceleration);
+    EXPECT_EQ(input_named("column height", uncertain).value, inputs.height);
+    EXPECT_EQ(input_named("density", uncertain).value, inputs.density);
+    EXPECT_EQ(input_named("gravity", uncertain).value, inputs.gravity);
     for (const Observable& one : experiment->observables()) EXPECT_TRUE(std::isfinite(one.measured));
   }
 }
@@ -87,7 +88,7 @@ TEST(GatedDam, HasAGateThatLeavesTheWaterAtItsMeanSpeedHoweverItComesToIt) {
 }
 
 TEST(GatedDam, HasObservablesThatTheExperimentItselfMeets) {
-  const Seen first = measured_300(1), second = measured_300(2);
+  const Observed first = measured_300(1), second = measured_300(2);
   for (const Observable& one : observables_300()) {
     EXPECT_TRUE(std::isfinite(one.measured)) << one.quantity.name;
     if (one.clock == clock_of_pressures || one.quantity.name.ends_with("at P2")) continue;  // of the band
@@ -100,14 +101,14 @@ TEST(GatedDam, HasObservablesThatTheExperimentItselfMeets) {
 
 /// A run in which all that is measured of the front is 1 + `error` times as far.
 Run run_with(const std::string& level, double spacing, double error) {
-  const Seen measured = measured_300();
+  const Observed measured = measured_300();
   Run run;
   run.summary = {.level = level, .spacing = spacing, .end_time = 1.3, .finished = true};
   for (std::size_t k = 0; k < measured.front.time.size(); ++k) {
-    std::vector<double> seen(column::count, 0.0);
-    seen[column::front_of_film] = column_length + (1 + error) * measured.front.value[k] * filled_300.height;
+    std::vector<double> row(column::count, 0.0);
+    row[column::front_of_film] = column_length + (1 + error) * measured.front.value[k] * filled_300.height;
     run.history.time.push_back(measured.front.time[k] * filled_300.unit_of_time());
-    run.history.seen.push_back(seen);
+    run.history.values.push_back(row);
   }
   return run;
 }
@@ -134,11 +135,11 @@ Run run_like_the_repeats(const std::string& level, double times, double late) {
   run.summary = {.level = level, .spacing = 0.3 / 80, .end_time = 1.3, .finished = true};
   for (int k = 0; k <= 700; ++k) {
     const double T = 0.01 * k, p = value_at(pressure, T - late), h = value_at(of_level, T);
-    std::vector<double> seen(column::count, 0.0);
-    seen[column::fit + 3] = times * filled_300.unit_of_pressure() * (std::isnan(p) ? 0 : p);
-    seen[column::level + 3] = filled_300.height * (std::isnan(h) ? 0 : h);
+    std::vector<double> row(column::count, 0.0);
+    row[column::fit + 3] = times * filled_300.unit_of_pressure() * (std::isnan(p) ? 0 : p);
+    row[column::level + 3] = filled_300.height * (std::isnan(h) ? 0 : h);
     run.history.time.push_back(T * filled_300.unit_of_time());
-    run.history.seen.push_back(seen);
+    run.history.values.push_back(row);
   }
   return run;
 }
@@ -163,12 +164,13 @@ TEST(AnEnsemble, ThatIsTheExperimentIsWithinItsBandAndNotUnlikeIt) {
 }
 
 TEST(AnEnsemble, IsSetNoEarlierThanItsClockIsInDoubt) {
-  const double doubt = clock_doubt / filled_300.unit_of_time();
+  const double uncertainty = clock_uncertainty / filled_300.unit_of_time();
   const auto late = run_like_the_repeats("", 1, 0.4), little = run_like_the_repeats("", 1, 0.1);
   const auto arrival = [](const Series& pressure) { return impact_on(pressure).arrival; };
   const double measured = arrival(band_of_P2()[1].second);
-  EXPECT_NEAR(arrival(aligned_by_arrival(seen_in(little, filled_300).pressures[1])), measured, 1e-3);
-  EXPECT_NEAR(arrival(aligned_by_arrival(seen_in(late, filled_300).pressures[1])), measured + 0.4 - doubt, 0.01);
+  EXPECT_NEAR(arrival(aligned_by_arrival(observed_in(little, filled_300).pressures[1])), measured, 1e-3);
+  EXPECT_NEAR(arrival(aligned_by_arrival(observed_in(late, filled_300).pressures[1])), measured + 0.4 - uncertainty,
+              0.01);
 }
 
 TEST(Validation, RunsSkinFrictionOfALaminarAndOfATurbulentPlate) {

@@ -17,8 +17,8 @@ namespace {
 constexpr double jitter = 0.01;     // of the spacing
 constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
 
-using Doubts = std::vector<UncertainInput>;
-Doubts doubts_of(const Experiment& experiment) {
+using UncertainInputs = std::vector<UncertainInput>;
+UncertainInputs uncertain_inputs_of(const Experiment& experiment) {
   return read_inputs(data_folder() / "experiments" / experiment.inputs_file);
 }
 
@@ -65,13 +65,13 @@ double varied_value(const UncertainInput& input, int side) { return input.value 
 
 std::vector<Group> groups(const Experiment& experiment, const Starts& starts, bool with_friction) {
   const Inputs& filled = experiment.inputs;
-  const Doubts doubts = doubts_of(experiment);
+  const UncertainInputs uncertain = uncertain_inputs_of(experiment);
   std::vector<Group> all;
   for (const auto& [across, count] : starts.of_across) all.push_back({nominal(across), across, count, filled});
   for (const std::string& name : varied_inputs)
     for (const int side : {-1, 1}) {
       Inputs inputs = filled;
-      input_of(inputs, name) = varied_value(input_named(name, doubts), side);
+      input_of(inputs, name) = varied_value(input_named(name, uncertain), side);
       all.push_back({varied(name, side), starts.across_varied, starts.varied, inputs});
     }
   Inputs stiff = filled;
@@ -106,13 +106,13 @@ std::vector<double> members(const Results& results, const Inputs& filled, const 
       found.push_back(not_a_number);
       continue;
     }
-    Seen seen = seen_in(run, filled, reading);
+    Observed observed = observed_in(run, filled, reading);
     if (clock != 0) {
-      seen.front = shifted(seen.front, clock);
-      for (Series& level : seen.levels) level = shifted(level, clock);
-      for (Series& pressure : seen.pressures) pressure = shifted(pressure, clock);
+      observed.front = shifted(observed.front, clock);
+      for (Series& level : observed.levels) level = shifted(level, clock);
+      for (Series& pressure : observed.pressures) pressure = shifted(pressure, clock);
     }
-    found.push_back(observable.of(seen));
+    found.push_back(observable.of(observed));
   }
   return found;
 }
@@ -155,7 +155,7 @@ int across_varied(const Results& results, double height) {
 
 bool is_pressure(const Observable& observable) { return observable.place == height_of_sensors; }
 
-Judgement judge(const Results& results, const Experiment& experiment, const Doubts& doubts,
+Judgement judge(const Results& results, const Experiment& experiment, const UncertainInputs& uncertain,
                 const Observable& observable) {
   const Inputs& filled = experiment.inputs;
   const auto of = [&](const std::string& group, const Reading& reading = on_all_grids, double clock = 0) {
@@ -191,13 +191,14 @@ Judgement judge(const Results& results, const Experiment& experiment, const Doub
     sensitivities.push_back(sensitivity(input, {varied_value(input, -1), low}, {varied_value(input, 1), high}));
   };
   for (const std::string& name : varied_inputs)
-    add(input_named(name, doubts), of(varied(name, -1)), of(varied(name, 1)));
+    add(input_named(name, uncertain), of(varied(name, -1)), of(varied(name, 1)));
   if (!observable.clock.empty()) {
-    const UncertainInput& clock = input_named(observable.clock, doubts);
+    const UncertainInput& clock = input_named(observable.clock, uncertain);
     const double shift = clock.half_width / filled.unit_of_time();
     add(clock, of(at, on_all_grids, -shift), of(at, on_all_grids, shift));
   }
-  if (!observable.place.empty()) add(input_named(observable.place, doubts), of(at, at_place(1)), of(at, at_place(2)));
+  if (!observable.place.empty())
+    add(input_named(observable.place, uncertain), of(at, at_place(1)), of(at, at_place(2)));
   for (const Sensitivity& one : sensitivities) judged.inputs.emplace_back(one.input, one.part);
   parts.input = input_uncertainty(sensitivities);
   judged.validation = validate(judged.simulated, observable.measured, parts, observable.useful);
@@ -300,10 +301,10 @@ std::vector<const Run*> ensemble_of(const Results& results) {
 }
 
 std::vector<Judgement> judgements(const Results& results, const Experiment& experiment) {
-  const Doubts doubts = doubts_of(experiment);
+  const UncertainInputs uncertain = uncertain_inputs_of(experiment);
   std::vector<Judgement> all;
   for (const Observable& observable : experiment.observables())
-    all.push_back(judge(results, experiment, doubts, observable));
+    all.push_back(judge(results, experiment, uncertain, observable));
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include "reference/standing_wave.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/measures/swing.hpp"
+#include "vnv/measures/damped_oscillation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 #include <numbers>
@@ -56,9 +56,9 @@ inline const reference::StandingWave exact = Wave{}.exact();
 inline const Scene<Newtonian, Uniform> scene = scene_with({});
 
 /// Wave amplitude: the first moment of the particles' heights along it, over that of the exact wave at the start.
-inline Watch monitored(double length) {
-  return {.every = 0.02,
-          .see = [length](const Samples& s) -> std::vector<double> {
+inline Monitor monitored(double length) {
+  return {.interval = 0.02,
+          .evaluate = [length](const Samples& s) -> std::vector<double> {
             const Scalars heights = s.x.row(1).transpose(),
                           wave = (2 * std::numbers::pi / length * s.x.row(0).transpose().array()).cos();
             return {(s.mass * heights * wave).sum()};
@@ -69,22 +69,22 @@ inline Watch monitored(double length) {
 inline const Quantity period_error{"relative error of the period", "%", Kind::deviation},
     decay_error{"relative error of the decay rate", "%", Kind::deviation};
 
-inline Measurement errors_of_swing(const reference::StandingWave& flow) {
+inline Measurement errors_of_oscillation(const reference::StandingWave& flow) {
   return [flow](const Level& level, const Run& run) -> std::vector<Value> {
     if (!run.summary.finished) return {};
     std::vector<double> heights;
-    for (const std::vector<double>& seen : run.history.seen) heights.push_back(seen[0]);
-    const Swing swing = fit_swing(run.history.time, heights, flow.omega());
+    for (const std::vector<double>& row : run.history.values) heights.push_back(row[0]);
+    const DampedOscillation oscillation = fit_damped_oscillation(run.history.time, heights, flow.omega());
     const double end = run.summary.end_time;
-    return {{level.name, level.spacing, end, period_error, 100 * (flow.omega() / swing.omega - 1)},
-            {level.name, level.spacing, end, decay_error, 100 * (swing.decay / flow.decay_rate() - 1)}};
+    return {{level.name, level.spacing, end, period_error, 100 * (flow.omega() / oscillation.omega - 1)},
+            {level.name, level.spacing, end, decay_error, 100 * (oscillation.decay / flow.decay_rate() - 1)}};
   };
 }
 
 /// What theory says of each wave of small amplitude.
-inline const Claim swings_in_time = between(period_error, -1, 1, theory("the wave is linear to k² a² / 8 = 0.2 %")),
-                   fades = between(decay_error, -10, 10,
-                                   theory("decay of a potential flow, to first order in nu k² / omega"));
+inline const Claim period_agrees = between(period_error, -1, 1, theory("the wave is linear to k² a² / 8 = 0.2 %")),
+                   decay_agrees = between(decay_error, -10, 10,
+                                          theory("decay of a potential flow, to first order in nu k² / omega"));
 
 /// The methods that run it, for a scene.
 inline std::vector<Method> methods_on(const Scene<Newtonian, Uniform>& seen) {

@@ -6,9 +6,9 @@
 namespace touchstone::vnv::open_dam {
 
 std::vector<double> monitored(const DamFront& dam, const Samples& samples) {
-  std::vector<double> seen = dam.monitored(samples);
-  std::ranges::copy(energies(samples, water_of(dam.column_height), dam.gravity), std::back_inserter(seen));
-  return seen;
+  std::vector<double> row = dam.monitored(samples);
+  std::ranges::copy(energies(samples, water_of(dam.column_height), dam.gravity), std::back_inserter(row));
+  return row;
 }
 
 std::vector<Quantity> monitored_quantities() {
@@ -17,7 +17,7 @@ std::vector<Quantity> monitored_quantities() {
   return names;
 }
 
-std::vector<Value> books(const DamFront& dam, const Level& level, const Run& run) {
+std::vector<Value> conservation_errors(const DamFront& dam, const Level& level, const Run& run) {
   std::vector<Value> found = dam.kept(level, run);
   if (!found.empty()) {
     const std::size_t kinetic = DamFront::quantities.size();
@@ -59,11 +59,11 @@ Case beside_fronts(std::string title, std::string description, const DamFront& d
   declared.times.clear();
   for (int k = 0; dam.scaled_time(k * frame_every) <= most; ++k) declared.times.push_back(k * frame_every);
   declared.times.push_back(end_of_impact);
-  declared.watch = {.every = sampled_every,
-                    .see = [=](const Samples& samples) { return monitored(dam, samples); },
-                    .quantities = monitored_quantities()};
+  declared.monitor = {.interval = sampled_every,
+                      .evaluate = [=](const Samples& samples) { return monitored(dam, samples); },
+                      .quantities = monitored_quantities()};
   declared.measurements = {[=](const Level& level, const Run& run) {
-    std::vector<Value> found = books(dam, level, run);
+    std::vector<Value> found = conservation_errors(dam, level, run);
     if (run.summary.end_time < end_of_impact) return found;
     for (const Value& value : dam.against_experiments(level, run)) {
       const auto is_of = [&](const std::string& what) { return value.quantity.name.ends_with(what); };

@@ -28,8 +28,8 @@ Scene<Tait, Uniform> collapse(const DamFront& dam);
 std::vector<double> monitored(const DamFront& dam, const Samples& samples);
 std::vector<Quantity> monitored_quantities();
 
-/// Of a run that lived: mass and particles kept, and what energy it made.
-std::vector<Value> books(const DamFront& dam, const Level& level, const Run& run);
+/// Of a run that lived: errors of mass and of the number of particles, and what energy it made.
+std::vector<Value> conservation_errors(const DamFront& dam, const Level& level, const Run& run);
 
 /// A case, short of methods and of what is compared, of a column that has to live through the impact on the far wall,
 /// to 2 s.

@@ -30,25 +30,21 @@ inline Scene<Tait> scene_with(const reference::RotatingPatch& flow, double sound
 inline Scene<Tait> scene() { return scene_with(exact, c); }
 
 /// Columns of what is monitored.
-enum Monitored : std::size_t { momentum_x, momentum_y, turning, energy, longer, shorter, middle };
+enum Monitored : std::size_t { momentum_x, momentum_y, angular_momentum, energy, longer, shorter, middle };
 
 /// Mean pressure [Pa] over the particles within a tenth of a side [m] from the middle.
 inline double pressure_in_the_middle(const Samples& s, double side) {
   return mean_where(s, vnv::pressure, [side](const Vec2& x) { return x.norm() < 0.1 * side; });
 }
 
-inline Watch monitored(double side) {
-  return {.every = 0.02,
-          .see = [side](const Samples& s) -> std::vector<double> {
+inline Monitor monitored(double side) {
+  return {.interval = 0.02,
+          .evaluate = [side](const Samples& s) -> std::vector<double> {
             const auto axes = half_axes(s);
             const Vec2 momentum = s.v * s.mass.matrix();
-            return {momentum.x(),
-                    momentum.y(),
-                    angular_momentum(s),
-                    kinetic_energy(s),
-                    axes[0],
-                    axes[1],
-                    pressure_in_the_middle(s, side)};
+            const double L_z = vnv::angular_momentum(s);
+            return {
+                momentum.x(), momentum.y(), L_z, kinetic_energy(s), axes[0], axes[1], pressure_in_the_middle(s, side)};
           },
           .quantities = {{"momentum along x", "kg/s"},
                          {"momentum along y", "kg/s"},
@@ -60,29 +56,29 @@ inline Watch monitored(double side) {
 }
 
 inline const Quantity drift{"largest change of momentum over m omega L", "", Kind::invariant},
-    torque{"largest relative change of angular momentum", "%", Kind::invariant},
+    angular_momentum_error{"largest relative change of angular momentum", "%", Kind::invariant},
     loss{"relative loss of kinetic energy", "%", Kind::invariant},
-    skew{"relative difference of the half-axes from second moments", "%", Kind::invariant};
+    asymmetry{"relative difference of the half-axes from second moments", "%", Kind::invariant};
 
 /// The last of them only where it is asked for.
-inline Measurement what_is_not_kept(const reference::RotatingPatch& flow,
-                                    std::function<bool(const Level&)> asks_for_skew) {
+inline Measurement conservation_errors(const reference::RotatingPatch& flow,
+                                       std::function<bool(const Level&)> asks_for_asymmetry) {
   return [=](const Level& level, const Run& run) -> std::vector<Value> {
     if (!run.summary.finished) return {};
-    const std::vector<double>&first = run.history.seen.front(), &last = run.history.seen.back();
+    const std::vector<double>&first = run.history.values.front(), &last = run.history.values.back();
     double largest = 0, farthest = 0;
-    for (const std::vector<double>& seen : run.history.seen) {
+    for (const std::vector<double>& row : run.history.values) {
       largest = norms::larger_magnitude(
-          largest, std::hypot(seen[momentum_x] - first[momentum_x], seen[momentum_y] - first[momentum_y]));
-      farthest = norms::larger_magnitude(farthest, seen[turning] / first[turning] - 1);
+          largest, std::hypot(row[momentum_x] - first[momentum_x], row[momentum_y] - first[momentum_y]));
+      farthest = norms::larger_magnitude(farthest, row[angular_momentum] / first[angular_momentum] - 1);
     }
     const auto at_the_end = [&](const Quantity& quantity, double value) {
       return Value{level.name, level.spacing, run.summary.end_time, quantity, value};
     };
     std::vector<Value> found = {at_the_end(drift, largest / (flow.mass() * flow.omega * flow.L)),
-                                at_the_end(torque, 100 * std::abs(farthest)),
+                                at_the_end(angular_momentum_error, 100 * std::abs(farthest)),
                                 at_the_end(loss, 100 * (1 - last[energy] / first[energy]))};
-    if (asks_for_skew(level)) found.push_back(at_the_end(skew, 100 * (last[longer] / last[shorter] - 1)));
+    if (asks_for_asymmetry(level)) found.push_back(at_the_end(asymmetry, 100 * (last[longer] / last[shorter] - 1)));
     return found;
   };
 }

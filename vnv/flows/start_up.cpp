@@ -110,9 +110,9 @@ DataTable published(const std::string& flow, const std::string& method) {
   return table.only("flow", flow).only("method", method);
 }
 
-Claim at_most_the_papers(const PaperFlow& flow, const std::string& model, int over) {
-  return at_most(l2_rows, error_of_the_papers(flow, model) / over,
-                 literature(where(flow, model) + (over == 1 ? "" : fmt::format(", over {}", over))))
+Claim at_most_the_papers(const PaperFlow& flow, const std::string& model, int divided_by) {
+  return at_most(l2_rows, error_of_the_papers(flow, model) / divided_by,
+                 literature(where(flow, model) + (divided_by == 1 ? "" : fmt::format(", over {}", divided_by))))
       .on(model)
       .at(1);
 }
@@ -151,9 +151,9 @@ Case start_up_case(const PaperFlow& flow, const Truth& exact, std::function<doub
   const Axis velocity{"v_x [mm/s]", 1e3};
   Case declared = with_plots(
       {.times = {0.05, 0.1, 0.2, 1, 10},
-       .watch = {.every = 0.02,
-                 .see = [=](const Samples& s) { return std::vector{follow(s)}; },
-                 .quantities = {{flow.monitored, "m/s"}}},
+       .monitor = {.interval = 0.02,
+                   .evaluate = [=](const Samples& s) { return std::vector{follow(s)}; },
+                   .quantities = {{flow.monitored, "m/s"}}},
        .measurements = {norms_of("v_x, row means", by_rows, exact), norms_of("v_x, per particle", by_particles, exact),
                         [=](const Level& level, const Run& run) { return growth_of(level, run, exact); }},
        .methods = std::move(methods),

@@ -44,7 +44,7 @@ inline Case declared(const Flow& flow, const std::vector<Across>& of_second_orde
                      const std::map<std::string, std::vector<Claim>>& claims = {}) {
   const reference::TaylorGreen exact = flow.exact();
   Case all{.times = {early, end},
-           .watch = kinetic_energy_every(0.01),
+           .monitor = kinetic_energy_every(0.01),
            .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure()),
                             decay_of_energy(0, 2 * exact.decay_rate())},
            .methods = with_ladder(levels_across(square::side, {{50, early, 0, end}, {100, 0, 0, end}}),

@@ -70,10 +70,10 @@ inline Measure pressures(const Level&) { return per_particle(pressure); }
 inline const Quantity l2_p{"L2 p, per particle", "%", Kind::norm};
 
 /// Kinetic over potential energy, and the highest particle [m].
-inline Watch monitored(double gravity) {
+inline Monitor monitored(double gravity) {
   return {
-      .every = 0.05,
-      .see = [gravity](const Samples& s) -> std::vector<double> {
+      .interval = 0.05,
+      .evaluate = [gravity](const Samples& s) -> std::vector<double> {
         return {kinetic_energy(s) / (gravity * (s.mass * s.x.row(1).transpose().array()).sum()), s.x.row(1).maxCoeff()};
       },
       .quantities = {{"kinetic over potential energy"}, {"height of the highest particle", "m"}}};
@@ -84,16 +84,16 @@ inline const Quantity kinetic{"maximum ratio of kinetic to potential energy afte
 inline const Quantity displacement{"largest displacement of the free surface over the depth", "%", Kind::error};
 
 /// At each time of a case once the start has died away: the largest until then.
-inline Measurement unrest(double of_depth) {
+inline Measurement spurious_motion(double of_depth) {
   return [=](const Level& level, const Run& run) {
     std::vector<Value> errors;
     for (const Samples& s : run.samples) {
       if (s.time <= settled * (1 + 1e-9)) continue;
       double largest = 0, farthest = 0;
       for (std::size_t k = 0; k < run.history.time.size() && run.history.time[k] <= s.time * (1 + 1e-9); ++k) {
-        const std::vector<double>& seen = run.history.seen[k];
-        if (run.history.time[k] >= settled) largest = std::max(largest, seen[0]);
-        farthest = std::max(farthest, std::abs(seen[1] - run.history.seen[0][1]));
+        const std::vector<double>& row = run.history.values[k];
+        if (run.history.time[k] >= settled) largest = std::max(largest, row[0]);
+        farthest = std::max(farthest, std::abs(row[1] - run.history.values[0][1]));
       }
       errors.push_back({level.name, level.spacing, s.time, kinetic, largest});
       errors.push_back({level.name, level.spacing, s.time, displacement, 100 * farthest / of_depth});

@@ -80,8 +80,9 @@ Records records_in(const fs::path& path, const Choice& choice) {
 /// The commit that a name means in the repository around a folder; empty if there is none.
 std::string commit_of(const std::string& name) {
   if (name.empty() || name.front() == '-') return "";
-  const programs::Heard heard = programs::run_and_hear({"git", "rev-parse", "--verify", "--quiet", name + "^{commit}"});
-  return heard.ending.well() ? heard.output.substr(0, heard.output.find('\n')) : "";
+  const programs::CapturedOutput captured =
+      programs::run_and_capture({"git", "rev-parse", "--verify", "--quiet", name + "^{commit}"});
+  return captured.ending.succeeded() ? captured.output.substr(0, captured.output.find('\n')) : "";
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ BuiltRevision::~BuiltRevision() { forget_source(); }
 
 void BuiltRevision::run(const programs::Words& words, const std::string& what) const {
   const fs::path output = scratch_.path() / "output";
-  if (!programs::run_into(output, words).well())
+  if (!programs::run_into(output, words).succeeded())
     throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, programs::last_lines(output, 20)));
 }
 

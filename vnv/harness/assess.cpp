@@ -17,15 +17,15 @@ namespace {
 /// What a run monitored, as a CSV file. Throws std::invalid_argument unless each number is a quantity with a name.
 HistoryFile history_of(const Case& declared, const std::string& name, const Run& run) {
   std::vector<std::string> headings{"time [s]"};
-  for (const Quantity& quantity : declared.watch.quantities) headings.push_back(quantity.heading());
+  for (const Quantity& quantity : declared.monitor.quantities) headings.push_back(quantity.heading());
   std::string text =
       fmt::format("# title: {} {}, monitored quantities\n{}", name, run.summary.level, csv_line(headings));
   for (std::size_t k = 0; k < run.history.time.size(); ++k) {
-    if (run.history.seen[k].size() + 1 != headings.size())
+    if (run.history.values[k].size() + 1 != headings.size())
       throw std::invalid_argument(fmt::format("{}: {} numbers are monitored, expected as many as quantities, {}", name,
-                                              run.history.seen[k].size(), headings.size() - 1));
+                                              run.history.values[k].size(), headings.size() - 1));
     text += fmt::format("{}{}{}\n", run.history.time[k], headings.size() > 1 ? "," : "",
-                        fmt::join(run.history.seen[k], ","));
+                        fmt::join(run.history.values[k], ","));
   }
   return {run.summary.level, fmt::format("histories/{}.csv", stem_of_files(name, run.summary.level)), std::move(text)};
 }
@@ -41,7 +41,7 @@ void measure_runs(const Case& declared, const Method& method, const std::vector<
       const std::vector<Value> errors = measure(*level, run);
       record.values.insert(record.values.end(), errors.begin(), errors.end());
     }
-    if (declared.watch.see && !run.history.time.empty())
+    if (declared.monitor.evaluate && !run.history.time.empty())
       record.histories.push_back(history_of(declared, record.case_name + "." + record.method, run));
     record.runs.push_back(run.summary);
     record.runs.back().cost.harness += measuring.seconds();

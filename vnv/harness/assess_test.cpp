@@ -90,9 +90,9 @@ TEST(Assess, FailsAClaimThatNothingMeasures) {
 TEST(Assess, AsksForAnOrderOnlyWhereTheSuiteRunsEnoughLevels) {
   Case declared = second_order();
   const Claim order = order_at_least("spacing", l2, 1.9, 1.75, theory("")).at(1);
-  declared.methods[0].claims = {order.over(3)};
+  declared.methods[0].claims = {order.with_at_least_levels(3)};
   EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 0) << "two levels are run";
-  declared.methods[0].claims = {order.over(2)};
+  declared.methods[0].claims = {order.with_at_least_levels(2)};
   EXPECT_EQ(count(assessed(declared), Outcome::inconclusive), 1);
 }
 
@@ -142,8 +142,8 @@ TEST(Assess, RunsToATimeThatTheCaseDoesNotName) {
 
 TEST(Assess, KeepsWhatWasMonitoredAsCsv) {
   Case declared = second_order();
-  declared.watch = {
-      .every = 0.5, .see = [](const Samples&) { return std::vector{0.0}; }, .quantities = {{"front", "m"}}};
+  declared.monitor = {
+      .interval = 0.5, .evaluate = [](const Samples&) { return std::vector{0.0}; }, .quantities = {{"front", "m"}}};
   declared.methods[0].levels = {{.name = "2 across", .spacing = 0.2, .acceptance = 1}};
   declared.methods[0].ladders.clear();
   declared.methods[0].run = [](const Level&, const Schedule&) {
@@ -155,7 +155,7 @@ TEST(Assess, KeepsWhatWasMonitoredAsCsv) {
   EXPECT_EQ(record.histories[0].file, "histories/made_up_case.made_up.2_across.csv");
   EXPECT_EQ(record.histories[0].text,
             "# title: made_up_case.made_up 2 across, monitored quantities\ntime [s],front [m]\n0,1\n0.5,nan\n");
-  declared.watch.quantities.clear();
+  declared.monitor.quantities.clear();
   EXPECT_THROW(assessed(declared), std::invalid_argument) << "a number without a name";
 }
 

@@ -50,7 +50,7 @@ class Replay {
   Replay(const Case& declared, const Method& method, const std::string& case_name, Suite suite,
          const Baselines& baselines)
       : played_(declared), case_name_(case_name), results_{method, suite, {}}, baselines_(baselines) {
-    played_.watch = {};
+    played_.monitor = {};
     played_.plots.clear();
     played_.measurements = {[this](const Level& level, const Run&) {
       std::vector<Value> values;
@@ -251,21 +251,21 @@ void scale_position(Run& run, double factor) {
 }
 
 void scale_monitored(Run& run, double factor) {
-  for (std::vector<double>& row : run.history.seen)
+  for (std::vector<double>& row : run.history.values)
     for (double& number : row) number *= factor;
 }
 
 void tilt_monitored(Run& run, double factor) {
   const std::vector<double>& time = run.history.time;
   for (std::size_t k = 0; k < time.size(); ++k)
-    for (double& number : run.history.seen[k]) number *= std::pow(factor, time[k] / time.back());
+    for (double& number : run.history.values[k]) number *= std::pow(factor, time[k] / time.back());
 }
 
 /// Each quantity by another amount, also one that is zero or whose scale no claim feels.
 void shift_monitored(Run& run, double factor) {
   const std::vector<double>& time = run.history.time;
   for (std::size_t k = 0; k < time.size(); ++k)
-    for (double by = factor - 1; double& number : run.history.seen[k]) number += by * time[k] / time.back(), by *= 2;
+    for (double by = factor - 1; double& number : run.history.values[k]) number += by * time[k] / time.back(), by *= 2;
 }
 
 void stretch_time(Run& run, double factor) {

@@ -43,7 +43,7 @@ void serialize(auto& archive, RunSummary& s) {
 void serialize(auto& archive, Quantity& q) { archive(q.name, q.unit, q.kind, q.better); }
 void serialize(auto& archive, Value& v) { archive(v.level, v.spacing, v.time, v.quantity, v.value); }
 void serialize(auto& archive, Curve& c) { archive(c.figure, c.label, c.role, c.x, c.y, c.points); }
-void serialize(auto& archive, History& h) { archive(h.time, h.seen); }
+void serialize(auto& archive, History& h) { archive(h.time, h.values); }
 void serialize(auto& archive, Run& r) { archive(r.summary, r.samples, r.history, r.found, r.curves); }
 
 }  // namespace vnv

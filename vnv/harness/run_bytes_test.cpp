@@ -34,7 +34,7 @@ TEST(ARunAsBytes, ComesBackBitByBit) {
   EXPECT_TRUE((after.samples[0].density == before.samples[0].density).all());
   EXPECT_TRUE((after.samples[0].pressure == before.samples[0].pressure).all());
   EXPECT_EQ(after.history.time, before.history.time);
-  EXPECT_EQ(after.history.seen, before.history.seen);
+  EXPECT_EQ(after.history.values, before.history.values);
   EXPECT_EQ(after.found, before.found);
   EXPECT_EQ(after.curves, before.curves);
 }

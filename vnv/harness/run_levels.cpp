@@ -16,7 +16,7 @@ namespace touchstone::vnv {
 namespace {
 
 Schedule schedule_for(const Case& declared, const std::string& name, double until) {
-  Schedule when{{}, declared.watch, name};
+  Schedule when{{}, declared.monitor, name};
   for (const double time : declared.times)
     if (time <= until * (1 + 1e-9)) when.times.push_back(time);
   if (when.times.empty() || when.times.back() < until * (1 - 1e-9)) when.times.push_back(until);

@@ -39,7 +39,7 @@ struct Claim {
     claim.time = when;
     return claim;
   }
-  Claim over(long levels) const {
+  Claim with_at_least_levels(long levels) const {
     Claim claim = *this;
     claim.least_levels = levels;
     return claim;

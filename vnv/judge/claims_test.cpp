@@ -63,7 +63,7 @@ TEST(OrderClaim, IsJudgedOnlyWhereTheIntervalIsNarrow) {
 }
 
 TEST(OrderClaim, MayAskForMoreLevelsAnotherTimeAndLevel) {
-  const Claim claim = order_between("grid", l2, 1.9, 2.1, theory("")).over(5).at(0.25).on("M2");
+  const Claim claim = order_between("grid", l2, 1.9, 2.1, theory("")).with_at_least_levels(5).at(0.25).on("M2");
   EXPECT_EQ(claim.least_levels, 5);
   EXPECT_EQ(claim.time, 0.25);
   EXPECT_EQ(claim.level, "M2");

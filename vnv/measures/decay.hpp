@@ -17,9 +17,9 @@ inline double kinetic_energy(const Samples& samples) {
 }
 
 /// What a run is monitored for every so often [s]: its kinetic energy, in the first column.
-inline Watch kinetic_energy_every(double interval) {
-  return {.every = interval,
-          .see = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
+inline Monitor kinetic_energy_every(double interval) {
+  return {.interval = interval,
+          .evaluate = [](const Samples& s) { return std::vector{kinetic_energy(s)}; },
           .quantities = {{"kinetic energy", "J/m"}}};
 }
 
@@ -60,7 +60,7 @@ inline Measurement decay_of_energy(std::size_t column, double exact_rate) {
   return [=](const Level& level, const Run& run) -> std::vector<Value> {
     if (!run.summary.finished) return {};
     std::vector<double> energy;
-    for (const std::vector<double>& seen : run.history.seen) energy.push_back(seen[column]);
+    for (const std::vector<double>& row : run.history.values) energy.push_back(row[column]);
     const double rate = rate_of_decay(run.history.time, energy);
     return {{level.name, level.spacing, run.summary.end_time, decay_error, 100 * (rate / exact_rate - 1)}};
   };

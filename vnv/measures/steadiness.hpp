@@ -17,7 +17,7 @@ inline std::vector<Value> unsteadiness_of(const Run& run, std::size_t column, do
   for (std::size_t k = 0; k < run.history.time.size(); ++k)
     if (run.history.time[k] >= run.summary.end_time - span * (1 + 1e-9)) {
       times.push_back(run.history.time[k]);
-      energies.push_back(run.history.seen[k][column]);
+      energies.push_back(run.history.values[k][column]);
     }
   return {{run.summary.level, run.summary.spacing, run.summary.end_time, change_of_energy,
            100 * std::abs(rate_of_decay(times, energies))}};

@@ -15,7 +15,7 @@ vnv::Run slowing() {
   for (int k = 0; k <= 20; ++k) {
     const double t = 0.5 * k;
     run.history.time.push_back(t);
-    run.history.seen.push_back({7, t < 8 ? t : 8 * std::exp(0.02 * (t - 8))});
+    run.history.values.push_back({7, t < 8 ? t : 8 * std::exp(0.02 * (t - 8))});
   }
   return run;
 }

@@ -18,7 +18,7 @@ Simulation sph_transport_velocity_solver(const AnyScene& scene, const Level& lev
 
 template <class Integrator, class Real, class AnyScene>
 Simulation sph_regularised_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real, sph::Without<sph::MomentumOfDrift>>(
+  return sph::transport_velocity<sph::QuinticSpline, Integrator, Real, sph::Without<sph::DriftMomentum>>(
       scene, {.spacing = level.spacing, .smoothing_length = level.smoothing_or(level.spacing), .time_step = time_step},
       sph::momentum(sph::PressureDifference{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
 }

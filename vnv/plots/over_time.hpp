@@ -19,7 +19,7 @@ inline Plot over_time(std::string id, std::string title, std::string caption, Ax
       const Run* run = results.run(level);
       if (!run) continue;
       Curve curve{frame.id, results.method.name + " " + level, Role::ours, run->history.time, {}, false};
-      for (const std::vector<double>& seen : run->history.seen) curve.y.push_back(seen[column]);
+      for (const std::vector<double>& row : run->history.values) curve.y.push_back(row[column]);
       record.curves.push_back(std::move(curve));
     }
   };

@@ -198,7 +198,7 @@ TEST(ToldToEnd, BySignalsThatItWasStartedToIgnoreGoesOn) {
   EXPECT_EQ(starter.line(), "begun");
   starter.tell(SIGHUP);
   EXPECT_EQ(starter.line(), "ended");
-  EXPECT_TRUE(starter.ending().well());
+  EXPECT_TRUE(starter.ending().succeeded());
 }
 
 TEST(ToldToPause, PausesItsProgramAndGoesOnWithIt) {
@@ -268,7 +268,7 @@ TEST(AnOrdinaryRun, LeavesSignalsAsTheyWere) {
   };
   {
     const ScratchFolder folder;
-    EXPECT_TRUE(run_into(folder.path() / "output", {"true"}).well());
+    EXPECT_TRUE(run_into(folder.path() / "output", {"true"}).succeeded());
     EXPECT_TRUE(holds_any());
   }
   EXPECT_FALSE(holds_any());
@@ -277,7 +277,7 @@ TEST(AnOrdinaryRun, LeavesSignalsAsTheyWere) {
 TEST(AnOrdinaryRun, GivesTheProgramSignalsThatNobodyHolds) {
   const ScratchFolder folder;
   const auto before = std::signal(SIGINT, SIG_DFL);  // a shell that runs the tests behind its back ignores it
-  EXPECT_EQ(run_and_hear({"sh", "-c", "kill -TERM $$; sleep 60"}).ending.signal, SIGTERM);
+  EXPECT_EQ(run_and_capture({"sh", "-c", "kill -TERM $$; sleep 60"}).ending.signal, SIGTERM);
   EXPECT_THROW(run_into(folder.path() / "output", {"sh", "-c", "kill -INT $$; sleep 60"}), std::runtime_error);
   std::signal(SIGINT, before);
 }

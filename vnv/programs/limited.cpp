@@ -28,12 +28,12 @@ double user_time_of_children() {  // s
 
 }  // namespace
 
-std::string Ran::sentence() const { return stopped.empty() ? ending.sentence() : "was ended: " + stopped; }
+std::string ProcessResult::sentence() const { return stopped.empty() ? ending.sentence() : "was ended: " + stopped; }
 
-Ran run_limited(const std::string& name, const Words& words, const fs::path& folder, const fs::path& log,
-                const Limits& limits) {
+ProcessResult run_limited(const std::string& name, const Words& words, const fs::path& folder, const fs::path& log,
+                          const Limits& limits) {
   constexpr std::chrono::milliseconds between_looks{50};
-  Ran ran;
+  ProcessResult result;
   const double user_before = user_time_of_children();
   const Clock::time_point start = Clock::now();
   {
@@ -41,26 +41,28 @@ Ran run_limited(const std::string& name, const Words& words, const fs::path& fol
     in_folder.insert(in_folder.end(), words.begin(), words.end());
     Running running(limits.grace);
     const pid_t keeper = running.start(name, in_folder, log);
-    while (ran.stopped.empty()) {
+    while (result.stopped.empty()) {
       const std::optional<Child> child = running.wait(between_looks);
-      ran.wall = std::chrono::duration<double>(Clock::now() - start).count();
+      result.wall = std::chrono::duration<double>(Clock::now() - start).count();
       if (child) {
-        ran.ending = child->ending;
+        result.ending = child->ending;
         break;
       }
       const double memory = descendants_of(keeper).memory;
-      ran.peak_memory = std::max(ran.peak_memory, memory);
+      result.peak_memory = std::max(result.peak_memory, memory);
       std::error_code ignored;
-      if (ran.wall > limits.wall) ran.stopped = fmt::format("took longer than {:g} s", limits.wall);
-      if (memory > limits.memory) ran.stopped = fmt::format("used more than {:g} MB of memory", 1e-6 * limits.memory);
-      if (is_nearly_full(folder)) ran.stopped = fmt::format("left hardly any space on the disk of {}", folder.string());
+      if (result.wall > limits.wall) result.stopped = fmt::format("took longer than {:g} s", limits.wall);
+      if (memory > limits.memory)
+        result.stopped = fmt::format("used more than {:g} MB of memory", 1e-6 * limits.memory);
+      if (is_nearly_full(folder))
+        result.stopped = fmt::format("left hardly any space on the disk of {}", folder.string());
       if (static_cast<double>(fs::file_size(log, ignored)) > limits.output && !ignored)
-        ran.stopped = fmt::format("wrote more than {:g} MB to its output", 1e-6 * limits.output);
+        result.stopped = fmt::format("wrote more than {:g} MB to its output", 1e-6 * limits.output);
     }
   }
   leave_nothing();
-  ran.cpu = user_time_of_children() - user_before;
-  return ran;
+  result.cpu = user_time_of_children() - user_before;
+  return result;
 }
 
 }  // namespace touchstone::programs

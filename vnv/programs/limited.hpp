@@ -17,14 +17,14 @@ struct Limits {
 };
 
 /// How a program ended, and what it and all that it started took.
-struct Ran {
+struct ProcessResult {
   std::string stopped{};   // "used more than 8 GB of memory": why it was ended; empty where it ended by itself
   Ending ending{};         // where it did
   double cpu = 0;          // s  user time
   double wall = 0;         // s
   double peak_memory = 0;  // bytes
 
-  bool well() const { return stopped.empty() && ending.well(); }
+  bool succeeded() const { return stopped.empty() && ending.succeeded(); }
   /// "ended with status 3", "was ended: took longer than 600 s"
   std::string sentence() const;
 };
@@ -32,7 +32,7 @@ struct Ran {
 /// Runs a program in a folder to its end or to a limit; it writes into `log`. What it started and left is killed, also
 /// where that left its process group. `name` is what it is called where this program is interrupted. It must be the
 /// only program that is run at the time. Throws std::runtime_error if it cannot be started.
-Ran run_limited(const std::string& name, const Words& words, const std::filesystem::path& folder,
-                const std::filesystem::path& log, const Limits& limits);
+ProcessResult run_limited(const std::string& name, const Words& words, const std::filesystem::path& folder,
+                          const std::filesystem::path& log, const Limits& limits);
 
 }  // namespace touchstone::programs

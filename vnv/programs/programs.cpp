@@ -252,11 +252,11 @@ Ending run_into(const fs::path& output, const Words& words) {
   return ending;
 }
 
-std::string Heard::complaint() const {
+std::string CapturedOutput::complaint() const {
   return ending.signal != 0 || errors.empty() ? ending.sentence() : errors.substr(0, errors.find('\n'));
 }
 
-Heard run_and_hear(const Words& words) {
+CapturedOutput run_and_capture(const Words& words) {
   const Scratch output, errors;
   const Ending ending = run_alone(words, Streams{.output = output.number(), .errors = errors.number()});
   return {ending, output.text(), errors.text()};

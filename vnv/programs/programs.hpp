@@ -24,7 +24,7 @@ struct Ending {
   int status = 0;  // exit status
   int signal = 0;  // that killed it, or 0
 
-  bool well() const { return status == 0 && signal == 0; }
+  bool succeeded() const { return status == 0 && signal == 0; }
   /// "ended with status 1", "was killed by signal 11 (Segmentation fault)"
   std::string sentence() const;
 };
@@ -82,7 +82,7 @@ Ending run_here(const Words& words);
 /// Runs a program to its end; what it writes goes into a file. Throws std::runtime_error if it dies of an interrupt.
 Ending run_into(const std::filesystem::path& output, const Words& words);
 
-struct Heard {
+struct CapturedOutput {
   Ending ending;
   std::string output, errors;
 
@@ -90,7 +90,7 @@ struct Heard {
   std::string complaint() const;
 };
 /// Runs a program to its end and keeps what it says.
-Heard run_and_hear(const Words& words);
+CapturedOutput run_and_capture(const Words& words);
 
 /// The last lines of a text file, for a message.
 std::string last_lines(const std::filesystem::path& file, long lines);

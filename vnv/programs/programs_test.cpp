@@ -9,32 +9,32 @@
 namespace touchstone::programs {
 namespace {
 
-Heard shell(const std::string& script) { return run_and_hear({"/bin/sh", "-c", script}); }
+CapturedOutput shell(const std::string& script) { return run_and_capture({"/bin/sh", "-c", script}); }
 
 TEST(AProgram, IsHeardOnBothStreams) {
-  const Heard heard = shell("echo out; echo err >&2");
-  EXPECT_TRUE(heard.ending.well());
-  EXPECT_EQ(heard.output, "out\n");
-  EXPECT_EQ(heard.errors, "err\n");
+  const CapturedOutput captured = shell("echo out; echo err >&2");
+  EXPECT_TRUE(captured.ending.succeeded());
+  EXPECT_EQ(captured.output, "out\n");
+  EXPECT_EQ(captured.errors, "err\n");
 }
 
 TEST(AProgram, ThatFailsIsQuotedByTheFirstLineOfItsErrors) {
-  const Heard heard = shell("echo out; echo 'no such method' >&2; echo 'see --help' >&2; exit 3");
-  EXPECT_EQ(heard.ending.status, 3);
-  EXPECT_EQ(heard.complaint(), "no such method");
+  const CapturedOutput captured = shell("echo out; echo 'no such method' >&2; echo 'see --help' >&2; exit 3");
+  EXPECT_EQ(captured.ending.status, 3);
+  EXPECT_EQ(captured.complaint(), "no such method");
   EXPECT_EQ(shell("exit 2").complaint(), "ended with status 2");
 }
 
 TEST(AProgram, ThatIsKilledIsToldWithItsSignal) {
-  const Heard heard = shell("echo half >&2; kill -SEGV $$");
-  EXPECT_FALSE(heard.ending.well());
-  EXPECT_EQ(heard.ending.sentence(), "was killed by signal 11 (Segmentation fault)");
-  EXPECT_EQ(heard.complaint(), heard.ending.sentence());
+  const CapturedOutput captured = shell("echo half >&2; kill -SEGV $$");
+  EXPECT_FALSE(captured.ending.succeeded());
+  EXPECT_EQ(captured.ending.sentence(), "was killed by signal 11 (Segmentation fault)");
+  EXPECT_EQ(captured.complaint(), captured.ending.sentence());
 }
 
 TEST(AProgram, ThatIsNotThereIsRefusedByName) {
   try {
-    run_and_hear({"/no/such/program"});
+    run_and_capture({"/no/such/program"});
     FAIL() << "ran without complaint";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "/no/such/program: cannot be started: No such file or directory");

@@ -27,10 +27,10 @@ enum class Stepping {
 /// The step is shortened by fifths of itself, so that it changes seldom: a method of several steps starts anew.
 class Pace {
  public:
-  static constexpr double few = 0.01;      // of all particles
-  static constexpr double room = 1.4;      // speeds of sound at rest
-  static constexpr double factor = 0.8;    // from one step to the next shorter one
-  static constexpr double shortest = 0.1;  // of the given step; a fluid that wants less is not slightly compressible
+  static constexpr double outliers = 0.01;  // of all particles
+  static constexpr double margin = 1.4;     // speeds of sound at rest
+  static constexpr double factor = 0.8;     // from one step to the next shorter one
+  static constexpr double shortest = 0.1;   // of the given step; a fluid that wants less is not slightly compressible
 
   /// Of a simulation as it was made.
   explicit Pace(const Simulation& simulation)
@@ -41,12 +41,12 @@ class Pace {
   /// The longest step [s] for the simulation as it is.
   double longest(const Simulation& simulation) const {
     const double fastest = simulation.fastest_signal();
-    return longest(fastest <= room * sound_speed_ ? fastest : simulation.signal_speed(few));
+    return longest(fastest <= margin * sound_speed_ ? fastest : simulation.signal_speed(outliers));
   }
   /// The longest step [s] for signals that travel so fast [m/s]; the shortest if that is not a number.
   double longest(double signal_speed) const {
     double share = 1;
-    while (share > shortest && !(signal_speed * share <= room * sound_speed_)) share *= factor;
+    while (share > shortest && !(signal_speed * share <= margin * sound_speed_)) share *= factor;
     return given_ * std::max(share, shortest);
   }
 

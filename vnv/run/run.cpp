@@ -2,7 +2,7 @@
 
 #include "solvers/stepping/diverged.hpp"
 #include "vnv/run/progress.hpp"
-#include "vnv/run/soundness.hpp"
+#include "vnv/run/state_check.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ class Monitored {
       : simulation_(std::move(simulation)),
         stepping_(stepping),
         pace_(simulation_),
-        soundness_(simulation_.medium(), simulation_.samples()),
+        state_check_(simulation_.medium(), simulation_.samples()),
         progress_(name, end) {}
 
   /// Steps until its time is nearest to a target [s], in steps that may be longer than those before. Throws Diverged.
@@ -37,22 +37,22 @@ class Monitored {
       for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
       seconds_ += watch.seconds();
       progress_.show(simulation_.time());
-      if (simulation_.steps() - last_sound_ >= steps_between_looks) sound_samples();
+      if (simulation_.steps() - last_checked_ >= steps_between_checks) checked_samples();
     }
   }
 
   /// Throws Diverged for what has left the weakly compressible range.
-  Samples sound_samples() {
+  Samples checked_samples() {
     Samples samples = simulation_.samples();
-    soundness_.require(samples, simulation_.steps());
-    last_sound_ = simulation_.steps();
+    state_check_.require(samples, simulation_.steps());
+    last_checked_ = simulation_.steps();
     return samples;
   }
 
   const Simulation& simulation() const { return simulation_; }
   const std::vector<StepChange>& changes() const { return changes_; }
-  long last_sound() const { return last_sound_; }  // the step after which it was last found sound
-  double stepping() const { return seconds_; }     // s  wall time of all steps
+  long last_checked() const { return last_checked_; }  // the step after which it was last found sound
+  double stepping() const { return seconds_; }         // s  wall time of all steps
 
  private:
   long steps_to(double target) const {
@@ -75,44 +75,45 @@ class Monitored {
   Stepping stepping_;
   Pace pace_;
   std::vector<StepChange> changes_;
-  Soundness soundness_;
+  StateCheck state_check_;
   Progress progress_;
-  long last_sound_ = 0;
+  long last_checked_ = 0;
   double seconds_ = 0;
 };
 
-/// How the run ends when it is made again and evaluated after each step from the last sound sample on; `seen`
+/// How the run ends when it is made again and evaluated after each step from the last sound sample on; `outcome`
 /// is how it ended before.
-std::string run_closely(Simulation simulation, const Monitored& monitored, const std::string& seen) {
+std::string run_closely(Simulation simulation, const Monitored& monitored, const std::string& outcome) {
   try {
-    const Soundness soundness(simulation.medium(), simulation.samples());
+    const StateCheck state_check(simulation.medium(), simulation.samples());
     auto change = monitored.changes().begin();
-    while (simulation.steps() <= monitored.last_sound() + steps_between_looks) {
+    while (simulation.steps() <= monitored.last_checked() + steps_between_checks) {
       for (; change != monitored.changes().end() && change->after == simulation.steps(); ++change)
         simulation.change_time_step(change->time_step);
       simulation.step();
-      if (simulation.steps() > monitored.last_sound()) soundness.require(simulation.samples(), simulation.steps());
+      if (simulation.steps() > monitored.last_checked()) state_check.require(simulation.samples(), simulation.steps());
     }
   } catch (const Diverged& diverged) {
     return diverged.what();
   }
-  return seen;  // a solver that is not the same each time
+  return outcome;  // a solver that is not the same each time
 }
 
 /// Samples at the times of the schedule, and what is monitored, into the run.
 void sample(Monitored& monitored, const Schedule& when, Run& run) {
   const double dt = run.summary.time_step;
   std::size_t kept = 0;
-  for (long seen = 0; kept < when.times.size();) {
-    const double next_monitored = when.watch.see ? static_cast<double>(seen) * when.watch.every : when.times.back();
+  for (long rows = 0; kept < when.times.size();) {
+    const double next_monitored =
+        when.monitor.evaluate ? static_cast<double>(rows) * when.monitor.interval : when.times.back();
     const double target = std::min(next_monitored, when.times[kept]);
     monitored.step_to(target);
-    Samples samples = monitored.sound_samples();
+    Samples samples = monitored.checked_samples();
     if (std::abs(samples.time - target) < 1e-9 * target) samples.time = target;  // but for rounding
-    if (when.watch.see && next_monitored <= target + dt / 2) {
+    if (when.monitor.evaluate && next_monitored <= target + dt / 2) {
       run.history.time.push_back(samples.time);
-      run.history.seen.push_back(when.watch.see(samples));
-      ++seen;
+      run.history.values.push_back(when.monitor.evaluate(samples));
+      ++rows;
     }
     if (when.times[kept] <= target + dt / 2) {
       run.samples.push_back(std::move(samples));
@@ -137,9 +138,9 @@ Run run_of_trials(const CostMeter& meter, long particles, long boundary_particle
 }
 
 Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping) {
-  if (when.watch.see && !(when.watch.every > 0 && std::isfinite(when.watch.every)))
+  if (when.monitor.evaluate && !(when.monitor.interval > 0 && std::isfinite(when.monitor.interval)))
     throw std::invalid_argument(
-        fmt::format("{}: watch every {} s, expected a positive time", when.name, when.watch.every));
+        fmt::format("{}: monitor interval {} s, expected a positive time", when.name, when.monitor.interval));
   Run run;
   Monitored monitored(make(), when.name, when.times.back(), stepping);
   const Simulation& simulation = monitored.simulation();

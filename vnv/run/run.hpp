@@ -18,23 +18,23 @@
 namespace touchstone::vnv {
 
 /// Numbers that are followed over time, more often than all particles are kept.
-struct Watch {
-  double every = std::numeric_limits<double>::infinity();  // s
-  std::function<std::vector<double>(const Samples&)> see{};
+struct Monitor {
+  double interval = std::numeric_limits<double>::infinity();  // s
+  std::function<std::vector<double>(const Samples&)> evaluate{};
   std::vector<Quantity> quantities{};  // what they are, one of each, for the record
 };
 
 /// When a run is sampled.
 struct Schedule {
   std::vector<double> times;  // s  rising; all particles are kept at these, and the run ends at the last
-  Watch watch{};
+  Monitor monitor{};
   std::string name{};  // for the progress line
 };
 
 /// What was monitored.
 struct History {
-  std::vector<double> time;               // s
-  std::vector<std::vector<double>> seen;  // one row a time
+  std::vector<double> time;                 // s
+  std::vector<std::vector<double>> values;  // one row a time
 };
 
 /// What came of one run. A diverged run holds what was sampled before.
@@ -74,6 +74,6 @@ inline const Quantity shortest_step_taken{"shortest time step over the nominal o
 Run run_of_trials(const CostMeter& meter, long particles, long boundary_particles, long steps);
 
 /// How often a run is evaluated [steps]: each time costs about as much as a step or two.
-inline constexpr long steps_between_looks = 500;
+inline constexpr long steps_between_checks = 500;
 
 }  // namespace touchstone::vnv

@@ -42,14 +42,15 @@ struct Straight : Clock {
 };
 
 TEST(ARun, IsSampledAtTheAskedTimesAndMonitoredInBetween) {
-  const auto run = simulate(
-      [] { return Straight(); },
-      {.times = {0.5, 2}, .watch = {.every = 0.2, .see = [](const Samples& s) { return std::vector{s.x(0, 0)}; }}});
+  const auto run =
+      simulate([] { return Straight(); },
+               {.times = {0.5, 2},
+                .monitor = {.interval = 0.2, .evaluate = [](const Samples& s) { return std::vector{s.x(0, 0)}; }}});
   ASSERT_EQ(run.samples.size(), 2u);
   EXPECT_NEAR(run.samples[0].time, 0.5, 1e-12);
   EXPECT_NEAR(run.samples[1].time, 2, 1e-12);
   ASSERT_EQ(run.history.time.size(), 11u);
-  EXPECT_NEAR(run.history.seen[3][0], 0.6, 1e-12);
+  EXPECT_NEAR(run.history.values[3][0], 0.6, 1e-12);
   EXPECT_TRUE(run.summary.finished);
   EXPECT_EQ(run.summary.cost.steps, 20);
   EXPECT_NE(run.at(0.5), nullptr);

@@ -21,7 +21,7 @@ Run meet(const Extreme& extreme, const Schedule& when) {
   Ending ending = Ending::diverged;
   double error = not_a_number;
   try {
-    run = simulate(extreme.make, {.times = {extreme.end}, .watch = {}, .name = when.name}, extreme.stepping);
+    run = simulate(extreme.make, {.times = {extreme.end}, .monitor = {}, .name = when.name}, extreme.stepping);
     if (run.summary.finished) {
       if (extreme.error) error = extreme.error(run.samples.back());
       ending = error <= extreme.accurate_within ? Ending::accurate : Ending::stable;

@@ -46,13 +46,13 @@ OnLattice of_channel(const std::string& name, const std::string& words, double c
 /// derivative. In a wave each pair does both, half of the time, so linear theory has half of it at all times.
 struct HalfOfArtificialViscosity : sph::ArtificialViscosity {
   template <class Real>
-  sph::Pull<Real> pull(const sph::Pair<Real>& ij, const Real& per_divisor) const {
-    const Real c = ij.mass * ij.slope * sph::Number<Real>(alpha * sound_speed * h) * ij.approach() * per_divisor;
+  sph::Acceleration<Real> acceleration(const sph::Pair<Real>& ij, const Real& per_divisor) const {
+    const Real c = ij.mass * ij.slope * sph::Number<Real>(alpha * sound_speed * h) * ij.v_dot_r() * per_divisor;
     return {c * ij.x, c * ij.y};
   }
   template <class Real>
-  sph::Pull<Real> operator()(const sph::Pair<Real>& ij) const {
-    return pull(ij, Real(1 / divisor(ij)));
+  sph::Acceleration<Real> operator()(const sph::Pair<Real>& ij) const {
+    return acceleration(ij, Real(1 / divisor(ij)));
   }
 };
 

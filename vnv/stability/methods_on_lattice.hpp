@@ -10,7 +10,7 @@ namespace touchstone::vnv {
 struct LatticeMethod {
   OnLattice on;
   bool fits = false;   // needs several particles in a cell
-  int every = 1;       // steps  after which it does again what it does in turn, as to restore densities
+  int every = 1;       // steps  after which it does again what it does in turn, as to reinitialise densities
   OnLattice linear{};  // what linear theory is asked of instead, where the method has no derivative at rest
 
   bool one_kernel = false;             // has a ratio of h to the spacing that it is not asked to change

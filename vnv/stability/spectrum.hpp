@@ -21,8 +21,8 @@ struct Spectrum {
 /// method remembers from step to step without showing it, affine velocities or past rates, is taken into account. The
 /// first steps, in which methods of several steps start otherwise, are left out. Velocities and densities are
 /// evaluated; what only moves particles about, as a drift that packs them otherwise than squarely, changes no flow and
-/// is not counted. What a method does only every so many steps, as to restore its densities, is seen where that many,
-/// `every`, are taken for one.
+/// is not counted. What a method does only every so many steps, as to reinitialise its densities, is seen where that
+/// many, `every`, are taken for one.
 Spectrum spectrum(const OnLattice& method, const RestingLattice& lattice, double courant, int every = 1);
 
 /// From this growth factor on a disturbance is said to grow: a trial of two thousand steps shows no slower growth.

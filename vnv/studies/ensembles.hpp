@@ -28,8 +28,8 @@ inline Plot bands(Figure frame, std::size_t column) {
     for (std::size_t k = 0; k < times.size(); ++k) {
       std::vector<double> seen;
       for (const Run& run : results.runs)
-        if (k < run.history.seen.size() && std::isfinite(run.history.seen[k][column]))
-          seen.push_back(run.history.seen[k][column]);
+        if (k < run.history.values.size() && std::isfinite(run.history.values[k][column]))
+          seen.push_back(run.history.values[k][column]);
       if (seen.empty()) continue;
       for (std::size_t c = 0; c < curves.size(); ++c) {
         curves[c].x.push_back(times[k]);

@@ -3,7 +3,7 @@
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
 #include "vnv/run/run.hpp"
-#include "vnv/run/soundness.hpp"
+#include "vnv/run/state_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,28 +61,28 @@ void expect_named(const std::string& outcome, const std::string& quantity) {
       << outcome;
 }
 
-TEST(Watch, NamesTheStepAndParticleOfAVelocityThatIsNoNumber) {
+TEST(StateCheck, NamesTheStepAndParticleOfAVelocityThatIsNoNumber) {
   expect_named(ending_with([](Samples& s) { s.v(1, victim) = std::nan(""); }), "speed [m/s] = nan");
 }
-TEST(Watch, NamesTheStepAndParticleOfASpeedBeyondSound) {
+TEST(StateCheck, NamesTheStepAndParticleOfASpeedBeyondSound) {
   expect_named(ending_with([](Samples& s) { s.v(0, victim) = 1e3; }), "speed [m/s] = 1000, expected at most 5 times");
 }
-TEST(Watch, NamesTheStepAndParticleOfADensityThatNoFluidHas) {
+TEST(StateCheck, NamesTheStepAndParticleOfADensityThatNoFluidHas) {
   expect_named(ending_with([](Samples& s) { s.density[victim] = -2; }), "density [kg/m³] = -2, expected 10 to 10000");
   expect_named(ending_with([](Samples& s) { s.density[victim] = 2e4; }), "density [kg/m³] = 20000");
 }
-TEST(Watch, NamesTheStepAndParticleOfAPlaceThatIsNoNumber) {
+TEST(StateCheck, NamesTheStepAndParticleOfAPlaceThatIsNoNumber) {
   EXPECT_NE(ending_with([](Samples& s) {
               s.x(0, victim) = std::nan("");
             }).find("diverged at step 1234, t = 0.1234 s, particle 37 at (nan, 0.35) m"),
             std::string::npos);
 }
-TEST(Watch, NoticesLostMass) {
+TEST(StateCheck, NoticesLostMass) {
   const std::string ending = ending_with([](Samples& s) { s.mass[victim] *= 0.99; });
   EXPECT_NE(ending.find("diverged at step 1234"), std::string::npos) << ending;
   EXPECT_NE(ending.find("mass [kg/m] = 999.9, expected 1000 as at the start"), std::string::npos) << ending;
 }
-TEST(Watch, NoticesALostParticle) {
+TEST(StateCheck, NoticesALostParticle) {
   const std::string ending = ending_with([](Samples& s) {
     s.x.conservativeResize(2, s.size() - 1);
     s.v.conservativeResize(2, s.size());
@@ -90,12 +90,12 @@ TEST(Watch, NoticesALostParticle) {
   EXPECT_NE(ending.find("diverged at step 1234"), std::string::npos) << ending;
   EXPECT_NE(ending.find("particles = 99, expected 100 as at the start"), std::string::npos) << ending;
 }
-TEST(Watch, NoticesEnergyThatNoFlowHas) {
+TEST(StateCheck, NoticesEnergyThatNoFlowHas) {
   const std::string ending = ending_with([](Samples& s) { s.v.row(0).setConstant(60); });
   EXPECT_NE(ending.find("kinetic energy of all [J/m]"), std::string::npos) << ending;
 }
 
-TEST(Watch, EndsARunWhoseStepIsTooLongAtTheFirstStepThatIsNoFlow) {
+TEST(StateCheck, EndsARunWhoseStepIsTooLongAtTheFirstStepThatIsNoFlow) {
   Scene<Newtonian> stirred = still_water;
   stirred.start.velocity = [](const Vec2& x) { return Vec2(1e-3 * std::sin(40 * x.x()), 1e-3 * std::cos(33 * x.y())); };
   const auto too_long = [&] {
@@ -104,12 +104,12 @@ TEST(Watch, EndsARunWhoseStepIsTooLongAtTheFirstStepThatIsNoFlow) {
   const auto run = simulate(too_long, {.times = {20}});
   // The same without the run loop, evaluated after each step.
   auto solver = too_long();
-  const Soundness soundness(Simulation(too_long()).medium(), solver.samples());
+  const StateCheck state_check(Simulation(too_long()).medium(), solver.samples());
   std::string first;
   try {
     for (;;) {
       solver.step();
-      soundness.require(solver.samples(), solver.steps());
+      state_check.require(solver.samples(), solver.steps());
     }
   } catch (const Diverged& diverged) {
     first = diverged.what();

@@ -33,11 +33,13 @@ struct Finds {
                         shifting = is_present<decltype(PartsOfMethod::shifting)>,
                         correction = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ||
                                      ReadsSurroundings<decltype(PartsOfMethod::pressure)>,
-                        rise = ReadsSurroundings<decltype(PartsOfMethod::diffusion)> || shifting,
-                        surroundings = correction || rise, slopes = correction || shifting, book = requires {
-    PartsOfMethod::books_diffusion_in;
+                        density_gradient = ReadsSurroundings<decltype(PartsOfMethod::diffusion)> || shifting,
+                        surroundings = correction || density_gradient, slopes = correction || shifting,
+                        budget = requires {
+    PartsOfMethod::records_diffusion_in;
   };
-  static constexpr std::size_t carried = shifting ? drift_fields : rise ? 2 : 0, first_of_rise = carried - 2;
+  static constexpr std::size_t carried = shifting ? drift_fields : density_gradient ? 2 : 0;
+  static constexpr std::size_t first_of_density_gradient = carried - 2;
 };
 template <class Real, class PartsOfMethod>
 using PackedOfSurface =
@@ -45,8 +47,8 @@ using PackedOfSurface =
                        std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>>;
 
 /// The first pass: all that neither the new density nor the pressure has a part in. Writes the rate of density, by
-/// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the rise of density that the last second pass
-/// has found; the accelerations by the terms; and surroundings.
+/// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the gradient of density that the last second
+/// pass has found; the accelerations by the terms; and surroundings.
 ///
 /// Where the gradient is corrected, a ghost j, whose L is 1, pulls by P_i L_i + P_j: continuity takes the mean of both
 /// gradients there, so that compression against a wall takes the energy that the pull gives back.
@@ -58,10 +60,10 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       slopes = 0,
       diffusion = slopes + (Found::slopes ? 4 : 1),
       half_of_ghosts = diffusion + Found::diffusion,
-      pull = half_of_ghosts + Found::correction,
-      moments = pull + 2,
-      crowd = moments + (Found::surroundings ? 3 : 0),
-      count = crowd + (Found::shifting ? 2 : 0)
+      acceleration = half_of_ghosts + Found::correction,
+      moments = acceleration + 2,
+      concentration_gradient = moments + (Found::surroundings ? 3 : 0),
+      count = concentration_gradient + (Found::shifting ? 2 : 0)
     };
   };
   const auto of_pair = [terms, parts, mass = near.all.mass, slope = Slope<Kernel>(h), per_h = 1 / h](const auto& i,
@@ -69,14 +71,14 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     auto ij = pair_of(i, j, mass);
     using Real = std::remove_cvref_t<decltype(ij.r)>;
     std::array<Real, At::count> sums;
-    const auto pull = terms.on(ij, slope);
-    sums[At::pull] = pull.x;
-    sums[At::pull + 1] = pull.y;
-    const Real per_r = ij.mass * ij.volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
+    const auto acceleration = terms.on(ij, slope);
+    sums[At::acceleration] = acceleration.x;
+    sums[At::acceleration + 1] = acceleration.y;
+    const Real per_r = ij.mass * ij.specific_volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
     if constexpr (Found::slopes) {
       Real vx = ij.vx, vy = ij.vy;
       if constexpr (Found::correction) {
-        const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(fullest_fluid)));
+        const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
         sums[At::half_of_ghosts] = -half * (vx * x + vy * y);
         vx -= half * vx;
         vy -= half * vy;
@@ -86,7 +88,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       sums[At::slopes + 2] = -vy * x;
       sums[At::slopes + 3] = -vy * y;
     } else {
-      sums[At::slopes] = -ij.approach() * per_r;
+      sums[At::slopes] = -ij.v_dot_r() * per_r;
     }
     if constexpr (Found::diffusion) sums[At::diffusion] = parts.diffusion.rate(ij, i, j);
     if constexpr (Found::surroundings) {
@@ -95,9 +97,9 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       sums[At::moments + 2] = -y * ij.y;
     }
     if constexpr (Found::shifting) {
-      const Real crowd = parts.shifting.template crowd<Kernel>(Real(ij.r * Number<Real>(per_h)), per_h);
-      sums[At::crowd] = crowd * x;
-      sums[At::crowd + 1] = crowd * y;
+      const Real weight = parts.shifting.template concentration_weight<Kernel>(Real(ij.r * Number<Real>(per_h)), per_h);
+      sums[At::concentration_gradient] = weight * x;
+      sums[At::concentration_gradient + 1] = weight * y;
     }
     return sums;
   };
@@ -115,56 +117,59 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
                                                                             : sums[At::slopes] + sums[At::slopes + 3];
           if constexpr (Found::correction) divergence += sums[At::half_of_ghosts];
           if constexpr (Found::shifting) {
-            const Vec2 way = parts.shifting.way({sums[At::crowd], sums[At::crowd + 1]}, h);
-            const std::array<double, 6> next{way.x(), way.y(), of_vx.x(), of_vx.y(), of_vy.x(), of_vy.y()};
+            const Vec2 displacement = parts.shifting.displacement(
+                {sums[At::concentration_gradient], sums[At::concentration_gradient + 1]}, h);
+            const std::array<double, 6> next{displacement.x(), displacement.y(), of_vx.x(),
+                                             of_vx.y(),        of_vy.x(),        of_vy.y()};
             for (std::size_t k = 0; k < next.size(); ++k) all.carried[k][i] = next[k];
           }
         }
         all.drho[i] = -all.rho[i] * divergence;
         if constexpr (Found::diffusion) all.drho[i] += sums[At::diffusion];
-        if constexpr (Found::diffusion && Found::book)
-          all.past[PartsOfMethod::books_diffusion_in][i] = sums[At::diffusion];
-        all.ax[i] = sums[At::pull];
-        all.ay[i] = sums[At::pull + 1];
+        if constexpr (Found::diffusion && Found::budget)
+          all.past[PartsOfMethod::records_diffusion_in][i] = sums[At::diffusion];
+        all.ax[i] = sums[At::acceleration];
+        all.ay[i] = sums[At::acceleration + 1];
       });
   if constexpr (Found::surroundings) near.images.refresh_fluid(near.all, near.seen);
 }
 
-/// The second pass: what the new density brings. Adds the accelerations by pressure; finds how density rises, which the
-/// next first pass reads, and with it which way along a surface particles may be shifted.
+/// The second pass: what the new density brings. Adds the accelerations by pressure; finds the gradient of density,
+/// which the next first pass reads, and with it which way along a surface particles may be shifted.
 template <class Kernel, class Packed, class PartsOfMethod>
 void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, double h) {
   using Found = Finds<PartsOfMethod>;
   struct At {
     enum : std::size_t {
-      pull = 0,
-      rise = pull + 2,
-      fullness = rise + (Found::rise ? 2 : 0),
-      count = fullness + (Found::shifting ? 3 : 0)
+      acceleration = 0,
+      density_gradient = acceleration + 2,
+      eigenvalue_gradient = density_gradient + (Found::density_gradient ? 2 : 0),
+      count = eigenvalue_gradient + (Found::shifting ? 3 : 0)
     };
   };
   const auto of_pair = [parts, mass = near.all.mass, slope = Slope<Kernel>(h)](const auto& i, const auto& j) {
     const auto ij = pair_of(i, j, mass, slope);
     using Real = std::remove_cvref_t<decltype(ij.r)>;
     std::array<Real, At::count> sums;
-    Pull<Real> pull;
+    Acceleration<Real> acceleration;
     if constexpr (ReadsSurroundings<decltype(PartsOfMethod::pressure)>)
-      pull = parts.pressure(ij, i, j);
+      acceleration = parts.pressure(ij, i, j);
     else
-      pull = parts.gradient(i, j, parts.pressure(ij));
-    sums[At::pull] = pull.x;
-    sums[At::pull + 1] = pull.y;
-    if constexpr (Found::rise) {
-      const Real rise = ij.mass * ij.slope * (1 - ij.rho_i * ij.volume_j);  // V_j (rho_j - rho_i)
-      sums[At::rise] = rise * ij.x;
-      sums[At::rise + 1] = rise * ij.y;
+      acceleration = parts.gradient(i, j, parts.pressure(ij));
+    sums[At::acceleration] = acceleration.x;
+    sums[At::acceleration + 1] = acceleration.y;
+    if constexpr (Found::density_gradient) {
+      const Real difference = ij.mass * ij.slope * (1 - ij.rho_i * ij.specific_volume_j);  // V_j (rho_j - rho_i)
+      sums[At::density_gradient] = difference * ij.x;
+      sums[At::density_gradient + 1] = difference * ij.y;
     }
     if constexpr (Found::shifting) {
-      const Real fullness_i = i.two(&Packed::l_yy)[1], fullness_j = j.two(&Packed::l_yy)[1],
-                 fuller = ij.mass * ij.volume_j * ij.slope * (fullness_j - fullness_i);
-      sums[At::fullness] = fuller * ij.x;
-      sums[At::fullness + 1] = fuller * ij.y;
-      sums[At::fullness + 2] = -ij.slope * positive_part(Real(Number<Real>(parts.shifting.surface) - fullness_j));
+      const Real least_eigenvalue_i = i.two(&Packed::l_yy)[1], least_eigenvalue_j = j.two(&Packed::l_yy)[1],
+                 difference = ij.mass * ij.specific_volume_j * ij.slope * (least_eigenvalue_j - least_eigenvalue_i);
+      sums[At::eigenvalue_gradient] = difference * ij.x;
+      sums[At::eigenvalue_gradient + 1] = difference * ij.y;
+      sums[At::eigenvalue_gradient + 2] =
+          -ij.slope * positive_part(Real(Number<Real>(parts.shifting.surface) - least_eigenvalue_j));
     }
     return sums;
   };
@@ -172,19 +177,20 @@ void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, do
   sum_over_neighbours<At::count>(
       near.fluid_near_fluid, near.seen, of_pair, [&](Index i, const std::array<double, At::count>& sums) {
         Packed& self = near.seen[i];
-        all.ax[i] += sums[At::pull];
-        all.ay[i] += sums[At::pull + 1];
-        if constexpr (Found::rise) {
-          const Vec2 rise = self.corrected(sums[At::rise], sums[At::rise + 1]);
-          all.carried[Found::first_of_rise][i] = rise.x();
-          all.carried[Found::first_of_rise + 1][i] = rise.y();
+        all.ax[i] += sums[At::acceleration];
+        all.ay[i] += sums[At::acceleration + 1];
+        if constexpr (Found::density_gradient) {
+          const Vec2 gradient = self.corrected(sums[At::density_gradient], sums[At::density_gradient + 1]);
+          all.carried[Found::first_of_density_gradient][i] = gradient.x();
+          all.carried[Found::first_of_density_gradient + 1][i] = gradient.y();
         }
         if constexpr (Found::shifting) {
-          const Vec2 way =
+          const Vec2 displacement =
               parts.shifting.along_surface({all.carried[drift_x][i], all.carried[drift_y][i]}, self,
-                                           {sums[At::fullness], sums[At::fullness + 1]}, sums[At::fullness + 2] > 0);
-          all.carried[drift_x][i] = way.x();
-          all.carried[drift_y][i] = way.y();
+                                           {sums[At::eigenvalue_gradient], sums[At::eigenvalue_gradient + 1]},
+                                           sums[At::eigenvalue_gradient + 2] > 0);
+          all.carried[drift_x][i] = displacement.x();
+          all.carried[drift_y][i] = displacement.y();
         }
       });
 }
@@ -219,13 +225,14 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
  private:
   friend Base;
 
-  /// Rates of density, and of velocity with the pressure that the density has by then. Diffusion reads the rise of
-  /// density of the last second pass: kick-drift-kick begins with both, other integrators begin with none.
+  /// Rates of density, and of velocity with the pressure that the density has by then. Diffusion reads the gradient
+  /// of density of the last second pass: kick-drift-kick begins with both, other integrators begin with none.
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {
     if constexpr (of_density) {
       see_all(time, lap);
-      if constexpr (Found::rise) see_rise<Kernel>(near_, Found::first_of_rise, smoothing_length());
+      if constexpr (Found::density_gradient)
+        see_density_gradient<Kernel>(near_, Found::first_of_density_gradient, smoothing_length());
       lap(SubStep::boundaries);
       sum_by_motion<Kernel>(near_, terms_, parts_, smoothing_length());
       lap(SubStep::pairs);
@@ -253,11 +260,12 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   /// Drops of a few particles and tips bear no tension: under corrected gradients, up to five times those of the
   /// kernel, it tears them apart ever faster.
   void relieve_drops() {
-    constexpr double full_enough = 0.4;  // a straight surface has 0.5
+    constexpr double least_under_tension = 0.4;  // a straight surface has 0.5
     Particles& all = near_.all;
     share_out_fields(this->threads(), all.fluid, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i)
-        if (near_.seen[i].fullness < full_enough) all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
+        if (near_.seen[i].least_eigenvalue < least_under_tension)
+          all.rho[i] = std::max(all.rho[i], scene_.fluid.density);
     });
   }
 

@@ -69,7 +69,7 @@ void see(Near& near, const Motion& velocity, const Field& density, const Field& 
   near.carry(drift_fields, 0);
   sum_by_motion<WendlandC2>(near, momentum(), all_parts, h);
   sum_by_pressure<WendlandC2>(near, all_parts, h);
-  see_rise<WendlandC2>(near, rho_along_x, h);
+  see_density_gradient<WendlandC2>(near, rho_along_x, h);
 }
 
 /// Fluid with nothing around it, in disorder, round: corners are not corrected in full.
@@ -212,7 +212,7 @@ TEST(Surroundings, OfImagesAreThoseOfTheirSources) {
   ASSERT_GT(near.all.images, 0);
   for (Index k = 0; k < near.all.images; ++k) {
     const auto &image = near.seen[first + k], &source = near.seen[near.images.source(k)];
-    ASSERT_EQ(image.fullness, source.fullness);
+    ASSERT_EQ(image.least_eigenvalue, source.least_eigenvalue);
     ASSERT_EQ(image.rho_along_x, source.rho_along_x);
     ASSERT_EQ(image.l_xy, source.l_xy);
   }
@@ -222,9 +222,10 @@ TEST(Surroundings, AreFullInsideAndNotAtASurface) {
   const Near near = drop(still, even, even);
   for (Index i = 0; i < near.all.fluid; ++i) {
     const double depth = 0.5 - (Vec2(near.all.x[i], near.all.y[i]) - Vec2(0.5, 0.5)).norm();
-    const auto fullness = near.seen[i].fullness;
-    ASSERT_TRUE(depth > 0.5 * spacing || fullness < TangentialShifting::surface) << depth << " m, " << fullness;
-    ASSERT_TRUE(depth < 4 * spacing || fullness > 0.9) << depth << " m, " << fullness;
+    const auto least_eigenvalue = near.seen[i].least_eigenvalue;
+    ASSERT_TRUE(depth > 0.5 * spacing || least_eigenvalue < TangentialShifting::surface)
+        << depth << " m, " << least_eigenvalue;
+    ASSERT_TRUE(depth < 4 * spacing || least_eigenvalue > 0.9) << depth << " m, " << least_eigenvalue;
   }
 }
 
@@ -408,7 +409,7 @@ TEST(Walls, CarryALinearRiseOfDensityOn) {
   see(
       near, still, [](const Vec2& x) { return 1000 + slope.dot(x); }, even);
   for (Index i = 0; i < near.all.fluid; ++i) near.seen[i].rho_along_x = slope.x(), near.seen[i].rho_along_y = slope.y();
-  carry_rise_to_ghosts<WendlandC2>(near, h);
+  extrapolate_density_gradient_to_ghosts<WendlandC2>(near, h);
   int near_fluid = 0;
   for (Index k = 0; k < near.ghosts(); ++k) {
     const auto& seen = near.seen[near.all.fluid + k];

@@ -1,20 +1,20 @@
 #pragma once
-/// What a particle knows of its surroundings: how the density rises around it, what makes the gradient of its kernel
-/// exact, and how full of particles its kernel is. Found on the way, in the passes that sum the rates.
+/// What a particle knows of its surroundings: the gradient of density, what makes the gradient of its kernel exact, and
+/// by its least eigenvalue how full of particles its kernel is. Found on the way, in the passes that sum the rates.
 
 #include "solvers/sph/flow.hpp"
 
 namespace touchstone::sph {
 
-/// How full the kernel of fluid is taken to be at most, and that of a ghost where these are to be told apart. What a
-/// neighbour has beyond the fullest fluid is a half for ghosts, their share in the mean of two gradients, and else 0.
-inline constexpr double fullest_fluid = 1.5, fullness_of_ghosts = fullest_fluid + 0.5;
+/// The least eigenvalue that fluid is taken to have at most, and that of a ghost where these are to be told apart. What
+/// a neighbour has beyond that of fluid is a half for ghosts, their share in the mean of two gradients, and else 0.
+inline constexpr double greatest_fluid_eigenvalue = 1.5, ghost_eigenvalue = greatest_fluid_eigenvalue + 0.5;
 
 template <class Number>
 struct Surroundings : Packed<Number> {
   Number rho_along_x = 0, rho_along_y = 0;  // kg/m⁴
   Number l_xx = 1, l_xy = 0;                // -  L, which makes the gradient of a linear field exact; symmetric
-  Number l_yy = 1, fullness = 1;            // -  the least eigenvalue of the inverse of L
+  Number l_yy = 1, least_eigenvalue = 1;    // -  of the inverse of L: how full the kernel is
 
   /// Takes the sum of V_j (r_j - r_i) grad W, symmetric, whose inverse is L. Eigenvalues below 0.4, of splashes, tips
   /// and corners, count as that: L does not jump, and what it corrects there is too small, never too large. In the very
@@ -28,9 +28,9 @@ struct Surroundings : Packed<Number> {
     l_xx = static_cast<Number>(even + per_both * xx);  // both matrices have the same axes
     l_xy = static_cast<Number>(per_both * xy);
     l_yy = static_cast<Number>(even + per_both * yy);
-    fullness = static_cast<Number>(std::min(low, fullest_fluid));
+    least_eigenvalue = static_cast<Number>(std::min(low, greatest_fluid_eigenvalue));
   }
-  void set_rise(double along_x, double along_y) {
+  void set_density_gradient(double along_x, double along_y) {
     rho_along_x = static_cast<Number>(along_x);
     rho_along_y = static_cast<Number>(along_y);
   }
@@ -39,19 +39,19 @@ struct Surroundings : Packed<Number> {
   Vec2 corrected(double of_x, double of_y) const { return {l_xx * of_x + l_xy * of_y, l_xy * of_x + l_yy * of_y}; }
 };
 
-/// The same where a ghost is told from fluid by its fullness.
+/// The same where a ghost is told from fluid by its least eigenvalue.
 template <class Number>
 struct SurroundingsWithGhosts : Surroundings<Number> {
-  SurroundingsWithGhosts() { this->fullness = static_cast<Number>(fullness_of_ghosts); }
+  SurroundingsWithGhosts() { this->least_eigenvalue = static_cast<Number>(ghost_eigenvalue); }
 };
 
 /// A part of a method that says `reads_surroundings` reads what these passes find.
 template <class Part>
 concept ReadsSurroundings = Part::reads_surroundings;
 
-/// Gives each ghost that fluid is near the mean rise of density in that fluid.
+/// Gives each ghost that fluid is near the mean gradient of density in that fluid.
 template <class Kernel, class Packed>
-void carry_rise_to_ghosts(Neighbourhood<Packed>& near, double h) {
+void extrapolate_density_gradient_to_ghosts(Neighbourhood<Packed>& near, double h) {
   const auto terms = [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& g, const auto& j) {
     const auto r = distance(g, j);
     using Real = std::remove_cvref_t<decltype(r)>;
@@ -61,18 +61,20 @@ void carry_rise_to_ghosts(Neighbourhood<Packed>& near, double h) {
   };
   sum_over_neighbours<3>(near.fluid_near_ghost, near.seen, terms, [&](Index g, const std::array<double, 3>& sums) {
     const double per = sums[0] > 0 ? 1 / sums[0] : 0;  // what the lists hold may be beyond the kernel
-    near.seen[g].set_rise(per * sums[1], per * sums[2]);
+    near.seen[g].set_density_gradient(per * sums[1], per * sums[2]);
   });
   near.images.refresh_boundary(near.all, near.seen);
 }
 
-/// Packs how density rises around the fluid, which two of its carried fields hold from `first` on; for its ghosts too.
+/// Packs the gradient of density of the fluid, which two of its carried fields hold from `first` on; for its ghosts
+/// too.
 template <class Kernel, class Packed>
-void see_rise(Neighbourhood<Packed>& near, std::size_t first, double h) {
+void see_density_gradient(Neighbourhood<Packed>& near, std::size_t first, double h) {
   const Particles& all = near.all;
-  for (Index i = 0; i < all.fluid; ++i) near.seen[i].set_rise(all.carried[first][i], all.carried[first + 1][i]);
+  for (Index i = 0; i < all.fluid; ++i)
+    near.seen[i].set_density_gradient(all.carried[first][i], all.carried[first + 1][i]);
   near.images.refresh_fluid(all, near.seen);
-  carry_rise_to_ghosts<Kernel>(near, h);
+  extrapolate_density_gradient_to_ghosts<Kernel>(near, h);
 }
 
 }  // namespace touchstone::sph

@@ -8,7 +8,7 @@
 
 namespace touchstone::sph {
 
-/// Continuity density, predictor-corrector, density restored every 30 steps, ghosts and soft repulsion at walls.
+/// Continuity density, predictor-corrector, density reinitialised every 30 steps, ghosts and soft repulsion at walls.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
 class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidLaw, Force, Terms>, Kernel, Integrator,
                                   Packed<Real>, FluidLaw, Force> {
@@ -23,27 +23,27 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
              lay_out_ghosts_and_walls(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))),
         terms_(terms) {}
 
-  /// One step of the integrator, section 2.4, and every so often the density restored. `lap` is called at the end of
-  /// each sub-step.
+  /// One step of the integrator, section 2.4, and every so often the density reinitialised. `lap` is called at the end
+  /// of each sub-step.
   template <class Laps = NoLaps>
   void step(const Laps& lap = {}) {
     this->list_neighbours(lap);
     this->advance(lap);
     this->tick();
-    if (steps() % steps_between_restorations == 0) restore();  // (29), (30)
+    if (steps() % steps_between_reinitialisations == 0) reinitialise();  // (29), (30)
     lap(SubStep::rates);
   }
 
  private:
   friend Base;
 
-  static constexpr long steps_between_restorations = 30;
+  static constexpr long steps_between_reinitialisations = 30;
   static constexpr bool repels = Left::template keeps<Repulsion>;
 
-  void restore() {
-    if constexpr (Left::template keeps<Restoration>) {
+  void reinitialise() {
+    if constexpr (Left::template keeps<DensityReinitialisation>) {
       near_.see_fluid(scene_.fluid);
-      restore_density<Kernel>(near_, this->smoothing_length());
+      reinitialise_density<Kernel>(near_, this->smoothing_length());
     }
   }
 

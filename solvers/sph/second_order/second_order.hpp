@@ -26,8 +26,9 @@ struct TermsOfFit {
     const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
     const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
     const auto v_i = i.two(&Packed<Real>::vx), v_j = j.two(&Packed<Real>::vx);
-    const auto volume_p_i = i.two(&Packed<Real>::volume), volume_p_j = j.two(&Packed<Real>::volume);
-    return FitOfFlow<Real>::terms(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_p_j[1] - volume_p_i[1]});
+    const auto volume_and_p_i = i.two(&Packed<Real>::specific_volume),
+               volume_and_p_j = j.two(&Packed<Real>::specific_volume);
+    return FitOfFlow<Real>::terms(w, x, y, {v_j[0] - v_i[0], v_j[1] - v_i[1], volume_and_p_j[1] - volume_and_p_i[1]});
   }
 };
 

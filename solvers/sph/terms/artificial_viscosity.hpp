@@ -15,14 +15,14 @@ struct ArtificialViscosity {
     return (ij.rho_i + ij.rho_j) * (ij.r2 + Number<Real>(eta2));
   }
   template <class Real>
-  Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
-    const Real closing = negative_part(ij.approach());
+  Acceleration<Real> acceleration(const Pair<Real>& ij, const Real& per_divisor) const {
+    const Real closing = negative_part(ij.v_dot_r());
     const Real c = ij.mass * ij.slope * Number<Real>(2 * alpha * sound_speed * h) * closing * per_divisor;
     return {c * ij.x, c * ij.y};
   }
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    return pull(ij, Real(1 / divisor(ij)));
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    return acceleration(ij, Real(1 / divisor(ij)));
   }
 };
 

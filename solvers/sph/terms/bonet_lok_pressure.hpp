@@ -12,12 +12,13 @@ struct BonetLokPressure {
   static constexpr bool reads_surroundings = true;
 
   template <class Real, class I, class J>
-  Pull<Real> operator()(const Pair<Real>& ij, const I& i, const J& j) const {
+  Acceleration<Real> operator()(const Pair<Real>& ij, const I& i, const J& j) const {
     using Packed = std::remove_cvref_t<decltype(*i.all)>;
     const auto xx_xy_i = i.two(&Packed::l_xx), xx_xy_j = j.two(&Packed::l_xx), yy_i = i.two(&Packed::l_yy),
                yy_j = j.two(&Packed::l_yy);
     const Real xx = ij.p_i * xx_xy_i[0] + ij.p_j * xx_xy_j[0], xy = ij.p_i * xx_xy_i[1] + ij.p_j * xx_xy_j[1],
-               yy = ij.p_i * yy_i[0] + ij.p_j * yy_j[0], c = -(ij.mass * ij.slope) * ij.volume_i * ij.volume_j;
+               yy = ij.p_i * yy_i[0] + ij.p_j * yy_j[0],
+               c = -(ij.mass * ij.slope) * ij.specific_volume_i * ij.specific_volume_j;
     return {c * (xx * ij.x + xy * ij.y), c * (xy * ij.x + yy * ij.y)};
   }
 };

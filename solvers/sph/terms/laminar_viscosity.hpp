@@ -14,13 +14,13 @@ struct LaminarViscosity {
     return (ij.rho_i + ij.rho_j) * (ij.r2 + Number<Real>(eta * eta));
   }
   template <class Real>
-  Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
+  Acceleration<Real> acceleration(const Pair<Real>& ij, const Real& per_divisor) const {
     const Real c = ij.mass * ij.slope * Number<Real>(4 * nu) * ij.r2 * per_divisor;
     return {c * ij.vx, c * ij.vy};
   }
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    return pull(ij, Real(1 / divisor(ij)));
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    return acceleration(ij, Real(1 / divisor(ij)));
   }
 };
 

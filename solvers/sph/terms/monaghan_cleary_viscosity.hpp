@@ -17,13 +17,14 @@ struct MonaghanClearyViscosity {
     return ij.r2;
   }
   template <class Real>
-  Pull<Real> pull(const Pair<Real>& ij, const Real& per_divisor) const {
-    const Real c = ij.mass * ij.slope * Number<Real>(8 * mu) * ij.volume_i * ij.volume_j * ij.approach() * per_divisor;
+  Acceleration<Real> acceleration(const Pair<Real>& ij, const Real& per_divisor) const {
+    const Real c = ij.mass * ij.slope * Number<Real>(8 * mu) * ij.specific_volume_i * ij.specific_volume_j *
+                   ij.v_dot_r() * per_divisor;
     return {c * ij.x, c * ij.y};
   }
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    return pull(ij, Real(1 / divisor(ij)));
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    return acceleration(ij, Real(1 / divisor(ij)));
   }
 };
 

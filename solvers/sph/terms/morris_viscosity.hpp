@@ -8,8 +8,8 @@ struct MorrisViscosity {
   double mu;  // Pa s
 
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = ij.mass * ij.slope * Number<Real>(2 * mu) * ij.volume_i * ij.volume_j;
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    const Real c = ij.mass * ij.slope * Number<Real>(2 * mu) * ij.specific_volume_i * ij.specific_volume_j;
     return {c * ij.vx, c * ij.vy};
   }
 };

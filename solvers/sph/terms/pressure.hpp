@@ -7,8 +7,8 @@ namespace touchstone::sph {
 /// keeps momentum (Monaghan 1992).
 struct Pressure {
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = -(ij.mass * ij.slope) * (ij.push_i + ij.push_j);
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    const Real c = -(ij.mass * ij.slope) * (ij.p_over_rho2_i + ij.p_over_rho2_j);
     return {c * ij.x, c * ij.y};
   }
 };

@@ -8,8 +8,8 @@ namespace touchstone::sph {
 /// 448-475).
 struct PressureSum {
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = -(ij.mass * ij.slope) * (ij.p_i + ij.p_j) * ij.volume_i * ij.volume_j;
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
+    const Real c = -(ij.mass * ij.slope) * (ij.p_i + ij.p_j) * ij.specific_volume_i * ij.specific_volume_j;
     return {c * ij.x, c * ij.y};
   }
 };

@@ -31,7 +31,7 @@ Pair<double> pair_at(const Vec2& apart, const Vec2& v_ij, double h) {
   ij.vx = v_ij.x();
   ij.vy = v_ij.y();
   ij.rho_i = ij.rho_j = rho;
-  ij.volume_i = ij.volume_j = 1 / rho;
+  ij.specific_volume_i = ij.specific_volume_j = 1 / rho;
   ij.mass = rho * spacing * spacing;
   return ij;
 }
@@ -45,8 +45,8 @@ Vec2 acceleration(const Term& term, double h, const Velocity& v) {
     for (int column = -reach; column <= reach; ++column) {
       if (row == 0 && column == 0) continue;
       const Vec2 x(spacing * column, spacing * row);
-      const Pull<double> pull = term(pair_at<Kernel>(-x, v(Vec2(0, 0)) - v(x), h));
-      sum += Vec2(pull.x, pull.y);
+      const Acceleration<double> by_one = term(pair_at<Kernel>(-x, v(Vec2(0, 0)) - v(x), h));
+      sum += Vec2(by_one.x, by_one.y);
     }
   return sum;
 }
@@ -135,12 +135,12 @@ TEST(Terms, OfAClosePairAreWhatTheirPapersPrint) {
   constexpr double rho_i = 800, rho_j = 1300, p_i = 700, p_j = -200;
   const Vec2 apart(0.011, -0.007), v_ij(-0.3, 0.4);
   Pair<double> ij = pair_at<QuinticSpline>(apart, v_ij, h);
-  ij.rho_i = rho_i, ij.volume_i = 1 / rho_i, ij.p_i = p_i, ij.push_i = p_i / (rho_i * rho_i);
-  ij.rho_j = rho_j, ij.volume_j = 1 / rho_j, ij.p_j = p_j, ij.push_j = p_j / (rho_j * rho_j);
+  ij.rho_i = rho_i, ij.specific_volume_i = 1 / rho_i, ij.p_i = p_i, ij.p_over_rho2_i = p_i / (rho_i * rho_i);
+  ij.rho_j = rho_j, ij.specific_volume_j = 1 / rho_j, ij.p_j = p_j, ij.p_over_rho2_j = p_j / (rho_j * rho_j);
   const Vec2 grad_W = ij.slope * apart;
   const double m = ij.mass, r2 = apart.squaredNorm(), closing = v_ij.dot(apart);
   ASSERT_LT(closing, 0);
-  const auto expect = [&](const char* name, const Pull<double>& found, const Vec2& expected) {
+  const auto expect = [&](const char* name, const Acceleration<double>& found, const Vec2& expected) {
     EXPECT_LT((Vec2(found.x, found.y) - expected).norm(), 1e-13 * expected.norm()) << name;
   };
   expect("Monaghan (1992), (3.3)", Pressure{}(ij), -m * (p_i / (rho_i * rho_i) + p_j / (rho_j * rho_j)) * grad_W);

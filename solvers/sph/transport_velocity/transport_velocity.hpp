@@ -14,12 +14,13 @@ struct PackedWithDrift : Packed<Number> {
   Number mx, my;  // kg/m² s  density times drift
 };
 template <class Real, class Left>
-using PackedOfTransport = std::conditional_t<Left::template keeps<Spreading> && Left::template keeps<MomentumOfDrift>,
-                                             PackedWithDrift<Real>, Packed<Real>>;
+using PackedOfTransport =
+    std::conditional_t<Left::template keeps<BackgroundPressure> && Left::template keeps<DriftMomentum>,
+                       PackedWithDrift<Real>, Packed<Real>>;
 
 /// Half the mean of A = rho v (transport velocity - v) along grad W (Adami, Hu & Adams 2013, (8)).
 template <class Lane, class I, class J>
-Pull<Lane> momentum_of_drift(const Pair<Lane>& ij, const I& i, const J& j, const Lane& volumes) {
+Acceleration<Lane> drift_momentum(const Pair<Lane>& ij, const I& i, const J& j, const Lane& volumes) {
   using Seen = std::remove_cvref_t<decltype(*i.all)>;
   const auto m_i = i.two(&Seen::mx), m_j = j.two(&Seen::mx), v_i = i.two(&Seen::vx), v_j = j.two(&Seen::vx);
   const Lane out_i = m_i[0] * ij.x + m_i[1] * ij.y, out_j = m_j[0] * ij.x + m_j[1] * ij.y,
@@ -39,11 +40,14 @@ void find_rates_and_drift_by(const Terms& terms_of_method, Neighbourhood<Packed>
       [terms = terms_of_method, mass = all.mass, slope = Slope<Kernel>(h),
        background = static_cast<typename Packed::Number>(background_pressure)](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, mass);
-        auto pull = terms.on(ij, slope);
+        auto acceleration = terms.on(ij, slope);
         const auto thicker = ij.continuity();
-        const auto volumes = ij.mass * ij.slope * (ij.volume_i * ij.volume_i + ij.volume_j * ij.volume_j);
-        if constexpr (drift_has_momentum) pull += momentum_of_drift(ij, i, j, volumes);
-        return std::array{thicker, pull.x, pull.y, -background * volumes * ij.x, -background * volumes * ij.y};
+        const auto volumes =
+            ij.mass * ij.slope *
+            (ij.specific_volume_i * ij.specific_volume_i + ij.specific_volume_j * ij.specific_volume_j);
+        if constexpr (drift_has_momentum) acceleration += drift_momentum(ij, i, j, volumes);
+        return std::array{thicker, acceleration.x, acceleration.y, -background * volumes * ij.x,
+                          -background * volumes * ij.y};
       },
       [drho = all.drho.data(), ax = all.ax.data(), ay = all.ay.data(), drift_x = all.carried[0].data(),
        drift_y = all.carried[1].data(), half_step](Index i, const std::array<double, 5>& sums) {
@@ -71,7 +75,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   using Base::steps, Base::time_step;
 
   TransportVelocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
-      : Base(scene, settings, spreads ? 2 : 0), terms_(terms) {}
+      : Base(scene, settings, has_background ? 2 : 0), terms_(terms) {}
 
   /// The particles drift, then one step of the integrator. `lap` is called at the end of each sub-step.
   template <class Laps = NoLaps>
@@ -81,7 +85,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
     lap(SubStep::motion);
     this->advance(lap);
     this->tick();
-    if (steps() % 30 == 0) keep_volume();
+    if (steps() % 30 == 0) constrain_volume();
     lap(SubStep::rates);
   }
 
@@ -89,15 +93,15 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   friend Base;
 
   static constexpr double background_fraction = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
-  static constexpr bool spreads = Left::template keeps<Spreading>;
-  static constexpr bool drift_has_momentum = spreads && Left::template keeps<MomentumOfDrift>;
+  static constexpr bool has_background = Left::template keeps<BackgroundPressure>;
+  static constexpr bool drift_has_momentum = has_background && Left::template keeps<DriftMomentum>;
 
   // Carried with the particles: transport velocity less velocity [m/s].
   Scalars& wx() { return near_.all.carried[0]; }
   Scalars& wy() { return near_.all.carried[1]; }
 
   void drift(double dt) {
-    if constexpr (spreads) {
+    if constexpr (has_background) {
       near_.all.x.head(near_.all.fluid) += dt * wx();
       near_.all.y.head(near_.all.fluid) += dt * wy();
     }
@@ -105,8 +109,8 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
 
   /// The fluid fills its domain, so the particles' volumes add up to what they were at the start. Continuity alone lets
   /// their sum creep, by 0.07 % in 10 s of Poiseuille flow, and with it the viscosity.
-  void keep_volume() {
-    if constexpr (Left::template keeps<VolumeKeeping>) {
+  void constrain_volume() {
+    if constexpr (Left::template keeps<VolumeConstraint>) {
       Scalars& rho = near_.all.rho;
       rho *= scene_.fluid.density / static_cast<double>(near_.all.fluid) * rho.inverse().sum();
     }
@@ -117,7 +121,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   void find(double time, const Laps& lap) {
     if constexpr (drift_has_momentum) see_drift();
     this->see_fluid_and_ghosts(time, lap);
-    if constexpr (of_velocity && spreads)
+    if constexpr (of_velocity && has_background)
       find_rates_and_drift<of_density>();
     else if constexpr (of_velocity)
       find_rates_by<Kernel, of_density>(terms_, near_, this->smoothing_length());

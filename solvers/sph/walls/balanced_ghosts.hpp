@@ -18,9 +18,10 @@ void balance_ghosts(Neighbourhood<Packed>& near, const std::vector<Wall>& walls,
     const auto sides = apart(g, j);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
     const Real r = square_root(Real(sides[0] * sides[0] + sides[1] * sides[1])), weight = Kernel::w(Real(r * per_h));
-    const auto v = j.two(&Packed::vx), rho_push = j.two(&Packed::rho), volume_p = j.two(&Packed::volume);
-    const Real heavy = weight * rho_push[0];
-    return std::array<Real, 6>{weight,           weight * v[0],   weight * v[1], weight * volume_p[1],
+    const auto v = j.two(&Packed::vx), rho_and_p_over_rho2 = j.two(&Packed::rho),
+               volume_and_p = j.two(&Packed::specific_volume);
+    const Real heavy = weight * rho_and_p_over_rho2[0];
+    return std::array<Real, 6>{weight,           weight * v[0],   weight * v[1], weight * volume_and_p[1],
                                heavy * sides[0], heavy * sides[1]};
   };
   give_to_ghosts<6>(near, fluid.density, terms,

@@ -18,9 +18,9 @@ void extrapolate_to_ghosts(Neighbourhood<Packed>& near, const std::vector<Wall>&
     const auto sides = apart(j, g);
     using Real = std::remove_cvref_t<decltype(sides[0])>;
     const Real r = square_root(Real(sides[0] * sides[0] + sides[1] * sides[1])), weight = Kernel::w(Real(r * per_h));
-    const auto v = j.two(&Packed::vx), volume_p = j.two(&Packed::volume);
-    return std::array<Real, 6>{weight,           weight * v[0], weight * v[1], weight * volume_p[1], weight * sides[0],
-                               weight * sides[1]};
+    const auto v = j.two(&Packed::vx), volume_and_p = j.two(&Packed::specific_volume);
+    return std::array<Real, 6>{
+        weight, weight * v[0], weight * v[1], weight * volume_and_p[1], weight * sides[0], weight * sides[1]};
   };
   give_to_ghosts<6>(
       near, fluid.density, terms, [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Packed& seen) {

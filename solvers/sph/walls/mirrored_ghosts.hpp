@@ -11,9 +11,9 @@ void mirror_to_ghosts(Neighbourhood<Packed>& near, const std::vector<Wall>& wall
   const auto terms = [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& g, const auto& j) {
     const auto r = distance(g, j);
     using Real = std::remove_cvref_t<decltype(r)>;
-    const auto v = j.two(&Packed::vx), volume_p = j.two(&Packed::volume);
-    const Real rho = j.two(&Packed::rho)[0], weight = volume_p[0] * Kernel::w(Real(r * per_h));
-    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * rho, weight * volume_p[1]};
+    const auto v = j.two(&Packed::vx), volume_and_p = j.two(&Packed::specific_volume);
+    const Real rho = j.two(&Packed::rho)[0], weight = volume_and_p[0] * Kernel::w(Real(r * per_h));
+    return std::array<Real, 5>{weight, weight * v[0], weight * v[1], weight * rho, weight * volume_and_p[1]};
   };
   give_to_ghosts<5>(near, density, terms, [&](const BoundaryLayout::Ghost& ghost, const auto& sums, Packed& seen) {
     const double per = 1 / sums[0];

@@ -20,14 +20,14 @@ struct SoftRepulsion {
   static constexpr double reach(double spacing) { return 1.12 * spacing; }  // half one along the normal, one along it
 
   template <class Real>
-  Pull<Real> operator()(const Pair<Real>& ij) const {
+  Acceleration<Real> operator()(const Pair<Real>& ij) const {
     const Real& normal = axis == 0 ? ij.x : ij.y;
     const Real& along = axis == 0 ? ij.y : ij.x;
     const Real r = square_root(Real(normal * normal)), off = square_root(Real(along * along));
     const Real near = positive_part(Real(1 - r * Number<Real>(2 / spacing))),
                fraction = positive_part(Real(1 - off * Number<Real>(1 / spacing)));
     const Real c = Number<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * fraction / (r * r);
-    return axis == 0 ? Pull<Real>{c * ij.x, Real{}} : Pull<Real>{Real{}, c * ij.y};
+    return axis == 0 ? Acceleration<Real>{c * ij.x, Real{}} : Acceleration<Real>{Real{}, c * ij.y};
   }
 };
 
@@ -35,12 +35,12 @@ struct SoftRepulsion {
 template <int axis, class Packed>
 void push_off(Neighbourhood<Packed>& near, double sound_speed, double spacing) {
   Particles& all = near.all;
-  const SoftRepulsion<axis> push{sound_speed, spacing};
+  const SoftRepulsion<axis> repulsion{sound_speed, spacing};
   sum_over_neighbours<2>(
       near.wall_near_fluid[axis], near.seen,
-      [push, mass = all.mass](const auto& i, const auto& j) {
-        const auto pull = push(pair_of(i, j, mass));
-        return std::array{pull.x, pull.y};
+      [repulsion, mass = all.mass](const auto& i, const auto& j) {
+        const auto acceleration = repulsion(pair_of(i, j, mass));
+        return std::array{acceleration.x, acceleration.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { (axis == 0 ? all.ax : all.ay)[i] += sums[axis]; });
 }

@@ -42,8 +42,8 @@ template <class Terms>
       fluid.fluid_near_fluid, fluid.seen,
       [terms = list, mass = fluid.all.mass, slope = Slope<CubicSpline>(h)](const auto& i, const auto& j) {
         auto ij = pair_of(i, j, mass);
-        const auto pull = terms.on(ij, slope);
-        return std::array{pull.x, pull.y};
+        const auto acceleration = terms.on(ij, slope);
+        return std::array{acceleration.x, acceleration.y};
       },
       [&](Index i, const std::array<double, 2>& sums) { accelerations[i] = sums; });
 }
@@ -57,12 +57,12 @@ template <class Terms>
   for (const auto& block : part.blocks) {
     const int* self = part.rows.data() + block.first_row * width;
     const auto x_i = gather_two<width>([&](int lane) { return &all[self[lane]].x; });
-    const auto push_i = gather_two<width>([&](int lane) { return &all[self[lane]].rho; })[1];
+    const auto p_over_rho2_i = gather_two<width>([&](int lane) { return &all[self[lane]].rho; })[1];
     Numbers ax{}, ay{};
     for (int row = 1; row < block.rows; ++row) {
       const int* other = self + row * width;
       const auto x_j = gather_two<width>([&](int lane) { return &all[other[lane]].x; });
-      const auto push_j = gather_two<width>([&](int lane) { return &all[other[lane]].rho; })[1];
+      const auto p_over_rho2_j = gather_two<width>([&](int lane) { return &all[other[lane]].rho; })[1];
       const Numbers x = x_i[0] - x_j[0], y = x_i[1] - x_j[1];
       Numbers r;
       const Numbers r2 = x * x + y * y;
@@ -70,9 +70,9 @@ template <class Terms>
       const Numbers q = r * (1 / h), two = 2 - q, one = 1 - q;
       const Numbers a = two > 0 ? two : Numbers{}, b = one > 0 ? one : Numbers{};
       const Numbers slope = CubicSpline::sigma * (-0.75 * a * a + 3 * b * b) * (1 / (h * h * h)) * (1 / r);
-      const Numbers pull = -(mass * slope) * (push_i + push_j);
-      ax += pull * x;
-      ay += pull * y;
+      const Numbers c = -(mass * slope) * (p_over_rho2_i + p_over_rho2_j);
+      ax += c * x;
+      ay += c * y;
     }
     for (int lane = 0; lane < block.particles; ++lane) accelerations[self[lane]] = {ax[lane], ay[lane]};
   }

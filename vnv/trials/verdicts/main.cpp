@@ -114,9 +114,9 @@ Suite read_suite(const fs::path& folder, const fs::path& claims) {
 
 /// Whether a report of these cases is green, by its exit status or by its index.
 bool is_green(const std::vector<CaseRecords>& cases, const vnv::AcceptedClaims& accepted) {
-  reports::Standing standing = reports::standing(cases, {}, "");
-  standing.claims = claims_standing(cases, accepted, false);
-  return standing.passes() || contains(index_page(cases, standing, false), "<p class=\"sum holds\">");
+  reports::NightStatus status = reports::night_status(cases, {}, "");
+  status.claims = claims_status(cases, accepted, false);
+  return status.passes() || contains(index_page(cases, status, false), "<p class=\"sum holds\">");
 }
 
 /// The cases with another text for one record; nothing where that is refused, in one line, and no page is made.
@@ -134,7 +134,7 @@ bool is_missed(std::vector<CaseRecords> cases, const Entry& entry, const vnv::Ac
   const std::string name = fmt::format("{}.{} (all)", cases[entry.of_case].name, records[entry.at].method);
   records.erase(records.begin() + static_cast<std::ptrdiff_t>(entry.at));
   if (records.empty()) cases.erase(cases.begin() + static_cast<std::ptrdiff_t>(entry.of_case));
-  return !cases.empty() && contains(claims_standing(cases, accepted, true).missing, name);
+  return !cases.empty() && contains(claims_status(cases, accepted, true).missing, name);
 }
 
 /// Whether each mutation was seen, and which were not.

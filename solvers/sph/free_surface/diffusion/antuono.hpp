@@ -18,9 +18,9 @@ struct Antuono {
   template <class Real, class I, class J>
   Real rate(const Pair<Real>& ij, const I& i, const J& j) const {
     using Packed = std::remove_cvref_t<decltype(*j.all)>;
-    const auto rise_i = i.two(&Packed::rho_along_x), rise_j = j.two(&Packed::rho_along_x);
-    const Real linear = (rise_i[0] + rise_j[0]) * ij.x + (rise_i[1] + rise_j[1]) * ij.y;
-    return Number<Real>(delta * h * sound_speed) * ij.mass * ij.volume_j * ij.slope *
+    const auto gradient_i = i.two(&Packed::rho_along_x), gradient_j = j.two(&Packed::rho_along_x);
+    const Real linear = (gradient_i[0] + gradient_j[0]) * ij.x + (gradient_i[1] + gradient_j[1]) * ij.y;
+    return Number<Real>(delta * h * sound_speed) * ij.mass * ij.specific_volume_j * ij.slope *
            (2 * (ij.rho_i - ij.rho_j) - linear);
   }
 };

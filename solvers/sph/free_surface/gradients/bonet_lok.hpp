@@ -10,7 +10,7 @@ struct BonetLok {
   static constexpr bool reads_surroundings = true;
 
   template <class Real, class I, class J>
-  Pull<Real> operator()(const I& i, const J&, const Pull<Real>& along) const {
+  Acceleration<Real> operator()(const I& i, const J&, const Acceleration<Real>& along) const {
     using Packed = std::remove_cvref_t<decltype(*i.all)>;
     const auto xx_xy = i.two(&Packed::l_xx);
     const Real yy = i.two(&Packed::l_yy)[0];

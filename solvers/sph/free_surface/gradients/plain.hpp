@@ -6,7 +6,7 @@ namespace touchstone::sph {
 /// The gradient of the kernel as it is.
 struct PlainGradient {
   template <class Real, class I, class J>
-  Pull<Real> operator()(const I&, const J&, const Pull<Real>& along) const {
+  Acceleration<Real> operator()(const I&, const J&, const Acceleration<Real>& along) const {
     return along;
   }
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Methods for free surfaces that keep a book of the energy of water in a tank (solvers/stepping/energy_book.hpp).
+/// Methods for free surfaces that keep an energy budget of water in a tank (solvers/stepping/energy_budget.hpp).
 
 #include "vnv/methods/free_surface_methods.hpp"
 
@@ -16,6 +16,6 @@ inline const std::vector<Quantity> parts_of_energy{
 
 /// delta-SPH, shifted and corrected SPH, and, as the plain `mpm::composed`, APIC, XPIC(5) and MPM as printed. Walls
 /// with an extent are refused by MPM.
-std::vector<Method> methods_with_books(const Scene<Tait, Uniform>& scene, double output_interval);
+std::vector<Method> methods_with_energy_budget(const Scene<Tait, Uniform>& scene, double output_interval);
 
 }  // namespace touchstone::vnv

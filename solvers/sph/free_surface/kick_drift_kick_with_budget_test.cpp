@@ -1,4 +1,4 @@
-#include "solvers/sph/free_surface/booked_kick_drift_kick.hpp"
+#include "solvers/sph/free_surface/kick_drift_kick_with_budget.hpp"
 
 #include "solvers/forces/uniform.hpp"
 #include "solvers/sph/free_surface/diffusion/antuono.hpp"
@@ -12,7 +12,7 @@
 #include "solvers/walls/free_slip.hpp"
 
 namespace touchstone::sph {
-namespace booked_test {
+namespace budget_test {
 
 constexpr double spacing = 0.05, h = 2 * spacing, c = 30, g = 9.81;
 constexpr double potential = 1000 * 0.5 * 0.5 * g * 0.5 / 2;  // J/m  that the column begins with
@@ -42,51 +42,51 @@ auto solver(const auto& parts, double alpha = 0.02) {
                                               parts);
 }
 template <class PartsOfMethod>
-EnergyBook book_of(const PartsOfMethod& parts, double alpha = 0.02) {
-  auto simulation = solver<BookedKickDriftKick>(Booked<PartsOfMethod>{parts}, alpha);
+EnergyBudget budget_of(const PartsOfMethod& parts, double alpha = 0.02) {
+  auto simulation = solver<KickDriftKickWithBudget>(WithBudget<PartsOfMethod>{parts}, alpha);
   for (int k = 0; k < steps; ++k) simulation.step();
-  return *simulation.integrator().book;
+  return *simulation.integrator().budget;
 }
 
 template <class PartsOfMethod>
 void expect_the_same_run(const PartsOfMethod& parts) {
   auto plain = solver<KickDriftKick>(parts);
-  auto booked = solver<BookedKickDriftKick>(Booked<PartsOfMethod>{parts});
-  for (int k = 0; k < steps; ++k) plain.step(), booked.step();
-  const Samples a = plain.samples(), b = booked.samples();
+  auto with_budget = solver<KickDriftKickWithBudget>(WithBudget<PartsOfMethod>{parts});
+  for (int k = 0; k < steps; ++k) plain.step(), with_budget.step();
+  const Samples a = plain.samples(), b = with_budget.samples();
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.v, b.v);
   EXPECT_TRUE((a.density == b.density).all());
 }
 
-TEST(EnergyBookOfSph, KeepingItChangesNoBitOfARun) {
+TEST(EnergyBudgetOfSph, KeepingItChangesNoBitOfARun) {
   expect_the_same_run(delta);
   expect_the_same_run(shifted);
   expect_the_same_run(corrected);
 }
 
-TEST(EnergyBookOfSph, AccountsForAllEnergyButRounding) {
-  for (const EnergyBook& book : {book_of(delta), book_of(shifted), book_of(corrected)}) {
-    EXPECT_NEAR(book.start.total(), potential, 0.01 * potential);
-    EXPECT_LT(book.now.total(), 0.99 * book.start.total());
-    EXPECT_NEAR(book.residual(), 0, 1e-12 * potential);
+TEST(EnergyBudgetOfSph, AccountsForAllEnergyButRounding) {
+  for (const EnergyBudget& budget : {budget_of(delta), budget_of(shifted), budget_of(corrected)}) {
+    EXPECT_NEAR(budget.start.total(), potential, 0.01 * potential);
+    EXPECT_LT(budget.now.total(), 0.99 * budget.start.total());
+    EXPECT_NEAR(budget.residual(), 0, 1e-12 * potential);
   }
 }
 
-TEST(EnergyBookOfSph, PartsThatAMethodDoesNotHaveAddNothing) {
-  const EnergyBook without_shifting = book_of(delta), with_shifting = book_of(shifted);
+TEST(EnergyBudgetOfSph, PartsThatAMethodDoesNotHaveAddNothing) {
+  const EnergyBudget without_shifting = budget_of(delta), with_shifting = budget_of(shifted);
   EXPECT_NEAR(without_shifting.shifting, 0, 1e-14 * potential);
   EXPECT_EQ(without_shifting.transfer, 0);
   EXPECT_GT(std::abs(with_shifting.shifting), 1e-6 * potential);
-  EXPECT_EQ(book_of(delta, 0).viscosity, 0);
+  EXPECT_EQ(budget_of(delta, 0).viscosity, 0);
 }
 
-TEST(EnergyBookOfSph, ViscosityDiffusionAndContactTakeEnergy) {
-  const EnergyBook book = book_of(delta);
-  EXPECT_LT(book.viscosity, -0.01 * potential);
-  EXPECT_LT(book.smoothing, 0);
-  EXPECT_LT(book.walls, 0);
-  EXPECT_GT(book_of(delta, 0.01).viscosity, book.viscosity);
+TEST(EnergyBudgetOfSph, ViscosityDiffusionAndContactTakeEnergy) {
+  const EnergyBudget budget = budget_of(delta);
+  EXPECT_LT(budget.viscosity, -0.01 * potential);
+  EXPECT_LT(budget.smoothing, 0);
+  EXPECT_LT(budget.walls, 0);
+  EXPECT_GT(budget_of(delta, 0.01).viscosity, budget.viscosity);
 }
 
 /// By how much the energy of a single particle that flies against a wall changes, over what it has, while it bounces
@@ -98,24 +98,24 @@ double change_in_a_bounce(const PartsOfMethod& parts) {
   scene.walls = {left_at(0, free_slip())};
   scene.body_force = {{0, 0}};
   scene.start = {.velocity = [](const Vec2&) -> Vec2 { return {-5, 0}; }};
-  auto simulation = free_surface<WendlandC2, BookedKickDriftKick>(
+  auto simulation = free_surface<WendlandC2, KickDriftKickWithBudget>(
       scene, {.spacing = spacing, .smoothing_length = h, .time_step = 5e-5},
-      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), Booked<PartsOfMethod>{parts});
+      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), WithBudget<PartsOfMethod>{parts});
   double most = 0;
-  const EnergyBook& book = *simulation.integrator().book;
+  const EnergyBudget& budget = *simulation.integrator().budget;
   for (int k = 0; k < 2400; ++k) {
     simulation.step();
-    most = std::max(most, std::abs(book.now.total() - book.start.total()) / book.start.total());
+    most = std::max(most, std::abs(budget.now.total() - budget.start.total()) / budget.start.total());
   }
   EXPECT_GT(simulation.samples().v(0, 0), 0);
   return most;
 }
 
-TEST(EnergyBookOfSph, ADropThatBouncesOffAWallKeepsItsEnergyAllTheWhile) {
+TEST(EnergyBudgetOfSph, ADropThatBouncesOffAWallKeepsItsEnergyAllTheWhile) {
   EXPECT_LT(change_in_a_bounce(delta), 0.02);
   EXPECT_LT(change_in_a_bounce(shifted), 0.02);
   EXPECT_LT(change_in_a_bounce(corrected), 0.02);
 }
 
-}  // namespace booked_test
+}  // namespace budget_test
 }  // namespace touchstone::sph

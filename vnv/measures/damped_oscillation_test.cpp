@@ -1,4 +1,4 @@
-#include "vnv/measures/swing.hpp"
+#include "vnv/measures/damped_oscillation.hpp"
 
 #include "vnv/measures/half_axes.hpp"
 
@@ -13,29 +13,29 @@ std::vector<double> times_until(double end) {
   return times;
 }
 
-TEST(Swing, IsFoundFromAWrongGuess) {
+TEST(DampedOscillation, IsFoundFromAWrongGuess) {
   const std::vector<double> times = times_until(4);
   std::vector<double> values;
   for (const double t : times) values.push_back(0.3 + 0.02 * std::exp(-0.158 * t) * std::cos(7.8 * t + 0.4));
   for (const double guess : {7.5, 8.1}) {
-    const Swing found = fit_swing(times, values, guess);
+    const DampedOscillation found = fit_damped_oscillation(times, values, guess);
     EXPECT_NEAR(found.omega, 7.8, 1e-5);
     EXPECT_NEAR(found.decay, 0.158, 1e-5);
   }
 }
 
-TEST(Swing, MayGrow) {
+TEST(DampedOscillation, MayGrow) {
   const std::vector<double> times = times_until(4);
   std::vector<double> values;
   for (const double t : times) values.push_back(std::exp(0.2 * t) * std::sin(5 * t));
-  EXPECT_NEAR(fit_swing(times, values, 5.1).decay, -0.2, 1e-5);
+  EXPECT_NEAR(fit_damped_oscillation(times, values, 5.1).decay, -0.2, 1e-5);
 }
 
-TEST(Swing, IsNoNumberForTooFewValuesAndForOneThatIsNone) {
-  EXPECT_TRUE(std::isnan(fit_swing({0, 1, 2}, {0, 1, 0}, 3).omega));
+TEST(DampedOscillation, IsNoNumberForTooFewValuesAndForOneThatIsNone) {
+  EXPECT_TRUE(std::isnan(fit_damped_oscillation({0, 1, 2}, {0, 1, 0}, 3).omega));
   std::vector<double> values(101, 1.0);
   values[7] = not_a_number;
-  EXPECT_TRUE(std::isnan(fit_swing(times_until(4), values, 3).omega));
+  EXPECT_TRUE(std::isnan(fit_damped_oscillation(times_until(4), values, 3).omega));
 }
 
 TEST(HalfAxes, AreThoseOfAnEllipseHoweverItIsTurned) {

@@ -1,4 +1,4 @@
-#include "vnv/run/soundness.hpp"
+#include "vnv/run/state_check.hpp"
 
 #include "solvers/stepping/diverged.hpp"
 
@@ -6,16 +6,16 @@
 
 namespace touchstone::vnv {
 
-Soundness::Soundness(const Medium& medium, const Samples& at_start)
+StateCheck::StateCheck(const Medium& medium, const Samples& at_start)
     : medium_(medium), particles_(at_start.size()), mass_(at_start.mass.sum()) {}
 
-void Soundness::require(const Samples& s, long step) const {
+void StateCheck::require(const Samples& s, long step) const {
   const auto refuse = [&](Eigen::Index p, const char* quantity, double value, std::string expected) {
     const Vec2 place = p < s.size() ? Vec2(s.x.col(p)) : Vec2(Vec2::Constant(NAN));
     throw Diverged({step, s.time, p, place, quantity, value, std::move(expected)});
   };
-  const double speed_limit = fastest * medium_.sound_speed, low = thinnest * medium_.density,
-               high = densest * medium_.density;
+  const double speed_limit = fastest * medium_.sound_speed, low = least_density * medium_.density,
+               high = greatest_density * medium_.density;
   double energy = 0;  // J/m
   for (Eigen::Index p = 0; p < s.size(); ++p) {
     // Written so that what is not a number is refused.

@@ -1,23 +1,23 @@
 #pragma once
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/composed/composed.hpp"
-#include "solvers/stepping/energy_book.hpp"
+#include "solvers/stepping/energy_budget.hpp"
 
 #include <memory>
 
 namespace touchstone::mpm {
 
-/// `Composed`, bit by bit, of water under gravity, that keeps a book of the energy.
+/// `Composed`, bit by bit, of water under gravity, that keeps an energy budget.
 template <class Shape, class Transfer, class Density>
-class Booked : public Composed<Shape, Transfer, Density, Tait, Uniform> {
+class WithBudget : public Composed<Shape, Transfer, Density, Tait, Uniform> {
   using Base = Composed<Shape, Transfer, Density, Tait, Uniform>;
   using Base::nodes_, Base::particles_, Base::scene_, Base::threads_, Base::weights_;
 
  public:
-  std::shared_ptr<EnergyBook> book = std::make_shared<EnergyBook>();
+  std::shared_ptr<EnergyBudget> budget = std::make_shared<EnergyBudget>();
 
-  Booked(const Scene<Tait, Uniform>& scene, const Settings& settings) : Base(scene, settings) {
-    book->start = book->now = energy();
+  WithBudget(const Scene<Tait, Uniform>& scene, const Settings& settings) : Base(scene, settings) {
+    budget->start = budget->now = energy();
   }
 
   template <class Laps = NoLaps>
@@ -25,24 +25,24 @@ class Booked : public Composed<Shape, Transfer, Density, Tait, Uniform> {
     const Energy before = energy();
     weights_.find(particles_.x, threads_);
     this->scatter_momentum();
-    book->transfer += kinetic_of(nodes_.start) - before.kinetic;
+    budget->transfer += kinetic_of(nodes_.start) - before.kinetic;
     this->scatter_forces();
     this->accelerate();
-    book_forces();
+    record_forces();
     const double accelerated = kinetic_of(nodes_.velocity);
     this->gather_motion();
     const Energy moved = energy();
-    book->transfer += moved.kinetic - accelerated;
-    book->gravity += moved.potential - before.potential;
+    budget->transfer += moved.kinetic - accelerated;
+    budget->gravity += moved.potential - before.potential;
     this->remap_velocity();
     const Scalars carried = particles_.expansion;
     this->strain_and_stress();
-    book_strain(carried);
+    record_strain(carried);
     const Energy strained = energy();
     this->tick();
     this->settle();
-    book->now = energy();
-    book->walls += book->now.total() - strained.total();
+    budget->now = energy();
+    budget->walls += budget->now.total() - strained.total();
   }
 
  private:
@@ -62,7 +62,7 @@ class Booked : public Composed<Shape, Transfer, Density, Tait, Uniform> {
 
   /// Forces go the way of the mean velocity, those of walls too. Gravity is the same on all nodes, the rest of the
   /// forces is stress.
-  void book_forces() {
+  void record_forces() {
     const Vec2& g = scene_.body_force.per_mass;
     const double dt = this->time_step();
     double by_gravity = 0, by_stress = 0, by_walls = 0;
@@ -74,20 +74,20 @@ class Booked : public Composed<Shape, Transfer, Density, Tait, Uniform> {
       by_stress += dt * (force - weight).dot(mean);
       by_walls += (nodes_.mass[node] * (end - start) - dt * force).dot(mean);
     }
-    book->gravity += particles_.mass * by_gravity;
-    book->pressure += particles_.mass * by_stress;
-    book->walls += particles_.mass * by_walls;
+    budget->gravity += particles_.mass * by_gravity;
+    budget->pressure += particles_.mass * by_stress;
+    budget->walls += particles_.mass * by_walls;
   }
 
   /// Compression by the velocities of the nodes (19), from the expansion that particles carried; then what the nodes
   /// make of it.
-  void book_strain(const Scalars& carried) {
+  void record_strain(const Scalars& carried) {
     Scalars compressed = carried;
     for (Index p = 0; p < particles_.count(); ++p)
       compressed[p] += (1 + carried[p]) * (this->time_step() * particles_.slopes[p].divergence());
     const double strained = elastic_of(compressed);
-    book->pressure += strained - elastic_of(carried);
-    book->smoothing += elastic_of(particles_.expansion) - strained;
+    budget->pressure += strained - elastic_of(carried);
+    budget->smoothing += elastic_of(particles_.expansion) - strained;
   }
 };
 

@@ -21,7 +21,7 @@ inline double elastic_energy(const Tait& fluid, double density) {
 
 /// What each part of a method has added to the energy of its fluid since the start [J/m]: its own forces times the way
 /// they went in each step, or what a change that is no force did. Together they are all of it, but for rounding.
-struct EnergyBook {
+struct EnergyBudget {
   Energy start, now;
   double pressure = 0;   // work on the fluid's motion, with the compression that answers it: what the two do not share
   double gravity = 0;    // likewise, with the height that is lost

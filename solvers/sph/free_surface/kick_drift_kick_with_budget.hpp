@@ -1,47 +1,47 @@
 #pragma once
 #include "solvers/integrators/fluid_state.hpp"
-#include "solvers/stepping/energy_book.hpp"
+#include "solvers/stepping/energy_budget.hpp"
 #include "solvers/stepping/laps.hpp"
 
 #include <memory>
 
 namespace touchstone::sph {
 
-/// `KickDriftKick`, bit by bit, of a method for free surfaces with Tait's law and gravity, that keeps a book of the
-/// energy. Its parts are a `Booked` of those of the method.
-class BookedKickDriftKick {
+/// `KickDriftKick`, bit by bit, of a method for free surfaces with Tait's law and gravity, that keeps an energy
+/// budget. Its parts are a `WithBudget` of those of the method.
+class KickDriftKickWithBudget {
   enum Past { viscous_x, viscous_y, diffused };
 
  public:
-  static constexpr std::size_t past_fields = 3, books_diffusion_in = diffused;
+  static constexpr std::size_t past_fields = 3, records_diffusion_in = diffused;
 
-  std::shared_ptr<EnergyBook> book = std::make_shared<EnergyBook>();
+  std::shared_ptr<EnergyBudget> budget = std::make_shared<EnergyBudget>();
 
   template <class Flow, class Laps>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     auto& all = flow.state();
     const Energy before = energy_in(flow);
     if (started_) {
-      book->shifting += before.total() - book->now.total();
+      budget->shifting += before.total() - budget->now.total();
     } else {
       find_density_rate(flow, time, lap);
       flow.find_accelerations(time, lap);
-      book->start = before;
+      budget->start = before;
     }
     started_ = true;
     kick(flow, dt / 2);
     const Energy kicked = energy_in(flow);
     flow.before_drift(time, dt);
     const Energy held = energy_in(flow);
-    book->walls += held.total() - kicked.total();
+    budget->walls += held.total() - kicked.total();
     all.x.head(all.fluid) += dt * all.vx;
     all.y.head(all.fluid) += dt * all.vy;
-    book->gravity += energy_in(flow).potential - held.potential;
+    budget->gravity += energy_in(flow).potential - held.potential;
     find_density_rate(flow, time + dt, lap);
     change_density(flow, dt);
     flow.find_accelerations(time + dt, lap);
     kick(flow, dt / 2);
-    book->now = energy_in(flow);
+    budget->now = energy_in(flow);
   }
 
  private:
@@ -74,9 +74,9 @@ class BookedKickDriftKick {
     const auto work = [&](const auto& ax, const auto& ay) { return all.mass * dt * (ax * x + ay * y).sum(); };
     const Scalars& viscous_ax = all.past[viscous_x];
     const Scalars& viscous_ay = all.past[viscous_y];
-    book->viscosity += work(viscous_ax, viscous_ay);
-    book->gravity += all.mass * dt * (g.x() * x + g.y() * y).sum();
-    book->pressure += work(all.ax - viscous_ax - g.x(), all.ay - viscous_ay - g.y());
+    budget->viscosity += work(viscous_ax, viscous_ay);
+    budget->gravity += all.mass * dt * (g.x() * x + g.y() * y).sum();
+    budget->pressure += work(all.ax - viscous_ax - g.x(), all.ay - viscous_ay - g.y());
     all.vx += dt * all.ax;
     all.vy += dt * all.ay;
   }
@@ -94,8 +94,8 @@ class BookedKickDriftKick {
       whole += elastic_energy(water, now) - elastic_energy(water, rho);
       by_diffusion += dt * all.past[diffused][i] * (slope_of_energy(water, rho) + slope_of_energy(water, now)) / 2;
     }
-    book->smoothing += all.mass * by_diffusion;
-    book->pressure += all.mass * (whole - by_diffusion);
+    budget->smoothing += all.mass * by_diffusion;
+    budget->pressure += all.mass * (whole - by_diffusion);
   }
 
   static double slope_of_energy(const Tait& water, double rho) {
@@ -105,10 +105,10 @@ class BookedKickDriftKick {
   bool started_ = false;
 };
 
-/// Parts of a method that tell `BookedKickDriftKick` what their diffusion does.
+/// Parts of a method that tell `KickDriftKickWithBudget` what their diffusion does.
 template <class PartsOfMethod>
-struct Booked : PartsOfMethod {
-  static constexpr std::size_t books_diffusion_in = BookedKickDriftKick::books_diffusion_in;
+struct WithBudget : PartsOfMethod {
+  static constexpr std::size_t records_diffusion_in = KickDriftKickWithBudget::records_diffusion_in;
 };
 
 }  // namespace touchstone::sph

@@ -1,4 +1,4 @@
-#include "solvers/mpm/composed/booked.hpp"
+#include "solvers/mpm/composed/with_budget.hpp"
 
 #include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/composed/transfers/apic.hpp"
@@ -10,7 +10,7 @@
 #include "solvers/walls/free_slip.hpp"
 
 namespace touchstone::mpm {
-namespace booked_test {
+namespace budget_test {
 
 constexpr double g = 9.81, potential = 1000 * 0.5 * 0.5 * g * 0.5 / 2;  // J/m  that the column begins with
 
@@ -27,53 +27,53 @@ constexpr Settings settings{.cell = 0.1, .spacing = 0.05, .time_step = 1e-3};
 constexpr int steps = 600;
 
 template <class Shape, class Transfer, class Density>
-EnergyBook book_of() {
-  Booked<Shape, Transfer, Density> simulation(dam, settings);
+EnergyBudget budget_of() {
+  WithBudget<Shape, Transfer, Density> simulation(dam, settings);
   for (int k = 0; k < steps; ++k) simulation.step();
-  return *simulation.book;
+  return *simulation.budget;
 }
 template <class Shape, class Transfer, class Density>
 void expect_the_same_run() {
   auto plain = composed<Shape, Transfer, Density>(dam, settings);
-  Booked<Shape, Transfer, Density> booked(dam, settings);
-  for (int k = 0; k < steps; ++k) plain.step(), booked.step();
-  const Samples a = plain.samples(), b = booked.samples();
+  WithBudget<Shape, Transfer, Density> with_budget(dam, settings);
+  for (int k = 0; k < steps; ++k) plain.step(), with_budget.step();
+  const Samples a = plain.samples(), b = with_budget.samples();
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.v, b.v);
   EXPECT_TRUE((a.density == b.density).all());
 }
 
-TEST(EnergyBookOfMpm, KeepingItChangesNoBitOfARun) {
+TEST(EnergyBudgetOfMpm, KeepingItChangesNoBitOfARun) {
   expect_the_same_run<BSpline<2>, Apic, AffineDensity>();
   expect_the_same_run<LinearHat, Flip, CarriedDensity>();
 }
 
-TEST(EnergyBookOfMpm, AccountsForAllEnergyButRounding) {
-  for (const EnergyBook& book :
-       {book_of<BSpline<2>, Apic, AffineDensity>(), book_of<BSpline<2>, Xpic<5>, AffineDensity>(),
-        book_of<LinearHat, Flip, CarriedDensity>()}) {
-    EXPECT_NEAR(book.start.total(), potential, 0.01 * potential);
-    EXPECT_NE(book.transfer, 0);
-    EXPECT_NEAR(book.residual(), 0, 1e-12 * potential);
+TEST(EnergyBudgetOfMpm, AccountsForAllEnergyButRounding) {
+  for (const EnergyBudget& budget :
+       {budget_of<BSpline<2>, Apic, AffineDensity>(), budget_of<BSpline<2>, Xpic<5>, AffineDensity>(),
+        budget_of<LinearHat, Flip, CarriedDensity>()}) {
+    EXPECT_NEAR(budget.start.total(), potential, 0.01 * potential);
+    EXPECT_NE(budget.transfer, 0);
+    EXPECT_NEAR(budget.residual(), 0, 1e-12 * potential);
   }
 }
 
-TEST(EnergyBookOfMpm, PartsThatAMethodDoesNotHaveAddNothing) {
-  const EnergyBook book = book_of<LinearHat, Flip, CarriedDensity>();
-  EXPECT_EQ(book.smoothing, 0);
-  EXPECT_EQ(book.viscosity, 0);
-  EXPECT_EQ(book.shifting, 0);
+TEST(EnergyBudgetOfMpm, PartsThatAMethodDoesNotHaveAddNothing) {
+  const EnergyBudget budget = budget_of<LinearHat, Flip, CarriedDensity>();
+  EXPECT_EQ(budget.smoothing, 0);
+  EXPECT_EQ(budget.viscosity, 0);
+  EXPECT_EQ(budget.shifting, 0);
 }
 
-TEST(EnergyBookOfMpm, WallsAndTransfersThatSmoothTakeEnergy) {
-  for (const EnergyBook& book :
-       {book_of<BSpline<2>, Apic, AffineDensity>(), book_of<BSpline<2>, Xpic<5>, AffineDensity>()}) {
-    EXPECT_LT(book.transfer, -0.1 * potential);
-    EXPECT_LT(book.walls, 0);
-    EXPECT_LT(book.smoothing, 0);
-    EXPECT_LT(std::abs(book.pressure), -book.transfer);
+TEST(EnergyBudgetOfMpm, WallsAndTransfersThatSmoothTakeEnergy) {
+  for (const EnergyBudget& budget :
+       {budget_of<BSpline<2>, Apic, AffineDensity>(), budget_of<BSpline<2>, Xpic<5>, AffineDensity>()}) {
+    EXPECT_LT(budget.transfer, -0.1 * potential);
+    EXPECT_LT(budget.walls, 0);
+    EXPECT_LT(budget.smoothing, 0);
+    EXPECT_LT(std::abs(budget.pressure), -budget.transfer);
   }
 }
 
-}  // namespace booked_test
+}  // namespace budget_test
 }  // namespace touchstone::mpm
