@@ -28,6 +28,7 @@ struct Level {
   double smoothing_length = not_a_number;  // m  of the kernel, else that of the method; none in MPM
   double time_step = not_a_number;         // s  else that of the method
   double sound_speed = not_a_number;       // m/s  else that of the scene
+  double period = not_a_number;            // m  along x, else that of the scene
   double acceptance = 0;                   // s
   double report = 0;                       // s
   double nightly = 0;                      // s

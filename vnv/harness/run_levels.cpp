@@ -102,7 +102,10 @@ bool is_accepted(const Method& method, const Level& level) try {
 }
 
 /// Particles times steps, relative to other levels of its method that name their step.
-double work_of(const Level& level) { return level.work / (level.spacing * level.spacing * level.time_step); }
+double work_of(const Level& level) {
+  const double period = std::isnan(level.period) ? 1 : level.period;
+  return level.work * period / (level.spacing * level.spacing * level.time_step);
+}
 
 /// A run of the suite of error against run time.
 struct Tried {

@@ -13,12 +13,14 @@ namespace touchstone::vnv {
 /// Flow that stretches its fluid, or whose rows slip past each other, doubles a rounding error every so often.
 inline const Tolerance stretched{0.02, "tuned and portable builds differ by less"};
 
-/// The scene with the sound speed that a level names. Only the fluid changes: for scenes whose start and force do not
-/// follow from it.
+/// The scene with the sound speed and the period that a level names. Only the fluid and the length of its box change:
+/// for scenes whose start and force do not follow from them.
 template <class AnyScene>
 AnyScene scene_at(const Level& level, AnyScene scene) {
   if (!std::isnan(level.sound_speed))
     scene.fluid.bulk_modulus = scene.fluid.density * level.sound_speed * level.sound_speed / Tait::gamma;
+  if (!std::isnan(level.period))
+    for (Box* box : {&scene.domain.box, &scene.filled}) box->high.x() = box->low.x() + level.period;
   return scene;
 }
 

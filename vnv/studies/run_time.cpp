@@ -50,6 +50,9 @@ std::vector<Level> resolutions(const WorkStudy& study, Family family) {
   return all;
 }
 
+/// How long a strip has to be [m]: eight cells or spacings fill a vector register, and hold every kernel.
+double strip_at(const Level& level) { return 8 * (std::isnan(level.cell) ? level.spacing : level.cell); }
+
 std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
   std::vector<Level> levels;
   std::set<std::string> known;
@@ -58,6 +61,7 @@ std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
       for (const double step : study.steps) {
         Level level = resolution;
         level.sound_speed = stiffness * study.largest_speed;
+        if (!std::isnan(study.period)) level.period = std::min(study.period, strip_at(level));
         const double longest = step * method.time_step(level), first = study.times.front();
         level.time_step = first / std::ceil(first / longest * (1 - 1e-9));
         level.work = study.times.back();

@@ -38,6 +38,8 @@ struct WorkStudy {
   std::vector<double> steps{2, 1.4, 1};         // over the step that the method takes
   double largest_speed = not_a_number;          // m/s  of the flow
   std::vector<double> stiffness{not_a_number};  // sound speed over that; not a number: that of the scene
+  /// Period [m] along x of the scene of a flow in which nothing varies there: only a strip of it is computed.
+  double period = not_a_number;
   std::vector<double> targets{3, 1, 0.3, 0.1, 0.03, 0.01};
   double ranked_by = 1;
   double budget = 15;  // s  user time of a method

@@ -47,6 +47,20 @@ TEST(WorkStudy, TakesWholeNumbersOfStepsToEachTime) {
     }
 }
 
+TEST(WorkStudy, ComputesAStripOfEightCellsOrParticlesWhereThatIsShorterThanTheScene) {
+  WorkStudy of_strip = study;
+  of_strip.period = 1.5;
+  const auto period = [&](Family family, const std::string& start) {
+    const Method method =
+        with_work({.times = {1}, .measurements = {}, .methods = {made_up(family)}}, of_strip).methods[0];
+    return std::ranges::find_if(method.levels, [&](const Level& l) { return l.name.starts_with(start); })->period;
+  };
+  EXPECT_EQ(period(Family::mpm, "4 cells"), 1.5);
+  EXPECT_EQ(period(Family::mpm, "8 cells, 4"), 1.0);
+  EXPECT_EQ(period(Family::sph, "10 across"), 0.8);
+  for (const Level& level : studied(Family::mpm).levels) EXPECT_TRUE(std::isnan(level.period)) << level.name;
+}
+
 /// A run of a level with errors at 0.1 and 1 s, and its CPU time.
 void add_run(Results& results, Record& record, const Level& level, double early, double late, double cpu) {
   Run run;
