@@ -10,12 +10,14 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <ranges>
 
 namespace touchstone::vnv::gated_dam {
 namespace {
 
 constexpr double jitter = 0.01;     // of the spacing
 constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
+constexpr std::array resolutions{20, 40, 80, 160, 320};  // particles across H
 
 using UncertainInputs = std::vector<UncertainInput>;
 UncertainInputs uncertain_inputs_of(const Experiment& experiment) {
@@ -165,7 +167,7 @@ Judgement judge(const Results& results, const Experiment& experiment, const Unce
 
   std::vector<AtSpacing> ladder;  // of the finest three
   int finest = 0;
-  for (const int across : {20, 40, 80, 160})
+  for (const int across : resolutions)
     if (const std::vector<double> all = members(results, filled, nominal(across), observable); !all.empty()) {
       judged.simulated = middle(all);
       finest = across;
@@ -293,7 +295,7 @@ std::vector<const Run*> runs_with_friction(const Results& results, double coeffi
 
 std::vector<const Run*> ensemble_of(const Results& results) {
   std::vector<const Run*> largest;
-  for (const int across : {160, 80, 40, 20})
+  for (const int across : resolutions | std::views::reverse)
     if (const auto members = runs_of(results, nominal(across));
         members.size() > std::max<std::size_t>(1, largest.size()))
       largest = members;

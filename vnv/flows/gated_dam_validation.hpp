@@ -25,7 +25,7 @@ extern const Experiment with_300, with_600;
 
 /// From how many starts a method runs, at each number of particles across H; and with something varied, at which.
 struct Starts {
-  std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 16}, {160, 4}};
+  std::map<int, int> of_across{{20, 16}, {40, 16}, {80, 16}, {160, 4}, {320, 1}};
   int varied = 2, across_varied = 80;
 };
 

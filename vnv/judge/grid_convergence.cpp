@@ -91,7 +91,7 @@ GridConvergence grid_convergence(const AtSpacing& coarse, const AtSpacing& middl
 }
 
 NumericalUncertainty numerical_uncertainty(const std::vector<AtSpacing>& ladder, double formal_order) {
-  constexpr double safety_of_two = 3, safety_of_a_range = 3, lowest_order = 0.5;
+  constexpr double safety_of_two = 3, safety_of_a_range = 3, lowest_order = 0.5, highest_order = 2;
   constexpr double of_known_sign = 1.15, of_either_sign = 2;  // the interval by its standard uncertainty
   require_ladder(ladder);
   if (!(formal_order > 0))
@@ -104,6 +104,11 @@ NumericalUncertainty numerical_uncertainty(const std::vector<AtSpacing>& ladder,
     return {safety_of_two * distance_to_limit(middle, fine, formal_order) / of_known_sign,
             fmt::format("two resolutions, assumed of order {:g}, factor 3", formal_order)};
   const GridConvergence found = grid_convergence(ladder[count - 3], middle, fine);
+  if (found.trend == Approach::monotone && found.order > highest_order * formal_order)
+    return {safety_of_two * distance_to_limit(ladder[count - 3], fine, formal_order) / of_known_sign,
+            fmt::format("first and last of three resolutions, assumed of order {:g}, factor 3, as the finest two agree "
+                        "by chance",
+                        formal_order)};
   if (found.trend == Approach::monotone && found.order >= lowest_order) {
     const double order = std::min(found.order, formal_order);
     return {safety * distance_to_limit(middle, fine, order) / of_known_sign,

@@ -42,7 +42,9 @@ struct NumericalUncertainty {
 /// Where they do not, as the values swing, part or stand still, or the order is below 0.5, no extrapolation is trusted:
 /// three times the range of all values of the ladder is the interval (Eça & Hoekstra, J. Comput. Phys. 262 (2014),
 /// 104-130, whose factor is 3 for values that no law fits), of an error of either sign, so u_num is that by 2. Two
-/// resolutions take the formal order, with a factor of 3 instead of 1.25 (Roache 1994); of fewer u_num is not a number.
+/// resolutions take the formal order, with a factor of 3 instead of 1.25 (Roache 1994); so do the first and the last of
+/// three where the observed order is above twice the formal one, since then the finest two agree by chance. Of fewer
+/// than two u_num is not a number.
 ///
 /// Throws std::invalid_argument unless the ladder is from coarse to fine, its values are finite and the formal order is
 /// positive.

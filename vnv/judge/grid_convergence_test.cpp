@@ -100,6 +100,12 @@ TEST(NumericalUncertainty, TakesNoHigherOrderThanTheMethods) {
   EXPECT_EQ(found.basis, "grid convergence index, observed order 3.00, taken as 2");
 }
 
+TEST(NumericalUncertainty, DoesNotTrustTheFinestTwoWhereTheyAgreeByChance) {
+  const NumericalUncertainty found = numerical_uncertainty({{4, 1}, {2, 0.1}, {1, 0.1 - 1e-6}}, 1);
+  EXPECT_NEAR(found.standard, 3 * 0.9 / 3 / 1.15, 1e-5);
+  EXPECT_NE(found.basis.find("by chance"), std::string::npos) << found.basis;
+}
+
 TEST(NumericalUncertainty, IsOfTheRangeOfTheWholeLadderWhereTheOrderIsUnclear) {
   const std::string unclear = "3 times the range of 4 resolutions, as the order is unclear";
   const NumericalUncertainty swings = numerical_uncertainty({{8, 9}, {4, 1}, {2, 3}, {1, 2}}, 2);
