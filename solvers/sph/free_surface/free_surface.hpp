@@ -257,8 +257,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
                    });
   }
 
-  /// Drops of a few particles and tips bear no tension: under corrected gradients, up to five times those of the
-  /// kernel, it tears them apart ever faster.
+  /// Drops of a few particles and tips bear no tension: under corrected gradients, up to 2.5 times those of the kernel,
+  /// it tears them apart ever faster.
   void relieve_drops() {
     constexpr double least_under_tension = 0.4;  // a straight surface has 0.5
     Particles& all = near_.all;

@@ -238,6 +238,19 @@ TEST(Surroundings, OfALonelyParticleKeepItsCorrectionBounded) {
   EXPECT_EQ(near.seen[0].l_yy, 2.5);
 }
 
+TEST(Surroundings, ByWhichPressurePullsFadeWhereNoFluidIsLeft) {
+  const auto across = [](double eigenvalue) {
+    SurroundingsWithGhosts<double> seen;
+    seen.set_surroundings(eigenvalue, 0, 1);
+    return seen.l_xx;
+  };
+  EXPECT_DOUBLE_EQ(across(0.5), 2) << "a straight surface is corrected in full";
+  EXPECT_DOUBLE_EQ(across(0.4), 2.5);
+  EXPECT_DOUBLE_EQ(across(0.25), 1 / 0.7);
+  EXPECT_DOUBLE_EQ(across(0.1), 1);
+  EXPECT_DOUBLE_EQ(across(-0.1), 1);
+}
+
 /// What diffusion alone does to a density.
 Scalars diffusion(Near& near) { return density_rates(near, Parts{.diffusion = antuono}); }
 

@@ -117,5 +117,37 @@ TEST(EnergyBudgetOfSph, ADropThatBouncesOffAWallKeepsItsEnergyAllTheWhile) {
   EXPECT_LT(change_in_a_bounce(corrected), 0.02);
 }
 
+/// What a head-on collision of two single particles adds to their energy, over what they have, in steps in which sound
+/// travels so many spacings.
+template <class PartsOfMethod>
+double gain_in_a_collision(const PartsOfMethod& parts, double courant) {
+  Scene<Tait, Uniform> scene = dam;
+  scene.filled = {.low = {0.3, 0.5}, .high = {0.3 + 2 * spacing, 0.5 + spacing}};
+  scene.walls = {};
+  scene.body_force = {{0, 0}};
+  scene.start = {.velocity = [](const Vec2& x) -> Vec2 { return {x.x() < 0.45 ? 3 : -3, 0}; },
+                 .places = [](const Vectors& lattice) {
+                   Vectors apart = lattice;
+                   apart.row(0) << 0.3, 0.6;
+                   return apart;
+                 }};
+  auto simulation = free_surface<WendlandC2, KickDriftKickWithBudget>(
+      scene, {.spacing = spacing, .smoothing_length = h, .time_step = courant * spacing / c},
+      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), WithBudget<PartsOfMethod>{parts});
+  while (simulation.time() < 0.1) simulation.step();
+  const Samples after = simulation.samples();
+  EXPECT_LT(after.v(0, 0) * after.v(0, 1), 0);
+  EXPECT_LT((after.x(0, 0) - after.x(0, 1)) * (after.v(0, 1) - after.v(0, 0)), 0) << "they have not parted";
+  const EnergyBudget& budget = *simulation.integrator().budget;
+  return budget.now.total() / budget.start.total() - 1;
+}
+
+TEST(EnergyBudgetOfSph, CorrectedGradientsAddNoMoreEnergyToACollisionThanPlainOnes) {
+  const double plain = gain_in_a_collision(delta, 1);
+  EXPECT_LT(plain, 0.09);
+  EXPECT_LT(gain_in_a_collision(delta, 0.5), 0.5 * plain) << "of first order in the time step";
+  EXPECT_LT(gain_in_a_collision(corrected, 1), 1.01 * plain);
+}
+
 }  // namespace budget_test
 }  // namespace touchstone::sph

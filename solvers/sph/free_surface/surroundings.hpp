@@ -18,17 +18,9 @@ struct Surroundings : Packed<Number> {
 
   /// Takes the sum of V_j (r_j - r_i) grad W, symmetric, whose inverse is L. Eigenvalues below 0.4, of splashes, tips
   /// and corners, count as that: L does not jump, and what it corrects there is too small, never too large. In the very
-  /// corner of a square it is 0.09, on a straight surface 0.5. By 0.2 drops are so stiff that the step makes energy.
+  /// corner of a square it is 0.09, on a straight surface 0.5.
   void set_surroundings(double xx, double xy, double yy) {
-    constexpr double least = 0.4;
-    const double middle = (xx + yy) / 2, apart = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy), low = middle - apart,
-                 high = middle + apart;
-    const double per_low = 1 / std::max(low, least), per_high = 1 / std::max(high, least);
-    const double per_both = high > low ? (per_high - per_low) / (high - low) : 0, even = per_high - per_both * high;
-    l_xx = static_cast<Number>(even + per_both * xx);  // both matrices have the same axes
-    l_xy = static_cast<Number>(per_both * xy);
-    l_yy = static_cast<Number>(even + per_both * yy);
-    least_eigenvalue = static_cast<Number>(std::min(low, greatest_fluid_eigenvalue));
+    set_surroundings(xx, xy, yy, [](double eigenvalue) { return std::max(eigenvalue, least_taken); });
   }
   void set_density_gradient(double along_x, double along_y) {
     rho_along_x = static_cast<Number>(along_x);
@@ -37,12 +29,37 @@ struct Surroundings : Packed<Number> {
 
   /// L times a sum of differences times grad W.
   Vec2 corrected(double of_x, double of_y) const { return {l_xx * of_x + l_xy * of_y, l_xy * of_x + l_yy * of_y}; }
+
+ protected:
+  static constexpr double least_taken = 0.4;
+
+  /// `taken(eigenvalue)` is what an eigenvalue counts as.
+  template <class Taken>
+  void set_surroundings(double xx, double xy, double yy, const Taken& taken) {
+    const double middle = (xx + yy) / 2, apart = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy), low = middle - apart,
+                 high = middle + apart;
+    const double per_low = 1 / taken(low), per_high = 1 / taken(high);
+    const double per_both = high > low ? (per_high - per_low) / (high - low) : 0, even = per_high - per_both * high;
+    l_xx = static_cast<Number>(even + per_both * xx);  // both matrices have the same axes
+    l_xy = static_cast<Number>(per_both * xy);
+    l_yy = static_cast<Number>(even + per_both * yy);
+    least_eigenvalue = static_cast<Number>(std::min(low, greatest_fluid_eigenvalue));
+  }
 };
 
-/// The same where a ghost is told from fluid by its least eigenvalue.
+/// The same where pressure pulls by L, and a ghost is told from fluid by its least eigenvalue.
 template <class Number>
 struct SurroundingsWithGhosts : Surroundings<Number> {
   SurroundingsWithGhosts() { this->least_eigenvalue = static_cast<Number>(ghost_eigenvalue); }
+
+  /// Below 0.4 eigenvalues count as ever more, from 0.1 on as 1, so that drops are no stiffer than without correction:
+  /// by stiffer ones the time step adds energy (README.md). Of a pair or a row of particles the least is 0.
+  void set_surroundings(double xx, double xy, double yy) {
+    Surroundings<Number>::set_surroundings(xx, xy, yy, [](double eigenvalue) {
+      constexpr double some = Surroundings<Number>::least_taken, none = 0.1;
+      return std::max(eigenvalue, std::lerp(1.0, some, std::clamp((eigenvalue - none) / (some - none), 0.0, 1.0)));
+    });
+  }
 };
 
 /// A part of a method that says `reads_surroundings` reads what these passes find.
