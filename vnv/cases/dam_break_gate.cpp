@@ -31,7 +31,7 @@ Case vnv::the_case() {
           "A column of water 0.6 m long and 0.3 m high stands behind a gate, in a tank 1.61 m long. The gate is drawn up at 3.46 m/s on average, as in "
           "the experiment of Lobovský et al. (2014); the front runs to the far wall, climbs it, falls back and breaks. Front, levels at four gauges and "
           "pressures at four sensors are compared with those measured, in units of H and sqrt(H/g), until 2 s. After "
-          "the impact the flow is chaotic: `splash` judges ensembles of it.",
+          "the impact the flow is chaotic: splash judges ensembles of it.",
       .times = {0.2, 0.42, 0.7, 1.1, end_of_impact},
       .monitor = monitored,
       .measurements = {[](const Level& level, const Run& run) { return compared(filled_300, level, run); }},

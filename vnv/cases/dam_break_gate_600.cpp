@@ -26,7 +26,7 @@ Case vnv::the_case() {
       .title = "Dam break with its gate, 0.6 m high",
       .description =
           "A column of water 0.6 m square stands, in a tank 1.61 m long, behind the gate of the experiment of Lobovský "
-          "et al. (2014), which is drawn up at 4.53 m/s; `dam_break` is the same column without the gate. The front is "
+          "et al. (2014), which is drawn up at 4.53 m/s; dam_break is the same column without the gate. The front is "
           "compared with the measured one for T from 0.2 to 1.5, and the run has to survive the impact, to 2 s.",
       .times = {end_of_impact},
       .monitor = monitored,

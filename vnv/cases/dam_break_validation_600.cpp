@@ -13,7 +13,7 @@ Case vnv::the_case() {
       .title = "Dam break with its gate, 0.6 m high: validation",
       .description =
           "The front of the dam break of Lobovský et al. (2014), column 0.6 m square, with the gate of the experiment, "
-          "is compared with the measured one by the procedure of ASME V&V 20-2009, as in `dam_break_validation` for "
+          "is compared with the measured one by the procedure of ASME V&V 20-2009, as in dam_break_validation for "
           "the column half as high.",
       .times = {with_600.end},
       .monitor = monitored,
