@@ -5,6 +5,7 @@
 #include "reports/pages/site.hpp"
 #include "reports/paper/paper.hpp"
 #include "vnv/programs/interruption.hpp"
+#include "vnv/programs/out_of_memory.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@
 #include <string>
 
 int main(int argc, char** argv) {
+  touchstone::programs::tell_when_out_of_memory("touchstone_report", 3);
   CLI::App app{
       "Turns the records of cases into a site: an index, a page per case with its figures, a matrix of the orders of "
       "convergence, and the tables verdicts.csv, orders.csv and cost.csv."};

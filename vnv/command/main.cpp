@@ -3,6 +3,7 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/files/data_folder.hpp"
+#include "vnv/programs/out_of_memory.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -380,6 +381,7 @@ int work(int count, char** arguments) {
 }  // namespace touchstone::vnv::command
 
 int main(int count, char** arguments) {
+  touchstone::programs::tell_when_out_of_memory("vnv", touchstone::vnv::command::bad_input);
   try {
     return touchstone::vnv::command::work(count, arguments);
   } catch (const touchstone::programs::Interrupted& interrupted) {

@@ -9,6 +9,7 @@
 #include "vnv/harness/mutate.hpp"
 #include "vnv/harness/options.hpp"
 #include "vnv/harness/run_levels.hpp"
+#include "vnv/programs/out_of_memory.hpp"
 #include "vnv/record/same_time.hpp"
 #include "vnv/run/vtp_series.hpp"
 
@@ -268,6 +269,7 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   touchstone::vnv::case_name = std::filesystem::path(arguments[0]).stem();
+  touchstone::programs::tell_when_out_of_memory(touchstone::vnv::case_name, EXIT_FAILURE);
   try {
     return touchstone::vnv::run(count, arguments);
   } catch (const std::exception& error) {

@@ -28,8 +28,10 @@ import shared  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
 LONGEST = 900  # s, of a program
+LONGEST_SUITE = 4 * 3600  # s, of `equal`
 PARTS = ("equal", "killed", "cancelled", "overhead", "many")
 SLURM = ("sbatch", "slurmctld", "slurmd")
+EQUAL = ("shear_wave", "stokes_first", "couette")
 MEAN = 17  # s, of processor time, that a method of a whole night takes: 86 minutes of one core for 300 methods
 
 
@@ -100,18 +102,18 @@ def judged(records):
     return found
 
 
-def run(vnv, records, engine, methods=(), options=()):
-    done = shared.run([vnv, "run", *methods, "--records", records, *engine.options, *options], timeout=LONGEST)
+def run(vnv, records, engine, methods=(), options=(), longest=LONGEST):
+    done = shared.run([vnv, "run", *methods, "--records", records, *engine.options, *options], timeout=longest)
     return done.returncode, done.stdout
 
 
-def try_equal(vnv, folder, engines, trials, methods, suite):
-    """The same methods by all engines."""
-    expected = {}
+def try_equal(vnv, folder, engines, trials, methods, suite, night):
+    """The same methods by all engines, or a night that was run here by all others."""
+    expected = {"judged": judged(night)} if night else {}
 
     def trial(engine):
         records, began = folder / engine.name, time.monotonic()
-        status, output = run(vnv, records, engine, methods, ["--suite", suite])
+        status, output = run(vnv, records, engine, methods, ["--suite", suite], LONGEST_SUITE)
         took, found = time.monotonic() - began, judged(records)
         expected.setdefault("status", status)
         expected.setdefault("judged", found)
@@ -124,7 +126,8 @@ def try_equal(vnv, folder, engines, trials, methods, suite):
         return f"{len(found)} methods judged as by local, {took:.0f} s"
 
     for engine in engines:
-        trials.attempt(f"{suite} by {engine.name}", lambda: trial(engine))
+        if engine.machines or not night:
+            trials.attempt(f"{suite} by {engine.name}", lambda: trial(engine))
 
 
 def start(vnv, build, records, engine):
@@ -321,8 +324,10 @@ def main(arguments):
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--only", nargs="+", choices=PARTS, default=PARTS)
     parser.add_argument("--hosts", type=int, default=200, help="for `many`")
-    parser.add_argument("--methods", nargs="+", default=["shear_wave", "stokes_first", "couette"], help="for `equal`")
+    parser.add_argument("--methods", nargs="+", help=f"for `equal`: these, not {' '.join(EQUAL)}")
     parser.add_argument("--suite", default="acceptance", help="for `equal`")
+    parser.add_argument("--night", type=pathlib.Path, metavar="RECORDS",
+                        help="for `equal`: of a whole suite by ctest on this machine, in place of a run by local")
     options = parser.parse_args(arguments)
     vnv, program = (options.build.resolve() / "vnv" / name for name in ("vnv", "shear_wave"))
     for one in (vnv, program):
@@ -341,7 +346,8 @@ def main(arguments):
             return conclude(trials)
         with cluster.processor_time() as processor_time, engines_here(folder) as engines:
             if "equal" in options.only:
-                try_equal(vnv, folder / "equal", engines, trials, options.methods, options.suite)
+                try_equal(vnv, folder / "equal", engines, trials, options.methods or ([] if options.night else EQUAL),
+                          options.suite, options.night)
             if "overhead" in options.only:
                 if processor_time:
                     try_overhead(vnv, folder / "overhead", engines, trials, program, record, processor_time)
