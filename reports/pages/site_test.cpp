@@ -22,6 +22,12 @@ class Site : public testing::Test {
   }
   void put(const vnv::Record& record) const { vnv::write(record, records / (record.method + ".json")); }
   std::string page(const std::string& name) const { return text_of_file(site / name); }
+  /// That of the only case, with this record.
+  std::string page_with(const vnv::Record& record) const {
+    put(record);
+    make_site(records, site);
+    return page("poiseuille/index.html");
+  }
   long entries() const { return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()); }
 
   ScratchFolder folder;
@@ -65,10 +71,9 @@ TEST_F(Site, CallsEachVerdictWhatItIs) {
   vnv::Record record = sample_record();
   record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
   record.verdicts.push_back(sample_verdict(vnv::Outcome::inconclusive, 0));
-  put(record);
-  make_site(records, site);
+  const std::string html = page_with(record);
   for (const char* word : {"holds", "fails", "inconclusive"})
-    EXPECT_TRUE(contains(page("poiseuille/index.html"), fmt::format("<td class=\"{0}\">{0}</td>", word))) << word;
+    EXPECT_TRUE(contains(html, fmt::format("<td class=\"{0}\">{0}</td>", word))) << word;
 }
 
 TEST_F(Site, DoesNotCallACaseWithoutClaimsGood) {
@@ -86,52 +91,39 @@ TEST_F(Site, SaysThatARunDidNotFinish) {
   run.level = "S4";
   run.outcome = "diverged at step 7";
   record.runs = {run};
-  put(record);
-  make_site(records, site);
-  EXPECT_TRUE(contains(page("poiseuille/index.html"), "S4 did not finish: diverged at step 7"));
+  EXPECT_TRUE(contains(page_with(record), "S4 did not finish: diverged at step 7"));
 }
 
 TEST_F(Site, FoldsManyRunsThatWereMadeToSeeWhetherTheyDiverge) {
   vnv::Record record = sample_record();
   for (int k = 0; k < 11; ++k) record.runs.push_back({.level = fmt::format("W{}", k), .outcome = "diverged"});
-  put(record);
-  make_site(records, site);
-  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<summary>11 runs that were made to see whether they diverge"));
+  EXPECT_TRUE(contains(page_with(record), "<summary>11 runs that were made to see whether they diverge"));
   record.runs.resize(10);
-  put(record);
-  make_site(records, site);
-  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<summary>"));
+  EXPECT_FALSE(contains(page_with(record), "<summary>"));
 }
 
 TEST_F(Site, ColoursARunThatDivergedOnlyWhereAClaimOnItFails) {
   vnv::Record record = sample_record();
   record.runs = {{.level = "M2", .outcome = "diverged at step 7"}};
   record.curves[0].y[1] = vnv::not_a_number;
-  put(record);
-  make_site(records, site);
-  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<ul class=\"fails\">"));
-  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<span class=\"quiet\">1 point not drawn"));
+  std::string html = page_with(record);
+  EXPECT_FALSE(contains(html, "<ul class=\"fails\">"));
+  EXPECT_TRUE(contains(html, "<span class=\"quiet\">1 point not drawn"));
   record.verdicts = {sample_verdict(vnv::Outcome::fails, -1)};
-  put(record);
-  make_site(records, site);
-  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<ul class=\"fails\">\n<li>mpm M2 did not finish"));
-  EXPECT_TRUE(contains(page("poiseuille/index.html"), "<span class=\"nan\">1 point not drawn"));
+  html = page_with(record);
+  EXPECT_TRUE(contains(html, "<ul class=\"fails\">\n<li>mpm M2 did not finish"));
+  EXPECT_TRUE(contains(html, "<span class=\"nan\">1 point not drawn"));
 }
 
 TEST_F(Site, CallsAFigureWithoutDataAFaultOnlyOfOurOwnMethods) {
   vnv::Record record = sample_record();
   record.curves.clear();
   record.another_code = true;
-  put(record);
-  make_site(records, site);
-  EXPECT_TRUE(contains(page("poiseuille/index.html"),
-                       "<p class=\"quiet\">Nothing was judged at the time of the figure “Profiles”.</p>"));
-  EXPECT_FALSE(contains(page("poiseuille/index.html"), "<p class=\"nan\">"));
+  const std::string html = page_with(record);
+  EXPECT_TRUE(contains(html, "<p class=\"quiet\">Nothing was judged at the time of the figure “Profiles”.</p>"));
+  EXPECT_FALSE(contains(html, "<p class=\"nan\">"));
   record.another_code = false;
-  put(record);
-  make_site(records, site);
-  EXPECT_TRUE(
-      contains(page("poiseuille/index.html"), "<p class=\"nan\">No record brings data for the figure “Profiles”.</p>"));
+  EXPECT_TRUE(contains(page_with(record), "<p class=\"nan\">No record brings data for the figure “Profiles”.</p>"));
 }
 
 TEST_F(Site, ListsTheClaimsOfAllCases) {
@@ -158,9 +150,7 @@ TEST_F(Site, SaysWhereEachLadderLeads) {
   order.order_to_floor = 1.97;
   order.order_to_floor_half_width = 0.1;
   record.orders = {order};
-  put(record);
-  make_site(records, site);
-  const std::string html = page("poiseuille/index.html");
+  const std::string html = page_with(record);
   for (const char* words : {"stalled", "not asymptotic", "0.023", "1.97"}) EXPECT_TRUE(contains(html, words)) << words;
 }
 

@@ -2,16 +2,16 @@
 
 #include "reports/testing.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
 namespace {
 
 TEST(Csv, QuotesOnlyWhatNeedsIt) {
-  EXPECT_EQ(csv_field("L2 v_x [%]"), "L2 v_x [%]");
-  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  for (const char* plain : {"L2 v_x [%]", "", "6' pipe"}) EXPECT_EQ(csv_field(plain), plain);
+  for (const char* quoted : {"a,b", "two\nlines"}) EXPECT_EQ(csv_field(quoted), fmt::format("\"{}\"", quoted));
   EXPECT_EQ(csv_field("6\" pipe"), "\"6\"\" pipe\"");
-  EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
 }
 
 TEST(Csv, KeepsEmptyFieldsInTheirPlace) { EXPECT_EQ(csv_line({"", "a", ""}), ",a,\n"); }

@@ -26,11 +26,11 @@ const Scene<Newtonian, ForceField> scene =
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = flow_along(scene, {period / 4, 3 * period / 4}, exact, {20, 28, 40, 56, 80});
-  declared.title = "Oscillating Poiseuille flow";
-  declared.description =
-      "A body force along a channel of 1 mm oscillates with an amplitude of 40 mm/s² at 10 Hz; the Womersley number "
-      "based on half the gap is 4, so that the near-wall flow leads the core in phase. The oracle is the plane form of "
-      "Womersley's (1955) solution for a force that has always oscillated; its velocity at t = 0 is the initial state.";
-  return declared;
+  return flow_along(
+      {.title = "Oscillating Poiseuille flow",
+       .description =
+           "A body force along a channel of 1 mm oscillates with an amplitude of 40 mm/s² at 10 Hz; the Womersley number "
+           "based on half the gap is 4, so that the near-wall flow leads the core in phase. The oracle is the plane form of "
+           "Womersley's (1955) solution for a force that has always oscillated; its velocity at t = 0 is the initial state."},
+      scene, {period / 4, 3 * period / 4}, exact, {20, 28, 40, 56, 80});
 }

@@ -22,11 +22,11 @@ const reference::StokesFirst exact{.V = V, .nu = water.kinematic_viscosity()};
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = flow_along(scene, {early, end}, exact, {40, 48, 56, 80, 112});
-  declared.title = "Stokes' first problem";
-  declared.description =
-      "A plate below water at rest slides at 1 mm/s from t = 0. The oracle is Stokes' (1851), erfc(y / 2 sqrt(nu t)); the "
-      "layer is 0.1 mm thick at the end, a tenth of the depth, so that the free-slip ceiling is "
-      "outside the boundary layer.";
-  return declared;
+  return flow_along(
+      {.title = "Stokes' first problem",
+       .description =
+           "A plate below water at rest slides at 1 mm/s from t = 0. The oracle is Stokes' (1851), erfc(y / 2 sqrt(nu t)); the "
+           "layer is 0.1 mm thick at the end, a tenth of the depth, so that the free-slip ceiling is "
+           "outside the boundary layer."},
+      scene, {early, end}, exact, {40, 48, 56, 80, 112});
 }

@@ -25,11 +25,11 @@ const Scene<Newtonian> scene =
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = flow_along(scene, {period / 4, 3 * period / 4}, exact, {40, 48, 56, 80, 112});
-  declared.title = "Stokes' second problem";
-  declared.description =
-      "A plate below water oscillates in its own plane with an amplitude of 1 mm/s and a period of 20 ms; water far above is at rest. The oracle is "
-      "Stokes' (1851) for a plate that has always oscillated, whose velocity at t = 0 is the initial state; the Stokes layer is 0.08 mm thick, a "
-      "twelfth of the depth.";
-  return declared;
+  return flow_along(
+      {.title = "Stokes' second problem",
+       .description =
+           "A plate below water oscillates in its own plane with an amplitude of 1 mm/s and a period of 20 ms; water far above is at rest. The oracle is "
+           "Stokes' (1851) for a plate that has always oscillated, whose velocity at t = 0 is the initial state; the Stokes layer is 0.08 mm thick, a "
+           "twelfth of the depth."},
+      scene, {period / 4, 3 * period / 4}, exact, {40, 48, 56, 80, 112});
 }

@@ -8,7 +8,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <set>
+#include <map>
+#include <ranges>
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -24,54 +25,28 @@ const std::map<std::string, std::vector<std::string>> common_names{
     {"fraction", {}},  // of a volume that is the fluid: only as the user says
 };
 
-struct Unit {
-  const char* kind;
-  const char* name;
-  double si;
-};
 constexpr double kinematic =
     0;  // in the place of a factor: the density at rest, as a code without any density needs it
-constexpr std::array units{
-    Unit{"length", "m", 1},
-    Unit{"length", "cm", 1e-2},
-    Unit{"length", "mm", 1e-3},
-    Unit{"length", "um", 1e-6},
-    Unit{"length", "km", 1e3},
-    Unit{"velocity", "m/s", 1},
-    Unit{"velocity", "cm/s", 1e-2},
-    Unit{"velocity", "mm/s", 1e-3},
-    Unit{"pressure", "Pa", 1},
-    Unit{"pressure", "hPa", 1e2},
-    Unit{"pressure", "kPa", 1e3},
-    Unit{"pressure", "MPa", 1e6},
-    Unit{"pressure", "bar", 1e5},
-    Unit{"density", "kg/m3", 1},
-    Unit{"density", "kg/m^3", 1},
-    Unit{"density", "kg/m³", 1},
-    Unit{"density", "g/cm3", 1e3},
-    Unit{"time", "s", 1},
-    Unit{"time", "ms", 1e-3},
-    Unit{"time", "us", 1e-6},
-    Unit{"mass", "kg", 1},
-    Unit{"mass", "kg/m", 1},
-    Unit{"mass", "g", 1e-3},
-    Unit{"volume", "m2", 1},
-    Unit{"volume", "m²", 1},
-    Unit{"volume", "m3", 1},
-    Unit{"volume", "m³", 1},
-    Unit{"volume", "m^3", 1},
-    Unit{"fraction", "-", 1},
-    Unit{"pressure", "m2/s2", kinematic},
-    Unit{"pressure", "m²/s²", kinematic},
+
+/// Units by what is measured, each with its factor to that of the SI.
+const std::map<std::string, std::vector<std::pair<std::string, double>>> units{
+    {"length", {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"km", 1e3}}},
+    {"velocity", {{"m/s", 1}, {"cm/s", 1e-2}, {"mm/s", 1e-3}}},
+    {"pressure",
+     {{"Pa", 1}, {"hPa", 1e2}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}, {"m2/s2", kinematic}, {"m²/s²", kinematic}}},
+    {"density", {{"kg/m3", 1}, {"kg/m^3", 1}, {"kg/m³", 1}, {"g/cm3", 1e3}}},
+    {"time", {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}}},
+    {"mass", {{"kg", 1}, {"kg/m", 1}, {"g", 1e-3}}},
+    {"volume", {{"m2", 1}, {"m²", 1}, {"m3", 1}, {"m³", 1}, {"m^3", 1}}},
+    {"fraction", {{"-", 1}}},
 };
 
 /// `density` [kg/m³] is that of the flow, by which a kinematic pressure is multiplied.
 double si(const std::string& kind, const std::string& name, double density) {
   std::vector<std::string> known;
-  for (const Unit& unit : units) {
-    if (kind != unit.kind) continue;
-    if (name == unit.name) return unit.si == kinematic ? density : unit.si;
-    known.emplace_back(unit.name);
+  for (const auto& [unit, factor] : units.at(kind)) {
+    if (name == unit) return factor == kinematic ? density : factor;
+    known.push_back(unit);
   }
   throw Unreadable(fmt::format("unit of {} '{}', expected one of: {}", kind, name, fmt::join(known, ", ")));
 }
@@ -296,17 +271,14 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 }  // namespace
 
 void require_known_names(const Mapping& mapping, const std::string& where) {
-  const auto require = [&](const auto& said, const char* what, const std::set<std::string>& known) {
+  const auto require = [&](const auto& said, const char* what, const auto& known) {
     for (const auto& [name, value] : said)
-      if (!known.contains(name))
+      if (std::ranges::find(known, name) == known.end())
         throw std::invalid_argument(
             fmt::format("{}: {} '{}' = '{}', expected one of: {}", where, what, name, value, fmt::join(known, ", ")));
   };
-  std::set<std::string> fields, kinds;
-  for (const auto& [field, names] : common_names) fields.insert(field);
-  for (const Unit& unit : units) kinds.insert(unit.kind);
-  require(mapping.arrays, "field", fields);
-  require(mapping.units, "unit of", kinds);
+  require(mapping.arrays, "field", common_names | std::views::keys);
+  require(mapping.units, "unit of", units | std::views::keys);
 }
 
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {

@@ -36,17 +36,23 @@ std::vector<Method> methods_along(const SceneOfChannel& scene) {
           sph_regularised(scene, output_interval),        vnv::sph_second_order(scene, output_interval)};
 }
 
+struct Heading {
+  std::string title, description;
+};
+
 /// A flow along the channel with an oracle, sampled at some times [s], the last of which ends it, with so many
 /// particles across. Acceptance runs its two coarsest levels. Three methods claim to be of second order.
 template <class SceneOfChannel>
-Case flow_along(const SceneOfChannel& scene, const std::vector<double>& times, const Truth& exact,
-                const std::vector<int>& across) {
+Case flow_along(const Heading& heading, const SceneOfChannel& scene, const std::vector<double>& times,
+                const Truth& exact, const std::vector<int>& across) {
   const double end = times.back();
   std::vector<Across> all;
   for (const int particles : across) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
   const std::vector<Level> levels = levels_across(H, all);
   const std::vector<int> shown{across.front(), across.back()};
-  Case declared{.times = times,
+  Case declared{.title = heading.title,
+                .description = heading.description,
+                .times = times,
                 .measurements = {norms_of("v_x, per particle", by_particles, exact)},
                 .methods = {},
                 .plots = {profiles({"profile",

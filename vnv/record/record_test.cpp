@@ -2,6 +2,7 @@
 
 #include "vnv/files/tables.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -52,18 +53,14 @@ class RecordFile : public testing::Test {
 /// Every field differs from its default, so that one that is not written or not read shows.
 Record full_record() {
   Record r;
+  int texts = 0;
   r.case_name = "poiseuille";
-  r.title = "Start-up of Poiseuille flow";
-  r.description = "Two\n\nparagraphs, ν and \"quotes\"";
   r.method = "mpm";
-  r.method_description = "grid";
   r.suite = "nightly";
-  r.revision = "abc";
-  r.compiler = "g++";
-  r.flags = "-O3";
-  r.machine = "one core";
-  r.finished_at = "2024-01-01";
-  r.host = "n1";
+  for (std::string Record::*text :
+       {&Record::title, &Record::description, &Record::method_description, &Record::revision, &Record::compiler,
+        &Record::flags, &Record::machine, &Record::finished_at, &Record::host})
+    r.*text = fmt::format("Two\n\nparagraphs, ν and \"quotes\" {}", ++texts);
   const Cost cost{800, 120, 200000, 5, 92.5, 92.1, 94.2, 93.1, 92.9, 0.3, 1.7e6, Resource::gpu, 186.2};
   r.runs = {{"M1", 2.5e-5, 5e-6, 1.0, true, "finished", cost}};
   r.values = {{"M1", 2.5e-5, 1.0, {"L2 v_x", "%", Kind::norm}, 0.0334}};

@@ -14,6 +14,30 @@ class BadInput(Exception):
         return "".join(letter if letter.isprintable() else "?" for letter in super().__str__())
 
 
+class Failure(Exception):
+    """What a trial found, in one line."""
+
+
+def require(condition, words):
+    if not condition:
+        raise Failure(words)
+
+
+class Trials:
+    """Runs trials and counts them."""
+
+    def __init__(self):
+        self.count, self.failed = 0, 0
+
+    def attempt(self, what, work):
+        self.count += 1
+        try:
+            found, word = work(), "passed"
+        except (Failure, BadInput, subprocess.TimeoutExpired, OSError) as error:
+            found, word, self.failed = str(error), "FAILED", self.failed + 1
+        print(f"{word} {what}: {found}", flush=True)
+
+
 class Parser(argparse.ArgumentParser):
     """A command line that is refused in one line."""
 

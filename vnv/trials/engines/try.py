@@ -25,7 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import cluster  # noqa: E402
 import made_up  # noqa: E402
 import shared  # noqa: E402
-from shared import BadInput, Parser, exit_with  # noqa: E402
+from shared import BadInput, Parser, Trials, exit_with, require  # noqa: E402
 
 LONGEST = 900  # s, of a program
 LONGEST_SUITE = 4 * 3600  # s, of `equal`
@@ -33,30 +33,6 @@ PARTS = ("equal", "killed", "cancelled", "overhead", "many")
 SLURM = ("sbatch", "slurmctld", "slurmd")
 EQUAL = ("shear_wave", "stokes_first", "couette")
 MEAN = 17  # s, of processor time, that a method of a whole night takes: 86 minutes of one core for 300 methods
-
-
-class Failure(Exception):
-    """What a trial found, in one line."""
-
-
-def require(condition, words):
-    if not condition:
-        raise Failure(words)
-
-
-class Trials:
-    """Runs trials and counts them."""
-
-    def __init__(self):
-        self.count, self.failed = 0, 0
-
-    def attempt(self, what, work):
-        self.count += 1
-        try:
-            found, word = work(), "passed"
-        except (Failure, BadInput, subprocess.TimeoutExpired, OSError) as error:
-            found, word, self.failed = str(error), "FAILED", self.failed + 1
-        print(f"{word} {what}: {found}", flush=True)
 
 
 class Engine:

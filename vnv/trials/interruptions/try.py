@@ -24,21 +24,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import left  # noqa: E402
 import shared  # noqa: E402
-from shared import BadInput, Parser, exit_with  # noqa: E402
+from shared import BadInput, Parser, Trials, exit_with, require  # noqa: E402
 
 WHOM = ("all of it", "the command alone", "one of its programs")
 CAUSES = re.compile("No space left on device|File too large|Read-only file system|Not a directory|disk.* full")
 LONGEST = 300  # s, of a program
 PARTS = ("run", "ctest", "report", "full", "forbidden")
-
-
-class Failure(Exception):
-    """What a trial found, in one line."""
-
-
-def require(condition, words):
-    if not condition:
-        raise Failure(words)
 
 
 def require_none(complaints):
@@ -97,21 +88,6 @@ def said_once(result, place):
     require(status > 0, f"ended with status {status}, expected a failure; it said: {output.strip()[-200:]!r}")
     require(len(lines) == 1, f"{len(lines)} lines say where and why, expected one; it said: {output.strip()[-300:]!r}")
     return lines[0].strip()
-
-
-class Trials:
-    """Runs trials and counts them."""
-
-    def __init__(self):
-        self.count, self.failed = 0, 0
-
-    def attempt(self, what, work):
-        self.count += 1
-        try:
-            found, word = work(), "passed"
-        except (Failure, subprocess.TimeoutExpired, OSError) as error:
-            found, word, self.failed = str(error), "FAILED", self.failed + 1
-        print(f"{word} {what}: {found}", flush=True)
 
 
 def timed(words):

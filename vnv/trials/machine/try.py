@@ -26,8 +26,8 @@ import tempfile
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent)]
 
-from shared import BadInput, Parser, exit_with  # noqa: E402
-from works import CASE, METHOD, WORKS, Failure, require, said_by  # noqa: E402
+from shared import BadInput, Failure, Parser, exit_with, require  # noqa: E402
+from works import CASE, METHOD, WORKS, said_by  # noqa: E402
 
 ERRORS = {"open": (errno.EACCES, errno.EMFILE), "write": (errno.ENOSPC, errno.EIO), "rename": (errno.EACCES, errno.ENOSPC),
           "fsync": (errno.EIO,), "mkdir": (errno.ENOSPC,), "fork": (errno.EAGAIN,), "clock": (-4000, 4000)}  # days

@@ -10,20 +10,11 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parent / "interruptions")]
 
 import left  # noqa: E402
-from shared import BadInput, run  # noqa: E402
+from shared import BadInput, require, run  # noqa: E402
 
 CASE, METHOD = "stokes_first", "mpm"
 NAME = f"{CASE}.{METHOD}"
 DATA = FOLDER.parents[2] / "data"
-
-
-class Failure(Exception):
-    """What did not hold, in one line."""
-
-
-def require(condition, words):
-    if not condition:
-        raise Failure(words)
 
 
 def copied(source, to):

@@ -27,8 +27,8 @@ ROOT = FOLDER.parents[2]
 sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parent / "interruptions"), str(FOLDER.parent / "machine")]
 
 import left  # noqa: E402
-from shared import BadInput, Parser, exit_with  # noqa: E402
-from works import CASE, DATA, METHOD, WORKS, Failure, Work, copied, require, said_by  # noqa: E402
+from shared import BadInput, Failure, Parser, exit_with, require  # noqa: E402
+from works import CASE, DATA, METHOD, WORKS, Work, copied, said_by  # noqa: E402
 
 NOBODY = 65534
 STRANGE = "it's a \"strange\" $(name) & ünïcødé 水"
