@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -272,13 +271,16 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 
 void require_known_names(const Mapping& mapping, const std::string& where) {
   const auto require = [&](const auto& said, const char* what, const auto& known) {
-    for (const auto& [name, value] : said)
-      if (std::ranges::find(known, name) == known.end())
-        throw std::invalid_argument(
-            fmt::format("{}: {} '{}' = '{}', expected one of: {}", where, what, name, value, fmt::join(known, ", ")));
+    for (const auto& [name, value] : said) {
+      if (known.contains(name)) continue;
+      std::vector<std::string> names;
+      for (const auto& [one, of_it] : known) names.push_back(one);
+      throw std::invalid_argument(
+          fmt::format("{}: {} '{}' = '{}', expected one of: {}", where, what, name, value, fmt::join(names, ", ")));
+    }
   };
-  require(mapping.arrays, "field", common_names | std::views::keys);
-  require(mapping.units, "unit of", units | std::views::keys);
+  require(mapping.arrays, "field", common_names);
+  require(mapping.units, "unit of", units);
 }
 
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {

@@ -9,14 +9,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
-#include <ranges>
 
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double jitter = 0.01;     // of the spacing
-constexpr double formal_order = 1;  // of a free surface that is resolved to one cell
+constexpr double jitter = 0.01;                          // of the spacing
+constexpr double formal_order = 1;                       // of a free surface that is resolved to one cell
 constexpr std::array resolutions{20, 40, 80, 160, 320};  // particles across H
 
 using UncertainInputs = std::vector<UncertainInput>;
@@ -295,8 +295,8 @@ std::vector<const Run*> runs_with_friction(const Results& results, double coeffi
 
 std::vector<const Run*> ensemble_of(const Results& results) {
   std::vector<const Run*> largest;
-  for (const int across : resolutions | std::views::reverse)
-    if (const auto members = runs_of(results, nominal(across));
+  for (auto across = resolutions.rbegin(); across != resolutions.rend(); ++across)
+    if (const auto members = runs_of(results, nominal(*across));
         members.size() > std::max<std::size_t>(1, largest.size()))
       largest = members;
   return largest;
