@@ -148,16 +148,21 @@ std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
   return spacings;
 }
 
-/// Besides the times [s] all multiples of a step, from 0 to the last time.
-std::vector<double> with_multiples(std::vector<double> times, double step) {
+/// Besides the increasing times [s] all multiples of a step, from 0 to the last time.
+std::vector<double> with_multiples(const fs::path& file, const std::vector<double>& times, double step) {
+  constexpr int most = 100'000;
   const double end = times.back();
-  for (double k = 0; k * step < end * (1 - 1e-9); ++k) {
+  if (end / step > most)
+    throw std::invalid_argument(fmt::format("{}: every = {:g}: more than {} times until {:g} s, expected {:g} or more",
+                                            file.string(), step, most, end, end / most));
+  std::vector<double> all = times;
+  for (int k = 0; k * step < end * (1 - 1e-9); ++k) {
     const double one = as_meant(k * step);
-    if (std::ranges::none_of(times, [&](double time) { return std::abs(time - one) <= 1e-9 * time; }))
-      times.push_back(one);
+    const auto next = std::ranges::lower_bound(times, one * (1 - 1e-9));
+    if (next == times.end() || *next > one * (1 + 1e-9)) all.push_back(one);
   }
-  std::ranges::sort(times);
-  return times;
+  std::ranges::sort(all);
+  return all;
 }
 
 void read_command(const Keys& keys, Solver& solver) {
@@ -199,7 +204,7 @@ Solver solver_in(const fs::path& file) {
   if (!std::ranges::is_sorted(solver.times) || !(solver.times.front() > 0))
     throw std::invalid_argument(
         fmt::format("{}: times = {}, expected increasing ones above 0", file.string(), solver.times));
-  if (keys.has("every")) solver.times = with_multiples(solver.times, keys.positive("every", 0));
+  if (keys.has("every")) solver.times = with_multiples(file, solver.times, keys.positive("every", 0));
   read_command(keys, solver);
   solver.needs = keys.table("needs").pairs<std::string>("how to get it");
   keys.require("output");
