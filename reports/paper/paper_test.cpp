@@ -132,11 +132,11 @@ TEST_F(Export, DrawsEachFigureAsPdfBesideItsScriptAndData) {
 }
 
 TEST_F(Export, IsCompiledByLaTeXWithinTheWidthOfItsText) {
-  const auto is_here = [](const std::string& program) {
-    return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+  const auto works = [](const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
   };
-  if (!is_here("pdflatex") || !is_here("bibtex"))
-    GTEST_SKIP() << "pdflatex or bibtex not found: apt install texlive-latex-recommended";
+  if (!works("command -v pdflatex") || !works("command -v bibtex") || !works("kpsewhich booktabs.sty"))
+    GTEST_SKIP() << "pdflatex, bibtex or booktabs not found: apt install texlive-latex-recommended";
   vnv::Record record = sample_record("sph_regularised_float");
   record.flags = "-O3 -fno-math-errno -fno-trapping-math -march=native";
   record.machine = "AMD EPYC, 2 processors";
