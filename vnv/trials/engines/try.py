@@ -66,16 +66,24 @@ def cpu_of_children():  # s
     return used.ru_utime + used.ru_stime
 
 
-def judged(records):
-    """{CASE.METHOD: verdicts, values and orders, as they were written but for what is of the machine}"""
+def judged(records, timed):
+    """{CASE.METHOD: values, verdicts and orders, as they were written but for costs; methods that are timed run as long
+    as their timing takes, so of these also but for the time that was reached}"""
     found = {}
     for file in sorted(records.glob("*.json")):
         record = json.loads(file.read_text(encoding="utf-8"))
-        names = {value["quantity"]["name"] for value in record["values"] if value["quantity"]["kind"] == "cost"}
-        found[file.stem] = json.dumps([[one for one in record[part] if of(one) not in names] for part, of in
-                                       (("values", lambda one: one["quantity"]["name"]),
-                                        ("verdicts", lambda one: one["quantity"]), ("orders", lambda _: None))])
+        values = [value for value in record["values"] if value["quantity"]["kind"] != "cost"]
+        verdicts = [verdict for verdict in record["verdicts"] if verdict["kind"] != "cost"]
+        if file.stem in timed:
+            values, verdicts = ([{key: of for key, of in one.items() if key not in ("time", "sentence")} for one in all_of]
+                                for all_of in (values, verdicts))
+        found[file.stem] = json.dumps([values, verdicts, record["orders"]])
     return found
+
+
+def timed_methods(vnv, suite):
+    listed = json.loads(shared.run([vnv, "list", "--suite", suite, "--json"]).stdout)
+    return {f"{method['case']}.{method['method']}" for method in listed if method["timed"]}
 
 
 def run(vnv, records, engine, methods=(), options=(), longest=LONGEST):
@@ -85,18 +93,19 @@ def run(vnv, records, engine, methods=(), options=(), longest=LONGEST):
 
 def try_equal(vnv, folder, engines, trials, methods, suite, night):
     """The same methods by all engines, or a night that was run here by all others."""
-    expected = {"judged": judged(night)} if night else {}
+    timed = timed_methods(vnv, suite)
+    expected = {"judged": judged(night, timed)} if night else {}
 
     def trial(engine):
         records, began = folder / engine.name, time.monotonic()
         status, output = run(vnv, records, engine, methods, ["--suite", suite], LONGEST_SUITE)
-        took, found = time.monotonic() - began, judged(records)
+        took, found = time.monotonic() - began, judged(records, timed)
         expected.setdefault("status", status)
         expected.setdefault("judged", found)
         require(found, f"nothing was judged; it said: {output.strip()[-300:]!r}")
         require(status == expected["status"], f"status {status}, expected {expected['status']}: {output.strip()[-300:]!r}")
         differs = [name for name in found | expected["judged"] if found.get(name) != expected["judged"].get(name)]
-        require(not differs, f"{len(differs)} methods differ from local: {differs[:3]}")
+        require(not differs, f"{len(differs)} methods differ from local: {' '.join(differs)}")
         again = run(vnv, records, engine, methods, ["--suite", suite])[1]
         require(f"{len(found)} skipped" in again, f"not all is skipped the next time: {again.strip()[-200:]!r}")
         return f"{len(found)} methods judged as by local, {took:.0f} s"
