@@ -21,10 +21,17 @@ function(count name program how)
   set(${name} ${counted} PARENT_SCOPE)
 endfunction()
 
-count(listed ${PROGRAM} listed)
+# How long a program takes to start is the same but for rare runs (16 instructions more were seen): what differs is
+# counted again. What a term costs would differ each time.
+foreach(attempt RANGE 1 3)
+  count(listed ${PROGRAM} listed)
+  count(knows_more ${OTHER} listed)
+  if(knows_more EQUAL listed)
+    break()
+  endif()
+endforeach()
 count(by_hand ${PROGRAM} by_hand)
 count(with_viscosity ${PROGRAM} with_viscosity)
-count(knows_more ${OTHER} listed)
 
 # Two a particle are left for handing over its sums: of some 580, and none of a pair.
 math(EXPR most "${by_hand} + ${more} * 2 * 1600")
