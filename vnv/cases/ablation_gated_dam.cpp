@@ -3,7 +3,6 @@
 
 #include "solvers/mpm/composed/composed.hpp"
 #include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/mpm/splines/splines.hpp"
@@ -97,6 +96,7 @@ Case vnv::the_case() {
                            level,
                            {mpm_variant<Fast<Apic, AffineDensity>>(unabridged, gated),
                             mpm_variant<Fast<Apic, AffineDensity>>("instantaneous gate removal", at_once),
+                            mpm_variant<Fast<mpm::Flip, AffineDensity>>("FLIP instead of APIC", gated),
                             mpm_variant<Fast<mpm::Xpic<5>, AffineDensity>>("XPIC(5) instead of APIC", gated),
                             mpm_variant<Fast<Apic, CarriedDensity>>("densities not smoothed", gated),
                             mpm_variant<Fast<Apic, AffineDensity, SkinFriction>>(with_friction_of_walls,
@@ -109,7 +109,6 @@ Case vnv::the_case() {
                       {mpm_variant<Plain<Quadratic, Apic, AffineDensity>>(unabridged, at_once),
                        mpm_variant<Plain<mpm::LinearHat, Apic, AffineDensity>>("linear hats instead of B-splines",
                                                                                at_once),
-                       mpm_variant<Plain<Quadratic, mpm::Flip, AffineDensity>>("FLIP instead of APIC", at_once),
                        mpm_variant<Plain<Quadratic, Apic, Unbounded>>("expansion not bounded", at_once)}),
                   ablation({.name = "sph_delta",
                             .description = "Smoothed particle hydrodynamics with diffusion of density.",

@@ -2,6 +2,7 @@
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/composed/transfers/apic.hpp"
+#include "solvers/mpm/composed/transfers/flip.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
 #include "solvers/mpm/particles.hpp"
 #include "solvers/mpm/stress.hpp"
@@ -22,14 +23,21 @@ struct VelocityOf<Apic> {
   const Field<double>& of_place() const { return v; }
   auto fields() { return std::array{&v, &along_x, &along_y}; }
 };
-template <int m>
-struct VelocityOf<Xpic<m>> {
+struct VelocityAndThatOfPlace {
   Field<double> v;      // m/s
   Field<double> place;  // m/s  of the place; before, what a body force that is not the same everywhere gives in a step
 
-  explicit VelocityOf(int slots) : v(slots), place(v) {}
+  explicit VelocityAndThatOfPlace(int slots) : v(slots), place(v) {}
   const Field<double>& of_place() const { return place; }
   auto fields() { return std::array{&v, &place}; }
+};
+template <>
+struct VelocityOf<Flip> : VelocityAndThatOfPlace {
+  using VelocityAndThatOfPlace::VelocityAndThatOfPlace;
+};
+template <int m>
+struct VelocityOf<Xpic<m>> : VelocityAndThatOfPlace {
+  using VelocityAndThatOfPlace::VelocityAndThatOfPlace;
 };
 
 /// How the expansion changes over a cell, where a density has particles hold it.

@@ -113,6 +113,8 @@ TEST(Splines, DoWithAnyPartsWhatPlainLoopsDo) {
   const Uniform gravity{{0.3, -1}};
   expect_as_composed<Apic, CarriedDensity>(water, NoForce{});
   expect_as_composed<Apic, AffineDensity>(thick, stirred);
+  expect_as_composed<Flip, CarriedDensity>(thick, stirred);
+  expect_as_composed<Flip, AffineDensity>(water, gravity);
   expect_as_composed<Xpic<1>, AffineDensity>(thick, NoForce{});
   expect_as_composed<Xpic<2>, CarriedDensity>(thick, gravity);
   expect_as_composed<Xpic<5>, CarriedDensity>(water, stirred);

@@ -53,6 +53,13 @@ auto moments_of(const Particles& particles, const Block& block) {
   return sums_of_powers<0, count, [](int) { return count; }>(particles, block, one_each);
 }
 
+/// Where the gather has taken all velocities.
+struct NothingToTake {
+  NothingToTake(const auto& /*transfer*/, const SplineNodes&, int /*node*/) {}
+  template <class Particles, class Write>
+  void take(Particles&, int, const Place&, const Place&, const Write&) const {}
+};
+
 template <class Transfer>
 class InCells;
 
@@ -127,24 +134,13 @@ class InCells<Apic> {
     nodes.find_mean(0, nodes.strained, threads);
   }
 
-  /// Velocities have been taken.
-  struct Taken {
-    Taken(const InCells&, const SplineNodes&, int) {}
-    template <class Particles, class Write>
-    void take(Particles&, int, const Place&, const Place&, const Write&) const {}
-  };
+  using Taken = NothingToTake;
 };
 
-/// Nodes to particles and back again is, within each cell, a matrix of moments of its particles: no particle is looked
-/// at until all terms are summed.
-template <int m>
-class InCells<Xpic<m>> {
+/// For transfers in which particles take from the nodes by how these change.
+class MomentumAndImpulseApart {
  public:
   static constexpr int given = 5;
-
-  InCells(const SplineNodes& nodes) : taken_(nodes.places()) {}
-
-  void make_room(std::size_t blocks) { moments_.resize(blocks); }
 
   template <class Particles>
   static void push(Particles& particles, int slot, const Vec2& dv) {
@@ -152,13 +148,22 @@ class InCells<Xpic<m>> {
     particles.y.place[slot] = dv.y();
   }
 
+  /// v_i and dv_i, held at walls.
+  static void accelerate(SplineNodes& nodes, const SplineWalls& walls, const Vec2& push, const Clock& clock,
+                         int threads) {
+    nodes.find_mean(momentum_given, nodes.start, threads);
+    nodes.find_mean(impulse_given, nodes.velocity, threads);
+    nodes.add_up(nodes.start, 1, nodes.velocity, nodes.velocity, threads);
+    nodes.push(push, nodes.velocity, threads);
+    walls.hold_motion(nodes, clock.time(), clock.time_step(), clock.steps() == 0);
+    nodes.edges.unfold(nodes.start);
+    nodes.edges.unfold(nodes.velocity);
+  }
+
+ protected:
   template <bool pushed, class Particles, class Block>
-  void give(const Particles& particles, int index, const Block& block, const Grid&, const Vec2& dt_per_cell,
-            GivenToCentres<given>& to) {
-    moments_[index] = moments_of<5>(particles, block);
-    PowersOfBoth mass;
-    for_three([&](auto i) { for_three([&](auto k) { mass[i][k] = moments_[index][i][k]; }); });
-    to.give(mass_given, block.column, nodes_of(mass));
+  static void give_motion(const Particles& particles, const Block& block, const Vec2& dt_per_cell,
+                          GivenToCentres<given>& to) {
     for_axes([&](auto axis) {
       const auto& of = component<axis>(particles);
       PowersOfBoth momentum{}, impulse{};
@@ -172,17 +177,67 @@ class InCells<Xpic<m>> {
       to.give(impulse_given + axis, block.column, nodes_of(impulse));
     });
   }
+};
 
-  /// v_i and dv_i, held at walls.
-  static void accelerate(SplineNodes& nodes, const SplineWalls& walls, const Vec2& push, const Clock& clock,
-                         int threads) {
-    nodes.find_mean(momentum_given, nodes.start, threads);
-    nodes.find_mean(impulse_given, nodes.velocity, threads);
-    nodes.add_up(nodes.start, 1, nodes.velocity, nodes.velocity, threads);
-    nodes.push(push, nodes.velocity, threads);
-    walls.hold_motion(nodes, clock.time(), clock.time_step(), clock.steps() == 0);
-    nodes.edges.unfold(nodes.start);
-    nodes.edges.unfold(nodes.velocity);
+/// Particles keep their velocities, take what the nodes change, and move with these.
+template <>
+class InCells<Flip> : public MomentumAndImpulseApart {
+ public:
+  InCells(const SplineNodes&) {}
+
+  static void make_room(std::size_t /*blocks*/) {}
+
+  template <bool pushed, class Particles, class Block>
+  void give(const Particles& particles, int /*index*/, const Block& block, const Grid&, const Vec2& dt_per_cell,
+            GivenToCentres<given>& to) {
+    to.give(mass_given, block.column, nodes_of(moments_of<3>(particles, block)));
+    give_motion<pushed>(particles, block, dt_per_cell, to);
+  }
+
+  /// v_p += sum w_ip dv_i, and what particles give of it.
+  template <class Particles>
+  static void gather(SplineNodes& nodes, const Grid&, int threads, Particles& particles) {
+    NodeVectors& change = nodes.start;
+    nodes.add_up(nodes.velocity, -1, nodes.start, change, threads);
+    const auto gather_block = [&](int, const auto& block, auto& to) __attribute__((flatten)) {
+      const int node = nodes.stride * block.row + block.column;
+      for_axes([&](auto axis) {
+        auto& of = component<axis>(particles);
+        const PowersOfBoth velocity = laid_out(nodes, component<axis>(nodes.velocity), node),
+                           change_within = laid_out(nodes, component<axis>(change), node);
+        PowersOfBoth sums{};
+        for_particles_of(block, [&](int slot, const auto& write) {
+          const Place X(load<Lanes>(&particles.X[slot])), Y(load<Lanes>(&particles.Y[slot]));
+          write(value_at(velocity, X, Y), &of.place[slot]);
+          add(sums, X, Y, write(load<Lanes>(&of.v[slot]) + value_at(change_within, X, Y), &of.v[slot]));
+        });
+        to.give(axis, block.column, nodes_of(sums));
+      });
+    };
+    give_by_rows<2>(particles.order, threads, nodes, gather_block);
+    nodes.find_mean(0, nodes.strained, threads);
+  }
+
+  using Taken = NothingToTake;
+};
+
+/// Nodes to particles and back again is, within each cell, a matrix of moments of its particles: no particle is looked
+/// at until all terms are summed.
+template <int m>
+class InCells<Xpic<m>> : public MomentumAndImpulseApart {
+ public:
+  InCells(const SplineNodes& nodes) : taken_(nodes.places()) {}
+
+  void make_room(std::size_t blocks) { moments_.resize(blocks); }
+
+  template <bool pushed, class Particles, class Block>
+  void give(const Particles& particles, int index, const Block& block, const Grid&, const Vec2& dt_per_cell,
+            GivenToCentres<given>& to) {
+    moments_[index] = moments_of<5>(particles, block);
+    PowersOfBoth mass;
+    for_three([&](auto i) { for_three([&](auto k) { mass[i][k] = moments_[index][i][k]; }); });
+    to.give(mass_given, block.column, nodes_of(mass));
+    give_motion<pushed>(particles, block, dt_per_cell, to);
   }
 
   template <class Particles>
