@@ -32,8 +32,8 @@ std::string name_of(const Solver& solver, double spacing) {
   return fmt::format("{:.4g}_across", solver.flow.across / spacing);
 }
 
-/// What a placeholder of the command stands for.
-std::map<std::string, std::string> placeholders(const Solver& solver, double spacing, const fs::path& folder) {
+/// What a replacement field of the command stands for.
+std::map<std::string, std::string> replacements(const Solver& solver, double spacing, const fs::path& folder) {
   std::map<std::string, std::string> all{{"spacing", fmt::format("{}", spacing)},
                                          {"across", fmt::format("{:.12g}", solver.flow.across / spacing)},
                                          {"until", fmt::format("{}", solver.times.back())},
@@ -51,7 +51,7 @@ std::map<std::string, std::string> placeholders(const Solver& solver, double spa
   return all;
 }
 
-/// A word of the command with its placeholders replaced; "{{" is a brace.
+/// A word of the command with its replacement fields replaced; "{{" is a brace.
 std::string filled(const Solver& solver, const std::string& word, const std::map<std::string, std::string>& values) {
   std::string text;
   for (std::size_t k = 0; k < word.size(); ++k) {
@@ -69,8 +69,8 @@ std::string filled(const Solver& solver, const std::string& word, const std::map
       std::vector<std::string> known;
       for (const auto& [name, held] : values) known.push_back(name);
       throw std::invalid_argument(
-          fmt::format("{}: command: '{}' is no placeholder, expected one of: {}; a brace is {{{{", solver.file.string(),
-                      word.substr(k, close - k + 1), fmt::join(known, ", ")));
+          fmt::format("{}: command: '{}' is no replacement field, expected one of: {}; a brace is {{{{",
+                      solver.file.string(), word.substr(k, close - k + 1), fmt::join(known, ", ")));
     }
     text += solver.is_for_shell ? programs::quoted(value->second) : value->second;
     k = close;
@@ -80,7 +80,7 @@ std::string filled(const Solver& solver, const std::string& word, const std::map
 
 /// The command as a line of a shell.
 std::string line_of(const Solver& solver, double spacing, const fs::path& folder) {
-  const auto values = placeholders(solver, spacing, folder);
+  const auto values = replacements(solver, spacing, folder);
   std::vector<std::string> words;
   for (const std::string& word : solver.command) {
     const std::string text = filled(solver, word, values);

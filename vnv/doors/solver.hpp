@@ -15,7 +15,7 @@ struct Solver {
   std::vector<double> spacings{};              // m  falling
   std::vector<double> times{};                 // s  rising
   std::map<std::string, std::string> needs{};  // a program or a file -> how to get it
-  programs::Words command{};                   // with placeholders, or one line for a shell
+  programs::Words command{};                   // with replacement fields, or one line for a shell
   bool is_for_shell = false;
   std::vector<std::string> output{};  // patterns of files, in the folder of a run
   Mapping mapping{};

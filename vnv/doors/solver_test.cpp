@@ -105,7 +105,7 @@ TEST_F(OtherSolvers, SayWhyTheyHaveNoAnswer) {
        "wrote no file end.csv");
 }
 
-TEST_F(OtherSolvers, FillPlaceholdersAlsoForAShellAndFromAPathWithBlanks) {
+TEST_F(OtherSolvers, FillReplacementFieldsAlsoForAShellAndFromAPathWithBlanks) {
   const Solver one = solver(std::string(frozen), R"(["cp", "{particles}", "end.csv"])",
                             R"("echo {L} {across} ${{HOME} {until} > {folder}/said; cp {particles} end.csv")");
   const std::filesystem::path runs = folder / "it's here";
@@ -227,9 +227,10 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("times =", "set = { nu = 0 }\ntimes =").substr(0, 11), "mine.toml: ");
   EXPECT_EQ(refusal("shear_wave", "shear\\nwave").substr(0, 32), "mine.toml: no flow 'shear?wave',");
   EXPECT_EQ(refusal("output", "flow = \"x\"\noutput").substr(0, 12), "mine.toml:6:");
-  EXPECT_EQ(refusal("{particles}", "{particle}"),
-            "mine.toml: command: '{particle}' is no placeholder, expected one of: L, Re, U, across, c, folder, here, "
-            "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
+  EXPECT_EQ(
+      refusal("{particles}", "{particle}"),
+      "mine.toml: command: '{particle}' is no replacement field, expected one of: L, Re, U, across, c, folder, here, "
+      "parameters, particles, rho, scene, spacing, times, until; a brace is {{");
   EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 2\"\nnew_key = 1\nflow ="),
             "mine.toml:2: schema = 'touchstone solver 2', expected 'touchstone solver 1', the only version known here");
   EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 1\"\nflow ="), "read without complaint");

@@ -23,6 +23,7 @@ struct VelocityOf<Apic> {
   const Field<double>& of_place() const { return v; }
   auto fields() { return std::array{&v, &along_x, &along_y}; }
 };
+/// Where particles move with the nodes, and not with what they hold as their velocity.
 struct VelocityAndThatOfPlace {
   Field<double> v;      // m/s
   Field<double> place;  // m/s  of the place; before, what a body force that is not the same everywhere gives in a step

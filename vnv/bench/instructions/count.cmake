@@ -1,7 +1,7 @@
 # cmake -DVALGRIND=... -DPROGRAM=... -DOTHER=... -P count.cmake: a term that is not listed costs no instruction.
 # PROGRAM counts the sum over pairs from a list of terms and by hand; OTHER is the same program that knows of more terms.
-# The difference of two runs of different length is free of what comes before and after; but for up to 16 instructions,
-# which depend on the length of the environment, so that it is empty.
+# The difference of two runs of different length is free of what comes before and after. The environment is empty,
+# because its length changed the count by up to 16 instructions.
 if(NOT VALGRIND)
   message(FATAL_ERROR "valgrind: not found; install it (Debian: apt install valgrind), or nothing counts instructions")
 endif()
