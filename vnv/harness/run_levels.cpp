@@ -113,8 +113,8 @@ struct Tried {
   double error, cpu;
 };
 
-/// Whether refining a combination may gain something: unless another one of that sound speed had two thirds of the error
-/// of its next coarser run at no more cost.
+/// Whether refining a combination may gain something: unless another one of that sound speed had two thirds of the
+/// error of its next coarser run at no more cost.
 bool is_promising(const Level& level, const std::vector<Tried>& tried) {
   const auto same = [&](const Tried& one) { return one.level->combination == level.combination; };
   const auto coarser = std::find_if(tried.rbegin(), tried.rend(), same);
@@ -150,8 +150,9 @@ std::vector<Run> run_levels(const std::string& case_name, const Case& declared, 
     const double user_time = attempts.back().first.user_time;
     left -= user_time;
     rate = std::max(user_time / work_of(level), rate / 2);
-    if (declared.error_of_work)
-      tried.push_back({&level, declared.error_of_work(level, run_of(attempts.back())), user_time});
+    if (!declared.error_of_work) continue;
+    const Run run = run_of(attempts.back());  // whose own time is exact; that of a short process is counted in ticks
+    tried.push_back({&level, declared.error_of_work(level, run), run.summary.cost.cpu});
   }
   if (suite != Suite::acceptance) repeat_in_turn(method, declared.repeats, attempts);
   std::vector<Run> runs;
