@@ -153,16 +153,17 @@ def shared_tests(folder):
 
 
 def unit_tests(root):
-    """The unit tests as ctest names them, but for the types of those that are run for several: {name: its file}."""
+    """The unit tests as ctest names them, but for the types of those that are run for several: {name: its file}.
+    Of INSTANTIATE_TYPED_TEST_SUITE_P(PREFIX, SUITE, ...) it keeps the prefix: PREFIX.TEST<TYPE>."""
     found = {}
     for folder in ("solvers", "reference", "vnv", "reports"):
         for file in sorted((root / folder).rglob("*_test.cpp")):
             for prefix, suite in re.findall(r"^INSTANTIATE_TYPED_TEST_SUITE_P\((\w+),\s*(\w+)", file.read_text(encoding="utf-8"), re.M):
                 for test in shared_tests(root / folder).get(suite, []):
-                    found[f"unit.{folder}.{prefix}/{suite}<>.{test}"] = file
+                    found[f"unit.{folder}.{prefix}.{test}<>"] = file
             tests = re.findall(r"^(TEST|TEST_F|TYPED_TEST)\((\w+),\s*(\w+)\)", file.read_text(encoding="utf-8"), re.M)
             for kind, suite, test in tests:
-                found[f"unit.{folder}.{suite}{'<>' if kind == 'TYPED_TEST' else ''}.{test}"] = file
+                found[f"unit.{folder}.{suite}.{test}{'<>' if kind == 'TYPED_TEST' else ''}"] = file
     return found
 
 
