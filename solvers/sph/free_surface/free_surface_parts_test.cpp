@@ -55,8 +55,8 @@ const Antuono antuono{.sound_speed = c, .h = h};
 const Parts all_parts{
     .pressure = PressureSum{}, .diffusion = antuono, .gradient = BonetLok{}, .shifting = TangentialShifting{spacing}};
 
-/// Packs the fluid with fields of its place, and finds their surroundings by both passes.
-void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
+/// Packs the fluid with fields of its place, and goes through the first pass.
+void begin_to_see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
   Particles& all = near.all;
   for (Index i = 0; i < all.fluid; ++i) {
     const Vec2 x(all.x[i], all.y[i]), v = velocity(x);
@@ -68,8 +68,15 @@ void see(Near& near, const Motion& velocity, const Field& density, const Field& 
   near.images.refresh_fluid(all, near.seen);
   near.carry(drift_fields, 0);
   sum_by_motion<WendlandC2>(near, momentum(), all_parts, h);
+}
+/// The second pass, and the gradient of density that it finds.
+void finish_seeing(Near& near) {
   sum_by_pressure<WendlandC2>(near, all_parts, h);
   see_density_gradient<WendlandC2>(near, rho_along_x, h);
+}
+void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
+  begin_to_see(near, velocity, density, pressure);
+  finish_seeing(near);
 }
 
 /// Fluid with nothing around it, in disorder, round: corners are not corrected in full.
@@ -206,16 +213,17 @@ TEST(Surroundings, OfImagesAreThoseOfTheirSources) {
                              .fluid = water,
                              .filled = square,
                              .start = {.places = in_disorder}});
-  see(
+  const auto same = [&](auto field) {
+    for (Index k = 0; k < near.all.images; ++k)
+      ASSERT_EQ(near.seen[near.images.first(near.all) + k].*field, near.seen[near.images.source(k)].*field) << k;
+  };
+  begin_to_see(
       near, still, [](const Vec2& x) { return 1000 + 0.01 * curved(x); }, even);
-  const Index first = near.images.first(near.all);
   ASSERT_GT(near.all.images, 0);
-  for (Index k = 0; k < near.all.images; ++k) {
-    const auto &image = near.seen[first + k], &source = near.seen[near.images.source(k)];
-    ASSERT_EQ(image.least_eigenvalue, source.least_eigenvalue);
-    ASSERT_EQ(image.rho_along_x, source.rho_along_x);
-    ASSERT_EQ(image.l_xy, source.l_xy);
-  }
+  same(&Surroundings<double>::least_eigenvalue);
+  same(&Surroundings<double>::l_xy);
+  finish_seeing(near);
+  same(&Surroundings<double>::rho_along_x);
 }
 
 TEST(Surroundings, AreFullInsideAndNotAtASurface) {
@@ -354,9 +362,8 @@ TEST(Gates, AreBetweenWhatDoesNotSeeEachOther) {
     }
   };
   each_pair(near.fluid_near_fluid, check);
-  each_pair(near.fluid_near_ghost, [&](int ghost, int j) {
-    ASSERT_TRUE(ghost < gate_begins || j >= all.fluid || all.x[j] < 0.5);
-  });
+  each_pair(near.fluid_near_ghost,
+            [&](int ghost, int j) { ASSERT_TRUE(ghost < gate_begins || j >= all.fluid || all.x[j] < 0.5); });
   EXPECT_GT(below, 50);
   EXPECT_GT(ghosts_seen, 50);
 }
