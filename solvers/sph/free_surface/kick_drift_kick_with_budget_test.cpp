@@ -125,12 +125,15 @@ double gain_in_a_collision(const PartsOfMethod& parts, double courant) {
   scene.filled = {.low = {0.3, 0.5}, .high = {0.3 + 2 * spacing, 0.5 + spacing}};
   scene.walls = {};
   scene.body_force = {{0, 0}};
-  scene.start = {.velocity = [](const Vec2& x) -> Vec2 { return {x.x() < 0.45 ? 3 : -3, 0}; },
-                 .places = [](const Vectors& lattice) {
-                   Vectors apart = lattice;
-                   apart.row(0) << 0.3, 0.6;
-                   return apart;
-                 }};
+  scene.start = {.velocity = [](const Vec2& x) -> Vec2 {
+                   return {x.x() < 0.45 ? 3 : -3, 0};
+                 },
+                 .places =
+                     [](const Vectors& lattice) {
+                       Vectors apart = lattice;
+                       apart.row(0) << 0.3, 0.6;
+                       return apart;
+                     }};
   auto simulation = free_surface<WendlandC2, KickDriftKickWithBudget>(
       scene, {.spacing = spacing, .smoothing_length = h, .time_step = courant * spacing / c},
       momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), WithBudget<PartsOfMethod>{parts});
