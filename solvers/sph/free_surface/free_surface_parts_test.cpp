@@ -56,7 +56,7 @@ const Parts all_parts{
     .pressure = PressureSum{}, .diffusion = antuono, .gradient = BonetLok{}, .shifting = TangentialShifting{spacing}};
 
 /// Packs the fluid with fields of its place, and goes through the first pass.
-void begin_to_see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
+void first_pass(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
   Particles& all = near.all;
   for (Index i = 0; i < all.fluid; ++i) {
     const Vec2 x(all.x[i], all.y[i]), v = velocity(x);
@@ -70,13 +70,13 @@ void begin_to_see(Near& near, const Motion& velocity, const Field& density, cons
   sum_by_motion<WendlandC2>(near, momentum(), all_parts, h);
 }
 /// The second pass, and the gradient of density that it finds.
-void finish_seeing(Near& near) {
+void second_pass(Near& near) {
   sum_by_pressure<WendlandC2>(near, all_parts, h);
   see_density_gradient<WendlandC2>(near, rho_along_x, h);
 }
 void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
-  begin_to_see(near, velocity, density, pressure);
-  finish_seeing(near);
+  first_pass(near, velocity, density, pressure);
+  second_pass(near);
 }
 
 /// Fluid with nothing around it, in disorder, round: corners are not corrected in full.
@@ -217,12 +217,12 @@ TEST(Surroundings, OfImagesAreThoseOfTheirSources) {
     for (Index k = 0; k < near.all.images; ++k)
       ASSERT_EQ(near.seen[near.images.first(near.all) + k].*field, near.seen[near.images.source(k)].*field) << k;
   };
-  begin_to_see(
+  first_pass(
       near, still, [](const Vec2& x) { return 1000 + 0.01 * curved(x); }, even);
   ASSERT_GT(near.all.images, 0);
   same(&Surroundings<double>::least_eigenvalue);
   same(&Surroundings<double>::l_xy);
-  finish_seeing(near);
+  second_pass(near);
   same(&Surroundings<double>::rho_along_x);
 }
 
