@@ -76,9 +76,9 @@ Method taking_its_time() {
   Method method = doing([](const Level& level, const Schedule& when) {
     const double cpu = 0.003 / (level.spacing * level.spacing * level.time_step);
     const CostMeter meter;
+    volatile int counted = 0;
     while (meter.read().cpu < cpu)
-      for (volatile int k = 0; k < 10000; k = k + 1) {  // in user time, which reading the clock is not
-      }
+      for (int k = 0; k < 10000; ++k) counted = counted + 1;  // in user time, which reading the clock is not
     ARun run = ended(when);
     run.summary.cost.cpu = cpu;
     return run;
