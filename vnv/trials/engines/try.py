@@ -314,6 +314,7 @@ def main(arguments):
     parser.add_argument("--night", type=pathlib.Path, metavar="RECORDS",
                         help="for `equal`: of a whole suite by ctest on this machine, in place of a run by local")
     options = parser.parse_args(arguments)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell ignores it, and so would `vnv`, in the background
     vnv, program = (options.build.resolve() / "vnv" / name for name in ("vnv", "shear_wave"))
     for one in (vnv, program):
         if not os.access(one, os.X_OK):
