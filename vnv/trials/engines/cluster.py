@@ -162,7 +162,8 @@ def slurm(folder, nodes=2, processors=1, memory=10000, timeout=15):
 
 @contextlib.contextmanager
 def ssh_hosts(folder, count=2):
-    """Hosts as GNU parallel names them, and the daemons by which one is ended."""
+    """Hosts as GNU parallel names them, and the daemons by which one is ended. Their home is the folder: what a shell reads
+    in the user's own when it starts, pyenv's initialisation of 1 s for one, is not what an engine takes."""
     daemons = Daemons(folder)
     key = folder / "key"
     subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", key], check=True)
@@ -174,7 +175,7 @@ def ssh_hosts(folder, count=2):
             daemons.start(f"h{k}", [shutil.which("sshd"), "-D", "-e", "-f", "/dev/null", "-p", port, "-h", key,
                                     "-o", "ListenAddress=127.0.0.1", "-o", f"AuthorizedKeysFile={folder}/allowed",
                                     "-o", "StrictModes=no", "-o", "UsePAM=no", "-o", "PermitRootLogin=yes",
-                                    "-o", "MaxStartups=100", "-o", f"PidFile={folder}/h{k}.pid"])
+                                    "-o", f"SetEnv=HOME={folder}", "-o", "MaxStartups=100", "-o", f"PidFile={folder}/h{k}.pid"])
 
         def answers(port):
             with socket.socket() as one:
