@@ -2,9 +2,12 @@
 
 #include "vnv/programs/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -57,6 +60,24 @@ TEST_F(AnEngineElsewhere, RunsAJudgedOneOnceAndOneThatLostItsMachineTwice) {
   const auto ended =
       run({job("b.lost", counts + "kill -TERM $$")});  // as all is told to end on a machine that goes down
   EXPECT_EQ(fs::file_size(scratch_ / "count"), 6u);
+  EXPECT_TRUE(ended.at("b.lost").starts_with("was ended: lost")) << ended.at("b.lost");
+}
+
+TEST_F(AnEngineElsewhere, TakesShortOnesOverOneLoginAndLosesOneWithoutTheOthers) {
+  std::vector<Job> jobs;
+  for (const char* name : {"a.well", "b.lost", "c.well"}) {
+    const std::string counts = fmt::format("echo x >>'{}/{}.count';", scratch_.path().string(), name);
+    jobs.push_back(job(name, counts + (name == std::string("b.lost") ? "kill -TERM $$" : "exit 0")));
+    jobs.back().last = LastCost{.wall = 6};
+  }
+  const auto ended = run(jobs);
+  std::ifstream log(scratch_ / "engine/together.log");
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(log), {}, '\n'), 2) << "a head and one login";
+  for (const char* name : {"a.well", "c.well"}) {
+    EXPECT_EQ(ended.at(name), "ended with status 0" + here_);
+    EXPECT_EQ(fs::file_size(scratch_ / (name + std::string(".count"))), 2u) << name << " is not run again";
+  }
+  EXPECT_EQ(fs::file_size(scratch_ / "b.lost.count"), 4u) << "tried twice";
   EXPECT_TRUE(ended.at("b.lost").starts_with("was ended: lost")) << ended.at("b.lost");
 }
 
