@@ -81,8 +81,8 @@ struct JobLimits {
 };
 JobLimits limits_of(const Job& job);
 
-/// Jobs that one element of an array, or one login, runs one after the other: neighbours together, so long [s] by their last
-/// cost.
+/// Jobs that one element of an array, or one login, runs one after the other: neighbours together, so long [s] by their
+/// last cost.
 std::vector<std::vector<Job>> packed(const std::vector<Job>& jobs, double seconds);
 
 }  // namespace touchstone::vnv::command
