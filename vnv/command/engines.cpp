@@ -195,13 +195,16 @@ class Parallel : public Elsewhere {
     std::vector<Words> all;
     const auto add = [&](const std::string& name, const std::vector<Job>& jobs, int at_once) {
       if (jobs.empty()) return;
-      std::string lines;
+      std::string calls;  // of scripts, as the user's shell over there may be no Bourne shell
+      std::size_t count = 0;
       for (const std::vector<Job>& of_a_login : packed(jobs, login)) {
-        lines += "lost=0; ";
-        for (const Job& job : of_a_login) lines += line_of(job) + " || lost=1; ";
-        lines += "exit $lost\n";
+        std::string lines = "lost=0\n";
+        for (const Job& job : of_a_login) lines += line_of(job) + " || lost=1\n";
+        const fs::path script = folder_ / fmt::format("{}.{}.sh", name, count++);
+        files::write_whole(script, lines + "exit $lost\n");
+        calls += fmt::format("sh {}\n", programs::quoted(script.string()));
       }
-      files::write_whole(folder_ / name, lines);
+      files::write_whole(folder_ / name, calls);
       Words words{"parallel",   "--will-cite",
                   "--retries",  "2",
                   "--arg-file", (folder_ / name).string(),

@@ -69,11 +69,13 @@ void first_pass(Near& near, const Motion& velocity, const Field& density, const 
   near.carry(drift_fields, 0);
   sum_by_motion<WendlandC2>(near, momentum(), all_parts, h);
 }
+
 /// The second pass, and the gradient of density that it finds.
 void second_pass(Near& near) {
   sum_by_pressure<WendlandC2>(near, all_parts, h);
   see_density_gradient<WendlandC2>(near, rho_along_x, h);
 }
+
 void see(Near& near, const Motion& velocity, const Field& density, const Field& pressure) {
   first_pass(near, velocity, density, pressure);
   second_pass(near);
