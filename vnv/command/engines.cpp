@@ -205,10 +205,9 @@ class Parallel : public Elsewhere {
         calls += fmt::format("sh {}\n", programs::quoted(script.string()));
       }
       files::write_whole(folder_ / name, calls);
-      Words words{"parallel",   "--will-cite",
-                  "--retries",  "2",
-                  "--arg-file", (folder_ / name).string(),
-                  "--joblog",   (folder_ / (name + ".log")).string()};
+      Words words{"parallel", "--will-cite",     "--retries", "2", "--arg-file", (folder_ / name).string(),
+                  "--joblog", log(name).string()};
+      fs::remove(log(name));  // parallel makes it when it has read its options
       if (!options_.hosts.empty())
         words.insert(words.end(), {fs::exists(options_.hosts) ? "--sshloginfile" : "--sshlogin", options_.hosts});
       if (at_once > 0) words.insert(words.end(), {"--jobs", std::to_string(at_once)});
@@ -220,8 +219,19 @@ class Parallel : public Elsewhere {
     return all;
   }
 
-  std::string why_lost(const Job&) override {
-    return "lost, twice, with its host; see " + (folder_ / "said.txt").string();
+  fs::path log(const std::string& name) const { return folder_ / (name + ".log"); }
+
+  std::string why_lost(const Job& job) override {
+    const fs::path said = folder_ / "said.txt";
+    if (!fs::exists(log(job.alone ? "alone" : "together"))) {
+      std::ifstream in(said);
+      std::string complaint;
+      std::getline(in, complaint);
+      throw std::runtime_error(fmt::format("parallel started nothing: {}", complaint));
+    }
+    const std::string last = programs::last_lines(said, 1);
+    return fmt::format("lost, twice, with its host; {}see {}", last.empty() ? "" : fmt::format("'{}', ", last),
+                       said.string());
   }
 };
 

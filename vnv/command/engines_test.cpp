@@ -24,9 +24,10 @@ class AnEngineElsewhere : public testing::Test {
   }
 
   /// By GNU parallel on this machine; what ended how, in the order of the names.
-  std::map<std::string, std::string> run(const std::vector<Job>& jobs) const {
+  std::map<std::string, std::string> run(const std::vector<Job>& jobs, const std::string& hosts = "",
+                                         const Words& options = {}) const {
     std::map<std::string, std::string> ended;
-    make_engine({.engine = "parallel", .records = scratch_.path()})
+    make_engine({.engine = "parallel", .hosts = hosts, .options = options, .records = scratch_.path()})
         ->run(jobs, {.begins = [](const Job&) {},
                      .ended = [&](const Job& one, const JobResult& result) { ended[one.name] = result.sentence(); }});
     return ended;
@@ -113,6 +114,23 @@ TEST_F(AnEngineElsewhere, RunsWhatJudgesTimeAlone) {
   }
   run(jobs);
   EXPECT_EQ(programs::last_lines(file, 9), "in\nout\nin\nout");
+}
+
+TEST_F(AnEngineElsewhere, SaysWhatWasSaidOfAHostThatCannotBeReached) {
+  const std::string ssh = (scratch_ / "ssh").string();
+  std::ofstream(ssh) << "echo 'no route to host' >&2; exit 255\n";
+  const auto ended = run({job("a.b", "exit 0")}, "nowhere", {"--ssh", "sh " + ssh});
+  EXPECT_TRUE(ended.at("a.b").starts_with("was ended: lost, twice, with its host; 'no route to host'"))
+      << ended.at("a.b");
+}
+
+TEST_F(AnEngineElsewhere, ThrowsWhatParallelSaidOfAnOption) {
+  try {
+    run({job("a.b", "exit 0")}, ":", {"--frob"});
+    FAIL() << "an option that is none was taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "parallel started nothing: Unknown option: frob");
+  }
 }
 
 TEST(AnEngine, ThatHasNoHostsRefusesThem) {
