@@ -30,7 +30,7 @@ from shared import BadInput, Parser, Trials, exit_with, require  # noqa: E402
 LONGEST = 900  # s, of a program
 LONGEST_SUITE = 4 * 3600  # s, of `equal`
 PARTS = ("equal", "killed", "cancelled", "overhead", "many")
-SLURM = ("sbatch", "slurmctld", "slurmd")
+NEEDS = {"parallel": ("parallel", "sshd", "ssh-keygen"), "slurm": ("sbatch", "slurmctld", "slurmd")}
 EQUAL = ("shear_wave", "stokes_first", "couette")
 MEAN = 17  # s, of processor time, that a method of a whole night takes: 86 minutes of one core for 300 methods
 
@@ -43,19 +43,20 @@ class Engine:
 
 
 @contextlib.contextmanager
-def engines_here(folder):
-    """All engines that are installed."""
+def engines_here(folder, names):
+    """Local, and of the named engines all that are installed."""
     with contextlib.ExitStack() as stack:
-        found = [Engine("local", [])]
-        if program := cluster.missing("parallel", "sshd", "ssh-keygen"):
-            print(f"SKIP: parallel: no {program}")
-        else:
+        found, there = [Engine("local", [])], set()
+        for name in names:
+            if program := cluster.missing(*NEEDS[name]):
+                print(f"SKIP: {name}: no {program}")
+            else:
+                there.add(name)
+        if "parallel" in there:
             hosts, daemons = stack.enter_context(cluster.ssh_hosts(folder / "ssh"))
             (folder / "hosts").write_text("\n".join(hosts) + "\n", encoding="utf-8")
             found.append(Engine("parallel", ["--engine", "parallel", "--hosts", folder / "hosts"], daemons, ["h1", "h2"]))
-        if program := cluster.missing(*SLURM):
-            print(f"SKIP: slurm: no {program}")
-        else:
+        if "slurm" in there:
             daemons = stack.enter_context(cluster.slurm(folder / "slurm"))
             found.append(Engine("slurm", ["--engine", "slurm"], daemons, ["n1", "n2"]))
         yield found
@@ -293,7 +294,7 @@ def try_many(vnv, folder, trials, program, record, hosts, seconds):
             ("run again", [vnv, *run_words], f"{build.count} skipped"),
             ("pages", [report, records, folder / "site"], "")):
         trials.attempt(f"{what} of {build.count} methods that take {seconds} s on {hosts} hosts", lambda: trial(words, expected))
-    if not cluster.missing(*SLURM):
+    if not cluster.missing(*NEEDS["slurm"]):
         with cluster.slurm(folder / "slurm", nodes=hosts, timeout=300):
             trials.attempt(f"run of {build.count} methods that take {seconds} s on {hosts} nodes of Slurm",
                            lambda: trial([vnv, *by_slurm], f"{build.count} of {build.count} methods hold"))
@@ -308,6 +309,7 @@ def main(arguments):
     parser = Parser(__doc__)
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--only", nargs="+", choices=PARTS, default=PARTS)
+    parser.add_argument("--engines", nargs="+", choices=NEEDS, default=list(NEEDS), help="beside local; `many` takes both")
     parser.add_argument("--hosts", type=int, default=200, help="for `many`")
     parser.add_argument("--methods", nargs="+", help=f"for `equal`: these, not {' '.join(EQUAL)}")
     parser.add_argument("--suite", default="acceptance", help="for `equal`")
@@ -330,7 +332,7 @@ def main(arguments):
             try_many(vnv, folder / "many", trials, program, record, options.hosts, 5)
         if options.only == ["many"]:
             return conclude(trials)
-        with cluster.processor_time() as processor_time, engines_here(folder) as engines:
+        with cluster.processor_time() as processor_time, engines_here(folder, options.engines) as engines:
             if "equal" in options.only:
                 try_equal(vnv, folder / "equal", engines, trials, options.methods or ([] if options.night else EQUAL),
                           options.suite, options.night)
