@@ -34,29 +34,29 @@ class PredictorCorrector {
   template <class Flow>
   static void remember_start(Flow& flow) {
     FluidState& all = flow.state();
-    auto& [x, y, vx, vy, rho] = all.start;
-    for (Scalars* field : {&x, &y, &vx, &vy, &rho}) field->resize(all.fluid);
+    FluidState::Motion& start = all.start;
+    for (Scalars* field : {&start.x, &start.y, &start.vx, &start.vy, &start.rho}) field->resize(all.fluid);
     share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
-      x(part) = all.x(part);
-      y(part) = all.y(part);
-      vx(part) = all.vx(part);
-      vy(part) = all.vy(part);
-      rho(part) = all.rho(part);
+      start.x(part) = all.x(part);
+      start.y(part) = all.y(part);
+      start.vx(part) = all.vx(part);
+      start.vy(part) = all.vy(part);
+      start.rho(part) = all.rho(part);
     });
   }
 
   template <class Flow>
   static void advance(Flow& flow, double dt) {
     FluidState& all = flow.state();
-    const auto& [x, y, vx, vy, rho] = all.start;
+    const FluidState::Motion& start = all.start;
     share_out_fields(flow.threads(), all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
-      all.x(part) = x(part) + dt * all.vx(part);
-      all.y(part) = y(part) + dt * all.vy(part);
-      all.vx(part) = vx(part) + dt * all.ax(part);
-      all.vy(part) = vy(part) + dt * all.ay(part);
-      all.rho(part) = rho(part) + dt * all.drho(part);
+      all.x(part) = start.x(part) + dt * all.vx(part);
+      all.y(part) = start.y(part) + dt * all.vy(part);
+      all.vx(part) = start.vx(part) + dt * all.ax(part);
+      all.vy(part) = start.vy(part) + dt * all.ay(part);
+      all.rho(part) = start.rho(part) + dt * all.drho(part);
     });
   }
 };
