@@ -42,21 +42,23 @@ class Engine:
         self.name, self.options, self.daemons, self.machines = name, options, daemons, machines
 
 
+def installed(name):
+    if program := cluster.missing(*NEEDS[name]):
+        print(f"SKIP: {name}: no {program}")
+    return not program
+
+
 @contextlib.contextmanager
 def engines_here(folder, names):
     """Local, and of the named engines all that are installed."""
     with contextlib.ExitStack() as stack:
-        found, there = [Engine("local", [])], set()
-        for name in names:
-            if program := cluster.missing(*NEEDS[name]):
-                print(f"SKIP: {name}: no {program}")
-            else:
-                there.add(name)
-        if "parallel" in there:
+        found = [Engine("local", [])]
+        names = [name for name in names if installed(name)]
+        if "parallel" in names:
             hosts, daemons = stack.enter_context(cluster.ssh_hosts(folder / "ssh"))
             (folder / "hosts").write_text("\n".join(hosts) + "\n", encoding="utf-8")
             found.append(Engine("parallel", ["--engine", "parallel", "--hosts", folder / "hosts"], daemons, ["h1", "h2"]))
-        if "slurm" in there:
+        if "slurm" in names:
             daemons = stack.enter_context(cluster.slurm(folder / "slurm"))
             found.append(Engine("slurm", ["--engine", "slurm"], daemons, ["n1", "n2"]))
         yield found
@@ -83,7 +85,8 @@ def judged(records, timed):
 
 
 def timed_methods(vnv, suite):
-    listed = json.loads(shared.run([vnv, "list", "--suite", suite, "--json"]).stdout)
+    words = [vnv, "list", "--suite", suite, "--json"]  # of cases that are not built it speaks on the other stream
+    listed = json.loads(subprocess.run(words, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout)
     return {f"{method['case']}.{method['method']}" for method in listed if method["timed"]}
 
 
