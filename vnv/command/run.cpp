@@ -28,7 +28,9 @@ void print_line(const std::string& name, const MethodOutcome& outcome, std::stri
   const std::string word = outcome.failures.empty()  ? coloured(Colour::green, "holds")
                            : outcome.is_inconclusive ? coloured(Colour::yellow, "inconclusive")
                                                      : coloured(Colour::red, "FAILS");
-  fmt::print("{} {}: {} of {} claims hold, {:.3g} {} s{}\n", word, name, outcome.held, outcome.judged, outcome.spent,
+  const std::string claims =
+      outcome.judged > 0 ? fmt::format("{} of {} claims hold", outcome.held, outcome.judged) : "nothing judged";
+  fmt::print("{} {}: {}, {:.3g} {} s{}\n", word, name, claims, outcome.spent,
              words(outcome.resource).at(static_cast<std::size_t>(outcome.resource)), how);
   std::fflush(stdout);
 }

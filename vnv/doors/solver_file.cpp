@@ -84,10 +84,10 @@ class Keys {
     throw std::invalid_argument(fmt::format("{}:{}: {}{} = {}, expected {}", file_.string(), node.source().begin.line,
                                             of_.empty() ? "" : of_ + ".", key, value.str(), expected));
   }
-  void require(const std::string& key) const {
+  void require(const std::string& key, std::string_view example) const {
     if (!has(key))
-      throw std::invalid_argument(
-          fmt::format("{}: no key '{}'{}, which is needed", file_.string(), key, of_.empty() ? "" : " of " + of_));
+      throw std::invalid_argument(fmt::format("{}: no key '{}'{}, expected one such as {} = {}", file_.string(), key,
+                                              of_.empty() ? "" : " of " + of_, key, example));
   }
 
  private:
@@ -142,7 +142,7 @@ Mapping mapping_of(const Keys& keys) {
 std::vector<double> spacings_of(const Keys& keys, const Flow& flow) {
   std::vector<double> spacings = keys.numbers("spacings");
   for (const double across : keys.numbers("across")) spacings.push_back(flow.across / across);
-  if (spacings.empty()) keys.require("across");
+  if (spacings.empty()) keys.require("across", "[10, 20, 40]");
   for (const double spacing : spacings)
     if (!(spacing > 0 && spacing <= flow.across))
       throw std::invalid_argument(
@@ -165,7 +165,7 @@ std::vector<double> with_multiples(const std::vector<double>& times, double step
 }
 
 void read_command(const Keys& keys, Solver& solver) {
-  keys.require("command");
+  keys.require("command", R"(["./solver", "{scene}"])");
   solver.command = keys.texts("command");
   solver.is_for_shell = solver.command.size() == 1;
 }
@@ -195,7 +195,7 @@ Solver solver_in(const fs::path& file) {
     throw std::invalid_argument(
         fmt::format("{}: name = '{}', expected one without points, slashes and blanks", file.string(), solver.name));
   solver.description = keys.text("description", fmt::format("Another code, run by {}.", file.filename().string()));
-  keys.require("flow");
+  keys.require("flow", "\"stokes_first\"");
   solver.flow = flow_named(keys.text("flow"), Settings(keys.table("set").pairs<double>("a number")));
   solver.spacings = spacings_of(keys, solver.flow);
   if (keys.has("times")) solver.flow.judged.times = keys.numbers("times");  // as its scene says them
@@ -212,7 +212,7 @@ Solver solver_in(const fs::path& file) {
   }
   read_command(keys, solver);
   solver.needs = keys.table("needs").pairs<std::string>("how to get it");
-  keys.require("output");
+  keys.require("output", "\"profile.csv\"");
   solver.output = keys.texts("output");
   solver.mapping = mapping_of(keys.table("read"));
   require_known_names(solver.mapping, fmt::format("{}: read", file.string()));

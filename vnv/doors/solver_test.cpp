@@ -218,7 +218,9 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
             "mine.toml:4: times = 'soon', expected an array of numbers");
   EXPECT_EQ(refusal("times = [0.1]", "times = [0.1]\nevery = 1e-9"),
             "mine.toml:5: every = 1e-09, expected 1e-06 s or more: 100000 times until 0.1 s at most");
-  EXPECT_EQ(refusal("across", "levels"), "mine.toml: no key 'across', which is needed");
+  EXPECT_EQ(refusal("across", "levels"), "mine.toml: no key 'across', expected one such as across = [10, 20, 40]");
+  EXPECT_EQ(refusal("command", "cmd"),
+            "mine.toml: no key 'command', expected one such as command = [\"./solver\", \"{scene}\"]");
   EXPECT_EQ(refusal("time = 0.1", "tine = 0.1").substr(0, 47), "mine.toml:9: unknown key 'tine' of read, expect");
   for (const auto& [key, said] : {std::pair("fields = { velocty = \"U\" }", "field 'velocty' = 'U'"),
                                   std::pair("units = { lenght = \"mm\" }", "unit of 'lenght' = 'mm'")})

@@ -95,7 +95,6 @@ def require_locale(fault):
 
 def tried(scratch, fault, options):
     """One trial, undone in the end: a line of the results."""
-    require_locale(fault)
     own_build = bool(fault.configure)
     build = scratch.builds / (f"build-{fault.name}" if own_build else "build")
     began = time.monotonic()
@@ -204,6 +203,8 @@ class LastTrials:
 
 def try_all(faults, options):
     """Tries those first that were never tried, then those that were tried longest ago."""
+    for fault in faults:
+        require_locale(fault)
     began = time.monotonic()
     scratch, last = Scratch(options.scratch.resolve(), options.jobs), LastTrials(options)
     results = read_results(options.results)
