@@ -1,10 +1,11 @@
 #include "vnv/gate/compare_values.hpp"
 
+#include "vnv/judge/testing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -51,48 +52,40 @@ TEST(CompareValues, HasNoOpinionWhereNoDirectionIsDeclared) {
   EXPECT_EQ(compare_values(1, 1.1, vnv::Better::undeclared, std::nullopt).first, Change::inconclusive);
 }
 
-TEST(CompareValues, BackwardsOrByTheOtherDirectionTakesBetterForWorse) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> exponent(-6, 6), ratio(1.06, 3);
-  for (int trial = 0; trial < 1000; ++trial) {
-    const double low = std::pow(10, exponent(random)), high = low * ratio(random);
-    for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(0.01 * low)}) {
-      EXPECT_EQ(smaller(low, high, tolerance), Change::worse);
-      EXPECT_EQ(smaller(high, low, tolerance), Change::better);
-      EXPECT_EQ(compare_values(low, high, vnv::Better::larger, tolerance).first, Change::better);
-      EXPECT_EQ(compare_values(high, low, vnv::Better::larger, tolerance).first, Change::worse);
-    }
+RC_GTEST_PROP(CompareValues, BackwardsOrByTheOtherDirectionTakesBetterForWorse, ()) {
+  using namespace vnv;
+  const double low = any_unit(6), high = low * any_between(1.06, 3);
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(0.01 * low)}) {
+    RC_ASSERT(smaller(low, high, tolerance) == Change::worse);
+    RC_ASSERT(smaller(high, low, tolerance) == Change::better);
+    RC_ASSERT(compare_values(low, high, Better::larger, tolerance).first == Change::better);
+    RC_ASSERT(compare_values(high, low, Better::larger, tolerance).first == Change::worse);
   }
 }
 
 TEST(CompareValues, KnowsNoUnitAndNoSign) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> magnitude(0.5, 2), share(0, 1);
-  const auto any = [&](const auto& choices) {
-    return *(choices.begin() + static_cast<long>(random() % choices.size()));
-  };
-  using vnv::Better;
+  using namespace vnv;
   std::set<Change> found;
-  for (int trial = 0; trial < 2000; ++trial) {
-    const double before = magnitude(random),
-                 after = before * (1 + any(std::vector{0.01, 0.1, 1.0}) * (share(random) - 0.5));
-    const std::optional<double> tolerance =
-        any(std::vector<std::optional<double>>{{}, 0.0, 0.02 * before, share(random)});
+  EXPECT_TRUE(rc::check([&found] {
+    const double before = any_between(1, 2) / any_between(1, 2),
+                 after = before * (1 + *rc::gen::element(0.01, 0.1, 1.0) * (any_between(0, 1) - 0.5));
+    const auto tolerance = *rc::gen::element(std::optional<double>(), std::optional(0.0), std::optional(0.02 * before),
+                                             std::optional(any_between(0, 1)));
     const auto judged = [&](Better better, double unit) {
       return compare_values(unit * before, unit * after, better,
                             tolerance ? std::optional(std::abs(unit) * *tolerance) : std::nullopt)
           .first;
     };
-    const double unit = std::exp2(static_cast<double>(random() % 40) - 20);  // no digit changes
+    const double unit = std::exp2(*rc::gen::inRange(-20, 20));  // no digit changes
     for (const auto& [better, of_opposite] :
          {std::pair(Better::smaller, Better::larger), std::pair(Better::larger, Better::smaller),
           std::pair(Better::nearer_zero, Better::nearer_zero), std::pair(Better::undeclared, Better::undeclared)}) {
       const Change change = judged(better, 1);
       found.insert(change);
-      EXPECT_EQ(judged(better, unit), change) << before << " " << after << " " << unit;
-      EXPECT_EQ(judged(of_opposite, -unit), change) << before << " " << after << " " << -unit;
+      RC_ASSERT(judged(better, unit) == change);
+      RC_ASSERT(judged(of_opposite, -unit) == change);
     }
-  }
+  }));
   EXPECT_EQ(found.size(), 5u) << "every change was met";
 }
 

@@ -1,5 +1,7 @@
 #include "vnv/judge/distribution.hpp"
 
+#include "vnv/judge/testing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -108,57 +110,44 @@ TEST(ChanceOfBeingSoUnlike, IsSmallForAnotherMeanAndForAnotherSpread) {
   EXPECT_LT(p_value(normal(1, 1, 0.3), normal(2, 1, 3)), 1e-2);  // harder to tell
 }
 
-/// Multiples of 2^-20, so that another unit of a power of two and another zero change no digit.
-std::vector<double> with_few_digits(std::vector<double> sample) {
-  for (double& value : sample) value = std::round(value * 0x1p20) * 0x1p-20;
-  return sample;
-}
-
 std::vector<double> in_another_unit(std::vector<double> sample, double unit, double zero) {
   for (double& value : sample) value = unit * value + zero;
   return sample;
 }
 
-TEST(TwoSamples, AreAsUnlikeInAnyUnitFromAnyZeroAndInAnyOrder) {
-  std::mt19937_64 random(36);
-  for (int trial = 0; trial < 20; ++trial) {
-    const auto a = with_few_digits(normal(2 * trial, 0, 1, 5)),
-               b = with_few_digits(normal(2 * trial + 1, 0.2 * trial, 1, 9));
-    const auto changed = [&](const std::vector<double>& sample) {
-      auto other = in_another_unit(sample, 1024, 4096);
-      std::shuffle(other.begin(), other.end(), random);
-      return other;
-    };
-    for (const Statistic statistic : {Statistic::anderson_darling, Statistic::kolmogorov_smirnov, Statistic::energy}) {
-      const double p = p_value(a, b, statistic, 2000);
-      EXPECT_EQ(p_value(changed(a), changed(b), statistic, 2000), p);
-      EXPECT_NEAR(p_value(b, a, statistic, 2000), p, 0.06) << "dealt at random, 2000 times: five deviations";
-    }
+RC_GTEST_PROP(TwoSamples, AreAsUnlikeInAnyUnitFromAnyZeroAndInAnyOrder, ()) {
+  const auto a = any_numbers(any_count(2, 8), 0, 4), b = any_numbers(any_count(2, 12), 1, 5);
+  std::mt19937_64 random(any_count(0, 1000));
+  const auto changed = [&](const std::vector<double>& sample) {
+    auto other = in_another_unit(sample, 1024, 4096);  // no digit changes
+    std::shuffle(other.begin(), other.end(), random);
+    return other;
+  };
+  for (const Statistic statistic : {Statistic::anderson_darling, Statistic::kolmogorov_smirnov, Statistic::energy}) {
+    const double p = p_value(a, b, statistic, 2000);
+    RC_ASSERT(p_value(changed(a), changed(b), statistic, 2000) == p);
+    RC_ASSERT(is_near(p_value(b, a, statistic, 2000), p, 0.08));  // dealt at random, 2000 times: five deviations
   }
 }
 
-TEST(DistancesOfTwoSamples, AreInTheirUnitAndKnowNoZeroNoOrderAndNoRepetition) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> exponent(-6, 6), number(-10, 10);
-  for (int trial = 0; trial < 200; ++trial) {
-    const auto a = normal(2 * trial, 0, 1, 1 + static_cast<int>(random() % 12)),
-               b = normal(2 * trial + 1, 0.05 * trial, 1, 1 + static_cast<int>(random() % 12));
-    const double unit = -std::pow(10, exponent(random)), zero = unit * number(random);
-    const auto changed = [&](const std::vector<double>& sample) {  // mirrored, each twice
-      auto other = in_another_unit(sample, unit, zero);
-      other.insert(other.end(), other.begin(), other.end());
-      std::shuffle(other.begin(), other.end(), random);
-      return other;
-    };
-    const double moved = wasserstein_distance(a, b), energy = energy_distance(a, b);
-    EXPECT_NEAR(wasserstein_distance(changed(b), changed(a)), -unit * moved, -unit * 1e-12 * (1 + moved));
-    EXPECT_NEAR(energy_distance(changed(b), changed(a)), -unit * energy, -unit * 1e-12 * (1 + moved));
-    EXPECT_NEAR(kolmogorov_smirnov_distance(changed(b), changed(a)), kolmogorov_smirnov_distance(a, b), 1e-12);
-    EXPECT_NEAR(wasserstein_distance(a, in_another_unit(a, 1, zero / unit)), std::abs(zero / unit), 1e-12);
-    const double fraction = (number(random) + 10) / 20;
-    EXPECT_NEAR(quantile(in_another_unit(a, unit, zero), 1 - fraction), unit * quantile(a, fraction) + zero,
-                -unit * 1e-10);
-  }
+RC_GTEST_PROP(DistancesOfTwoSamples, AreInTheirUnitAndKnowNoZeroNoOrderAndNoRepetition, ()) {
+  const auto a = any_numbers(any_count(1, 12), 0, 10), b = any_numbers(any_count(1, 12), 5, -5);
+  std::mt19937_64 random(any_count(0, 1000));
+  const double unit = -any_unit(6), zero = unit * (any_between(0, 20) - 10);
+  const auto changed = [&](const std::vector<double>& sample) {  // mirrored, each twice
+    auto other = in_another_unit(sample, unit, zero);
+    other.insert(other.end(), other.begin(), other.end());
+    std::shuffle(other.begin(), other.end(), random);
+    return other;
+  };
+  const double moved = wasserstein_distance(a, b), energy = energy_distance(a, b);
+  RC_ASSERT(is_near(wasserstein_distance(changed(b), changed(a)), -unit * moved, -unit * 1e-12 * (1 + moved)));
+  RC_ASSERT(is_near(energy_distance(changed(b), changed(a)), -unit * energy, -unit * 1e-12 * (1 + moved)));
+  RC_ASSERT(is_near(kolmogorov_smirnov_distance(changed(b), changed(a)), kolmogorov_smirnov_distance(a, b), 1e-12));
+  RC_ASSERT(is_near(wasserstein_distance(a, in_another_unit(a, 1, zero / unit)), std::abs(zero / unit), 1e-12));
+  const double fraction = any_between(0, 1);
+  RC_ASSERT(is_near(quantile(in_another_unit(a, unit, zero), 1 - fraction), unit * quantile(a, fraction) + zero,
+                    -unit * 1e-10));
 }
 
 TEST(SampleAgainstQuantiles, HasTheDistanceAndTheChanceOfCoins) {

@@ -1,10 +1,11 @@
 #include "vnv/judge/grid_convergence.hpp"
 
+#include "vnv/judge/testing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -41,28 +42,25 @@ TEST(GridConvergence, IsThatOfThePublishedExample) {
 }
 
 TEST(GridConvergence, OfAnyValuesKnowsNoUnitNoSignAndNoZero) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> value(-1, 1), ratio(1.2, 3), exponent(-3, 3);
   int told = 0;
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<AtSpacing> ladder{{1, value(random)}};
+  EXPECT_TRUE(rc::check([&told] {
+    std::vector<AtSpacing> ladder{{1, any_between(1, -1)}};
     for (const int coarser : {1, 2})
-      ladder.insert(ladder.begin(), {ladder.front().spacing * ratio(random), coarser * value(random)});
-    const double metre = std::pow(10, exponent(random)), unit = -std::pow(10, exponent(random)),
-                 zero = unit * value(random);
+      ladder.insert(ladder.begin(), {ladder.front().spacing * any_between(2, 1.2), coarser * any_between(0, 2) - 1});
+    const double metre = any_unit(3), unit = -any_unit(3), zero = unit * any_between(0, 1);
     std::vector<AtSpacing> others;
     for (const auto& [h, f] : ladder) others.push_back({metre * h, unit * f + zero});
     const GridConvergence found = grid_convergence(ladder[0], ladder[1], ladder[2]),
                           other = grid_convergence(others[0], others[1], others[2]);
-    ASSERT_EQ(other.trend, found.trend) << trial;
+    RC_ASSERT(other.trend == found.trend);
     const double u = numerical_uncertainty(ladder, 2).standard;
-    EXPECT_NEAR(numerical_uncertainty(others, 2).standard, -unit * u, -unit * 1e-9 * u);
-    if (found.trend != Approach::monotone) continue;
+    RC_ASSERT(is_near(numerical_uncertainty(others, 2).standard, -unit * u, -unit * 1e-9 * u));
+    if (found.trend != Approach::monotone) return;
     ++told;
-    EXPECT_NEAR(other.order, found.order, 1e-7 * found.order);
-    EXPECT_NEAR(other.extrapolated - zero, unit * found.extrapolated, -unit * 1e-7 * (1 + found.index));
-    EXPECT_NEAR(other.index, -unit * found.index, -unit * 1e-7 * found.index);
-  }
+    RC_ASSERT(is_near(other.order, found.order, 1e-7 * found.order));
+    RC_ASSERT(is_near(other.extrapolated - zero, unit * found.extrapolated, -unit * 1e-7 * (1 + found.index)));
+    RC_ASSERT(is_near(other.index, -unit * found.index, -unit * 1e-7 * found.index));
+  }));
   EXPECT_GT(told, 20);
 }
 

@@ -1,11 +1,12 @@
 #include "vnv/judge/norms.hpp"
 
+#include "vnv/judge/testing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,28 +110,21 @@ TEST(Norms, RefuseInOneLine) {
   }
 }
 
-TEST(Norms, OfAnyValuesKnowNoUnitNoOrderAndNoRepetition) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> value(-1, 1), weight(0.1, 2), exponent(-3, 3);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<double> found, exact, weights;
-    for (std::size_t k = 0; k < 1 + random() % 40; ++k) {
-      found.push_back(value(random));
-      exact.push_back(value(random));
-      weights.push_back(weight(random));
-    }
-    const double l2 = relative_l2(found, exact, weights), linf = relative_linf(found, exact);
-    const double unit = std::pow(10, exponent(random));
-    EXPECT_NEAR(relative_l2(times(-unit, found), times(-unit, exact), times(unit, weights)), l2, 1e-12 * l2);
-    EXPECT_NEAR(relative_linf(times(-unit, found), times(-unit, exact)), linf, 1e-12 * linf);
-    const auto again = [](std::vector<double> values) {  // each twice, and backwards
-      values.insert(values.end(), values.begin(), values.end());
-      std::ranges::reverse(values);
-      return values;
-    };
-    EXPECT_NEAR(relative_l2(again(found), again(exact), again(weights)), l2, 1e-12 * l2);
-    EXPECT_EQ(relative_linf(again(found), again(exact)), linf);
-  }
+RC_GTEST_PROP(Norms, OfAnyValuesKnowNoUnitNoOrderAndNoRepetition, ()) {
+  const std::size_t count = any_count(1, 40);
+  const auto found = any_numbers(count, 0, -2), exact = any_numbers(count, 1, -1), weights = any_numbers(count, 1, 0.1);
+  RC_PRE(std::ranges::any_of(exact, [](double value) { return value != 0; }));
+  const double l2 = relative_l2(found, exact, weights), linf = relative_linf(found, exact);
+  const double unit = any_unit(3);
+  RC_ASSERT(is_near(relative_l2(times(-unit, found), times(-unit, exact), times(unit, weights)), l2, 1e-12 * l2));
+  RC_ASSERT(is_near(relative_linf(times(-unit, found), times(-unit, exact)), linf, 1e-12 * linf));
+  const auto again = [](std::vector<double> values) {  // each twice, and backwards
+    values.insert(values.end(), values.begin(), values.end());
+    std::ranges::reverse(values);
+    return values;
+  };
+  RC_ASSERT(is_near(relative_l2(again(found), again(exact), again(weights)), l2, 1e-12 * l2));
+  RC_ASSERT(relative_linf(again(found), again(exact)) == linf);
 }
 
 }  // namespace norms_test

@@ -1,6 +1,7 @@
 #include "vnv/judge/order.hpp"
 
 #include "vnv/judge/error_law.hpp"
+#include "vnv/judge/testing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -238,52 +239,47 @@ TEST(ALadder, IsAsymptoticWhereItsFinestPairsHaveTheOrderOfAll) {
       << "above its floor";
 }
 
-TEST(ObservedOrder, OfAnyErrorsKnowsNoUnit) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> scatter(-0.5, 0.5), exponent(-6, 6), slope(-3, 3);
-  for (int trial = 0; trial < 200; ++trial) {
-    const std::vector<double> spacings = cut(ladder, 2 + random() % 4);
-    const double p = slope(random), metre = std::pow(10, exponent(random)), unit = std::pow(10, exponent(random));
-    std::vector<double> errors =
-        errors_of([&](double h) { return std::exp(scatter(random)) * std::pow(h, p); }, spacings);
-    const auto found = observe_order(spacings, errors);
-    std::vector<double> others = spacings;
-    for (double& h : others) h *= metre;
-    for (double& e : errors) e *= unit;
-    const auto scaled = observe_order(others, errors);
-    EXPECT_NEAR(scaled.order, found.order, 1e-9);
-    if (spacings.size() == 2)
-      EXPECT_EQ(scaled.half_width, found.half_width);
-    else
-      EXPECT_NEAR(scaled.half_width, found.half_width, 1e-9 * (1 + found.half_width));
-    EXPECT_EQ(scaled.trend, found.trend) << trial;
-    for (std::size_t k = 0; k < found.pairwise.size(); ++k) EXPECT_NEAR(scaled.pairwise[k], found.pairwise[k], 1e-9);
-    for (double& e : errors) e = 1 / e;  // what shrank grows
-    EXPECT_NEAR(observe_order(spacings, errors).order, -found.order, 1e-9);
-  }
+RC_GTEST_PROP(ObservedOrder, OfAnyErrorsKnowsNoUnit, ()) {
+  const std::vector<double> spacings = cut(ladder, any_count(2, 5));
+  const double p = any_between(0, 6) - 3, metre = any_unit(6), unit = any_unit(6);
+  std::vector<double> errors =
+      errors_of([&](double h) { return std::exp(any_between(0, 1) - 0.5) * std::pow(h, p); }, spacings);
+  const auto found = observe_order(spacings, errors);
+  std::vector<double> others = spacings;
+  for (double& h : others) h *= metre;
+  for (double& e : errors) e *= unit;
+  const auto scaled = observe_order(others, errors);
+  RC_ASSERT(is_near(scaled.order, found.order, 1e-9));
+  if (spacings.size() == 2)
+    RC_ASSERT(scaled.half_width == found.half_width);
+  else
+    RC_ASSERT(is_near(scaled.half_width, found.half_width, 1e-9 * (1 + found.half_width)));
+  RC_ASSERT(scaled.trend == found.trend);
+  for (std::size_t k = 0; k < found.pairwise.size(); ++k)
+    RC_ASSERT(is_near(scaled.pairwise[k], found.pairwise[k], 1e-9));
+  for (double& e : errors) e = 1 / e;  // what shrank grows
+  RC_ASSERT(is_near(observe_order(spacings, errors).order, -found.order, 1e-9));
 }
 
-TEST(AFloor, IsInTheUnitOfTheErrorsAndItsOrderInNone) {
-  std::mt19937_64 random(36);
-  std::uniform_real_distribution<double> scatter(-0.02, 0.02), exponent(-6, 6), slope(1, 3), share(0.3, 0.9);
-  for (int trial = 0; trial < 50; ++trial) {
-    const double p = slope(random), finest = std::pow(long_ladder.back(), p), floor = finest * share(random);
-    std::vector<double> spacings = long_ladder,
-                        errors = errors_of(
-                            [&](double h) { return std::exp(scatter(random)) * (floor + std::pow(h, p)); }, spacings);
-    const auto found = observe_order(spacings, errors);
-    const double metre = std::pow(10, exponent(random)), unit = std::pow(10, exponent(random));
-    for (double& h : spacings) h *= metre;
-    for (double& e : errors) e *= unit;
-    const auto scaled = observe_order(spacings, errors);
-    ASSERT_EQ(std::isnan(scaled.floor), std::isnan(found.floor)) << trial;
-    if (std::isnan(found.floor)) continue;
-    EXPECT_NEAR(scaled.floor / unit, found.floor, 1e-5 * found.floor);
-    EXPECT_NEAR(scaled.floor_half_width / unit, found.floor_half_width, 1e-4 * found.floor);
-    EXPECT_NEAR(scaled.order_to_floor, found.order_to_floor, 1e-5);
-    EXPECT_EQ(scaled.trend, found.trend);
-    EXPECT_EQ(scaled.asymptotic, found.asymptotic);
-  }
+RC_GTEST_PROP(AFloor, IsInTheUnitOfTheErrorsAndItsOrderInNone, ()) {
+  const double p = any_between(2, 1) + any_between(0, 1),
+               floor = std::pow(long_ladder.back(), p) * any_between(0.3, 0.9);
+  std::vector<double> spacings = long_ladder,
+                      errors = errors_of(
+                          [&](double h) { return std::exp(any_between(0, 0.04) - 0.02) * (floor + std::pow(h, p)); },
+                          spacings);
+  const auto found = observe_order(spacings, errors);
+  const double metre = any_unit(6), unit = any_unit(6);
+  for (double& h : spacings) h *= metre;
+  for (double& e : errors) e *= unit;
+  const auto scaled = observe_order(spacings, errors);
+  RC_ASSERT(std::isnan(scaled.floor) == std::isnan(found.floor));
+  if (std::isnan(found.floor)) return;
+  RC_ASSERT(is_near(scaled.floor / unit, found.floor, 1e-5 * found.floor));
+  RC_ASSERT(is_near(scaled.floor_half_width / unit, found.floor_half_width, 1e-4 * found.floor));
+  RC_ASSERT(is_near(scaled.order_to_floor, found.order_to_floor, 1e-5));
+  RC_ASSERT(scaled.trend == found.trend);
+  RC_ASSERT(scaled.asymptotic == found.asymptotic);
 }
 
 }  // namespace

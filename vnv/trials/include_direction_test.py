@@ -16,9 +16,9 @@ WITH_ORACLES = ("flows", "doors", "cases", "trials")
 RECORDS = {"vnv/files", "vnv/programs", "vnv/record"}  # what is known where no solver is
 REPORTS = ("text", "read", "compare", "figures", "pages")  # lowest first
 
-# What tests may include besides, as they compare a thing with what is made of it.
+# What tests may include besides, as they compare a thing with what is made of it, or draw values alike.
 OF_TESTS = {"solvers": {"solvers/sph"}, "vnv/files": {"solvers"}, "vnv/run": {"vnv/stability", "vnv/doors/read"},
-            "vnv/studies": {"vnv/harness"}, "vnv/bench": {"reference"}, "reports/read": {"reports/pages"},
+            "vnv/gate": {"vnv/judge"}, "vnv/studies": {"vnv/harness"}, "vnv/bench": {"reference"}, "reports/read": {"reports/pages"},
             "reports/compare": {"reports/figures"}}
 # Run back today: no others may.
 KNOWN = {("reports/browser/made_up_nights.cpp", "reports")}  # samples that it shares with the tests
