@@ -120,18 +120,18 @@ double slope_of(std::string_view whose, const FrontHistory& front, const Window&
 }
 
 FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& measured, const Window& rms_window,
-                               const Window& slope_window, const Window& shifts) {
+                               const Window& slope_window, const Window& bounds) {
   require_rising("our", ours);
   require_rising("the measured", measured);
   require_range("rms window", rms_window);
   require_range("slope window", slope_window);
-  require_range("shifts", shifts);
+  require_range("shifts", bounds);
   const auto points = points_inside("the measured", measured, rms_window, 1, "rms");
-  const Window used{points.T.front() - std::max(0.0, shifts.high), points.T.back() - std::min(0.0, shifts.low)};
+  const Window used{points.T.front() - std::max(0.0, bounds.high), points.T.back() - std::min(0.0, bounds.low)};
   require_cover("our", ours, used, "rms with all its shifts");
   const auto rms_at = [&](double shift) { return rms(ours, points, shift); };
   const bool known = known_over(ours, used) && known_over(points, {points.T.front(), points.T.back()});
-  const double best = known ? minimum(rms_at, shifts) : not_known;
+  const double best = known ? minimum(rms_at, bounds) : not_known;
   return {.rms = rms_at(0),
           .best_shift = best,
           .rms_at_best_shift = known ? rms_at(best) : not_known,

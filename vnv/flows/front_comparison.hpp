@@ -30,8 +30,8 @@ struct FrontComparison {
 /// gate, and by slopes, which need no origin.
 ///
 /// The rms is over the measured points in `rms_window`; ours is interpolated linearly at their times. A shift s is
-/// added to all our T; the best is sought in `shifts`, by a scan in 60 steps and Brent's minimiser [GSL] around its
-/// best point. A best shift at an end of `shifts` says that the range was too narrow. Each slope is a least-squares
+/// added to all our T; the best is sought in `bounds`, by a scan in 60 steps and Brent's minimiser [GSL] around its
+/// best point. A best shift at an end of `bounds` says that the range was too narrow. Each slope is a least-squares
 /// line through the series' own points in `slope_window`.
 ///
 /// An L that is not a number in use gives numbers that are not. Throws std::invalid_argument for a series of fewer than
@@ -39,7 +39,7 @@ struct FrontComparison {
 /// and std::domain_error where a series does not cover a window, ours also with every shift, or has too few points in
 /// it.
 FrontComparison compare_fronts(const FrontHistory& ours, const FrontHistory& measured, const Window& rms_window,
-                               const Window& slope_window, const Window& shifts);
+                               const Window& slope_window, const Window& bounds);
 
 /// The slope dL/dT of a least-squares line through a front's points in a window. Throws as `compare_fronts`.
 double slope_of(std::string_view whose, const FrontHistory& front, const Window& window);
