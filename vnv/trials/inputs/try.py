@@ -59,7 +59,7 @@ def fuzz(program, reader, folder, options):
     done = run([program, reader, corpus, f"-runs={options.runs}", f"-seed={options.seed}", f"-dict={folder / 'words'}", f"-timeout={options.timeout}", "-max_len=1024",
                 "-rss_limit_mb=1024", "-close_fd_mask=3", f"-artifact_prefix={(options.corpora or pathlib.Path.cwd()).resolve()}/{reader}-"])
     found = re.findall(r"#(\d+)\s+(?:DONE|NEW|REDUCE|pulse).*?cov: (\d+)", done.stdout)
-    return done.returncode, f"{found[-1][0]} inputs, {found[-1][1]} edges" if done.returncode == 0 and found else "; ".join(re.findall(r"what\(\):.*|ERROR:.*|SUMMARY:.*|runtime error:.*|.*Test unit written to.*", done.stdout))
+    return done.returncode, f"{found[-1][0]} inputs, {found[-1][1]} edges" if done.returncode == 0 and found else "; ".join(re.findall(r"ERROR:.*|SUMMARY:.*|runtime error:.*|.*Test unit written to.*", done.stdout))
 
 
 def main(arguments):
