@@ -8,6 +8,8 @@
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
 
+#include <fmt/format.h>
+
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::lid_driven;

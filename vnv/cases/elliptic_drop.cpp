@@ -5,6 +5,8 @@
 #include "vnv/plots/over_time.hpp"
 #include "vnv/studies/run_time.hpp"
 
+#include <fmt/format.h>
+
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::drop;

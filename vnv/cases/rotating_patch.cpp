@@ -5,6 +5,8 @@
 #include "vnv/plots/snapshots.hpp"
 #include "vnv/studies/disturbed.hpp"
 
+#include <fmt/format.h>
+
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::patch;

@@ -11,6 +11,8 @@
 #include "vnv/plots/snapshots.hpp"
 #include "vnv/studies/ensembles.hpp"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 using namespace touchstone;

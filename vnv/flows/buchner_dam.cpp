@@ -6,6 +6,8 @@
 #include "vnv/measures/water_level.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
+
 namespace touchstone::vnv::open_dam {
 namespace {
 

@@ -4,6 +4,8 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
+
 namespace touchstone::vnv {
 namespace {
 

@@ -10,6 +10,8 @@
 #include "vnv/measures/water_level.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
+
 namespace touchstone::vnv::gated_dam {
 namespace {
 

@@ -6,6 +6,8 @@
 #include "vnv/methods/methods.hpp"
 #include "vnv/plots/along_ladders.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace touchstone::vnv::lid_driven {

@@ -1,6 +1,9 @@
 #include "vnv/flows/start_up.hpp"
 
+#include "vnv/judge/norms.hpp"
 #include "vnv/plots/over_time.hpp"
+
+#include <fmt/format.h>
 
 namespace touchstone::vnv::channel {
 namespace {

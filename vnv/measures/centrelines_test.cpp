@@ -1,6 +1,7 @@
 #include "vnv/measures/centrelines.hpp"
 
 #include "solvers/lattice.hpp"
+#include "vnv/files/tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -124,8 +125,8 @@ TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
     }
 }
 
-/// One vortex fills the cavity: fluid goes one way on the one side of its centre and back on the other; from Re 1000 on its
-/// core turns like a solid (Batchelor 1956), in a straight line but for 2 % of the lid.
+/// One vortex fills the cavity: fluid goes one way on the one side of its centre and back on the other; from Re 1000 on
+/// its core turns like a solid (Batchelor 1956), in a straight line but for 2 % of the lid.
 TEST(GhiasCentrelines, TurnOnceAndPassStraightThroughTheCoreOfTheVortex) {
   for (const int Re : {100, 400, 1000, 3200, 5000, 7500, 10000})
     for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {

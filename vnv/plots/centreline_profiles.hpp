@@ -2,26 +2,12 @@
 #include "vnv/measures/centrelines.hpp"
 #include "vnv/record/record.hpp"
 
+#include <string>
+
 namespace touchstone::vnv {
 
 /// Velocity along a centreline at the end of a level, as a line through the published points. It ends a spacing and a
 /// half from the walls, nearer to which a fit of second degree has too few rows of particles.
-inline Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string level) {
-  return [=](const Results& results, Record& record) {
-    record.figures.push_back(frame);
-    record.curves.push_back(
-        {frame.id, "Ghia, Ghia & Shin 1982", Role::published, published.at, published.velocity, true});
-    const Run* run = results.run(level);
-    if (!run || !run->summary.finished) return;
-    Curve ours{frame.id, results.method.name, Role::ours, {}, {}, false};
-    const double nearest = 1.5 * run->summary.spacing / cavity.side;
-    for (int k = 0; k <= 100; ++k) {
-      ours.x.push_back(nearest + (1 - 2 * nearest) * 0.01 * k);
-      ours.y.push_back(
-          cavity.velocity_at(run->samples.back(), published.direction, ours.x.back(), run->summary.spacing));
-    }
-    record.curves.push_back(std::move(ours));
-  };
-}
+Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::string level);
 
 }  // namespace touchstone::vnv

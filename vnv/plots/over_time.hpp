@@ -2,45 +2,20 @@
 #include "vnv/case.hpp"
 #include "vnv/record/record.hpp"
 
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace touchstone::vnv {
 
 /// What was monitored in a `column` over time, one curve per level named (those that were run).
-inline Plot over_time(std::string id, std::string title, std::string caption, Axis quantity, std::size_t column,
-                      std::vector<std::string> levels) {
-  return [column, levels,
-          frame = Figure{std::move(id), std::move(title), std::move(caption), {"t [s]"}, std::move(quantity)}](
-             const Results& results, Record& record) {
-    record.figures.push_back(frame);
-    for (const std::string& level : levels) {
-      const Run* run = results.run(level);
-      if (!run) continue;
-      Curve curve{frame.id, results.method.name + " " + level, Role::ours, run->history.time, {}, false};
-      for (const std::vector<double>& row : run->history.values) curve.y.push_back(row[column]);
-      record.curves.push_back(std::move(curve));
-    }
-  };
-}
+Plot over_time(std::string id, std::string title, std::string caption, Axis quantity, std::size_t column,
+               std::vector<std::string> levels);
 
 /// Kinetic energy, monitored in a `column`.
-inline Plot kinetic_energy_over_time(std::size_t column, std::vector<std::string> levels) {
-  return over_time("energy", "Kinetic energy", "Of all particles.", {"kinetic energy [J/m]"}, column,
-                   std::move(levels));
-}
+Plot kinetic_energy_over_time(std::size_t column, std::vector<std::string> levels);
 
 /// An exact line from t = 0 to `until` [s].
-inline Plot exact_over_time(std::string figure, std::function<double(double t)> truth, double until) {
-  return [=](const Results&, Record& record) {
-    Curve exact{figure, "exact", Role::exact, {}, {}, false};
-    for (int k = 0; k <= 200; ++k) {
-      exact.x.push_back(until * k / 200);
-      exact.y.push_back(truth(exact.x.back()));
-    }
-    record.curves.push_back(std::move(exact));
-  };
-}
+Plot exact_over_time(std::string figure, std::function<double(double t)> truth, double until);
 
 }  // namespace touchstone::vnv
