@@ -62,7 +62,7 @@ Plot levels_over_time() {
                                         fmt::format("Water level at H{}, {:g} m from the back wall", k + 1, gauges[k]),
                                         "Ours as volume over width, which holes and spray do not disturb.",
                                         {"T_H = t sqrt(g/H)", 1, false, 0, until},
-                                        {"h/H", 1, false, 0, k == 0 ? 1.1 : 0.8}},
+                                        {"h/H", 1, false, 0, 1.15}},
                                        level, measured));
   }
   return all_of(plots);
