@@ -236,10 +236,11 @@ TEST_F(OtherSolvers, AreRefusedWithFileLineAndKey) {
   EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 2\"\nnew_key = 1\nflow ="),
             "mine.toml:2: schema = 'touchstone solver 2', expected 'touchstone solver 1', the only version known here");
   EXPECT_EQ(refusal("flow =", "schema = \"touchstone solver 1\"\nflow ="), "read without complaint");
-  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 0\n[read]"),
-            "mine.toml:9: resources.gpus = 0, expected a number above 0");
-  EXPECT_EQ(refusal("[read]", "[resources]\ngpus = 1\ncores = 4\n[read]"),
-            "mine.toml: resources.cores beside resources.gpus, expected one of them: a cost has one unit");
+  for (const auto& [resources, said] :
+       {std::pair("gpus = 0", "mine.toml:9: resources.gpus = 0, expected a number above 0"),
+        std::pair("gpus = 1\ncores = 4",
+                  "mine.toml: resources.cores beside resources.gpus, expected one of them: a cost has one unit")})
+    EXPECT_EQ(refusal("[read]", fmt::format("[resources]\n{}\n[read]", resources)), said);
   EXPECT_EQ(refusal("\"frozen\"", "\"../frozen\""),
             "mine.toml: name = '../frozen', expected one without points, slashes and blanks");
 }
