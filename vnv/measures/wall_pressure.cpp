@@ -1,6 +1,8 @@
 #include "vnv/measures/wall_pressure.hpp"
 
+#include "vnv/measures/front.hpp"
 #include "vnv/measures/wet_extents.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
 
