@@ -10,7 +10,7 @@ namespace touchstone::sph {
 /// Where a particle stands.
 template <class Number>
 struct Place {
-  Number x, y;  // m
+  Number x = 0, y = 0;  // m
 
   void stand_at(double at_x, double at_y) {
     x = at_x;
@@ -22,8 +22,8 @@ struct Place {
 /// beside it.
 template <>
 struct Place<float> {
-  float x, y;            // m
-  float rest_x, rest_y;  // m
+  float x = 0, y = 0;            // m
+  float rest_x = 0, rest_y = 0;  // m
 
   void stand_at(double at_x, double at_y) {
     x = static_cast<float>(at_x);
@@ -35,13 +35,14 @@ struct Place<float> {
 
 /// Fields stand in twos that are loaded together: what the printed terms need of a state in one, what those of pressure
 /// differences need in another. Sixteen bytes are loaded at once, two doubles or four floats. What a pair would divide
-/// by is divided by here, once per particle.
+/// by is divided by here, once per particle. No field is ever undefined: lanes without a neighbour read the particle
+/// that is nowhere, and no weight of 0 removes what is not a number.
 template <class Number_>
 struct alignas(16) Packed : Place<Number_> {
   using Number = Number_;
-  Number vx, vy;              // m/s
-  Number rho, p_over_rho2;    // kg/m³; Pa m⁶/kg²  p / rho²
-  Number specific_volume, p;  // m³/kg  1 / rho; Pa
+  Number vx = 0, vy = 0;              // m/s
+  Number rho = 0, p_over_rho2 = 0;    // kg/m³; Pa m⁶/kg²  p / rho²
+  Number specific_volume = 0, p = 0;  // m³/kg  1 / rho; Pa
 
   void set_state(double density, double pressure) {
     const double per = 1 / density;

@@ -50,7 +50,7 @@ struct Surroundings : Packed<Number> {
 /// The same where pressure pulls by L, and a ghost is told from fluid by its least eigenvalue.
 template <class Number>
 struct SurroundingsWithGhosts : Surroundings<Number> {
-  SurroundingsWithGhosts() { this->least_eigenvalue = static_cast<Number>(ghost_eigenvalue); }
+  constexpr SurroundingsWithGhosts() { this->least_eigenvalue = static_cast<Number>(ghost_eigenvalue); }
 
   /// Below 0.4 eigenvalues count as ever more, from 0.1 on as 1, so that drops are no stiffer than without correction:
   /// by stiffer ones the time step adds energy (README.md). Of a pair or a row of particles the least is 0.
@@ -61,6 +61,8 @@ struct SurroundingsWithGhosts : Surroundings<Number> {
     });
   }
 };
+
+static_assert(SurroundingsWithGhosts<double>{}.vx == 0);  // a constant has no undefined field
 
 /// A part of a method that says `reads_surroundings` reads what these passes find.
 template <class Part>
