@@ -1,6 +1,5 @@
-/// Each method runs a dam break or a channel for a hundred steps. Built by Clang with MemorySanitizer it ends where a
-/// result comes to depend on memory that nobody has written: what was a field of the particle that is nowhere once.
-/// Prints a line a run, or the first such place; exit status 0 if there is none.
+/// Each method runs a dam break or a channel for a hundred steps. Built by Clang with MemorySanitizer, the program ends
+/// with a report where a result comes to depend on memory that nobody has written; else it prints a line a run.
 
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/affine/affine.hpp"
