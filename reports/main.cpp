@@ -1,14 +1,13 @@
 /// touchstone_report: one night's records to an index, a page per case, a matrix of orders, three tables, and the trend
-/// over all nights. Exit status: 0 all claims hold or are known to fail, 1 the pages are not green, 3 there are none.
+/// over all nights. Exit status: 0 all claims hold or are known to fail, 1 the pages are not green, 3 there are none, 4
+/// bad usage.
 
 #include "reports/figures/attachments.hpp"
 #include "reports/pages/site.hpp"
 #include "reports/paper/paper.hpp"
+#include "vnv/programs/command_line.hpp"
 #include "vnv/programs/interruption.hpp"
 #include "vnv/programs/out_of_memory.hpp"
-
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,10 +18,12 @@ int main(int argc, char** argv) {
   touchstone::programs::tell_when_out_of_memory("touchstone_report", 3);
   CLI::App app{
       "Turns the records of cases into a site: an index, a page per case with its figures, a matrix of the orders of "
-      "convergence, and the tables verdicts.csv, orders.csv and cost.csv."};
+      "convergence, and the tables verdicts.csv, orders.csv and cost.csv.",
+      "touchstone_report"};
   app.footer(
       "Example: touchstone_report build/records/nightly build/site/nightly --history nights\n"
-      "Exit status: 0 all claims hold or are known to fail, 1 something is red or inconclusive, 3 no pages were made.");
+      "Exit status: 0 all claims hold or are known to fail, 1 something is red or inconclusive, 3 no pages were made, 4 bad "
+      "usage.");
   std::string records, site, history, known_failures, faults, claims, attachments, paper, references;
   bool whole = false;
   app.add_option("RECORDS_DIR", records, "folder with the records, *.json")->required();
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
   app.add_option("--paper", paper,
                  "no pages: what a paper needs of this case, written into SITE_DIR, which is not replaced")
       ->needs(literature);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto status = touchstone::programs::read_command_line(app, argc, argv)) return *status;
   try {
     if (!paper.empty()) {
       const auto written = touchstone::reports::write_paper(records, paper, references, site);

@@ -41,6 +41,12 @@ std::vector<std::string> chosen_cases(const std::vector<std::string>& patterns, 
   return {chosen.begin(), chosen.end()};
 }
 
+std::vector<std::string> names_of(const std::vector<Chosen>& methods) {
+  std::vector<std::string> names;
+  for (const Chosen& one : methods) names.push_back(one.name());
+  return names;
+}
+
 }  // namespace
 
 Words Build::call(const std::string& case_name, const Words& arguments) const {
@@ -71,9 +77,7 @@ Catalogue read_catalogue(const Build& build, const std::vector<std::string>& pat
 std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::string>& patterns,
                            const std::string& suite) {
   std::vector<Chosen> methods = catalogue.methods();
-  std::vector<std::string> names;
-  for (const Chosen& one : methods) names.push_back(one.name());
-  const std::vector<std::string> expected = chosen_by(patterns, names);
+  const std::vector<std::string> expected = chosen_by(patterns, names_of(methods));
   std::erase_if(methods, [&](const Chosen& one) {
     return std::ranges::find(expected, one.name()) == expected.end() ||
            !(suite.empty() || one.method->is_run_in(suite));
@@ -88,10 +92,16 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
 
 std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std::string>& patterns,
                                const std::string& suite) {
-  if (!catalogue.not_built.empty())
-    throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
-                                            fmt::join(catalogue.not_built, ", ")));
-  return choose(catalogue, patterns, suite);
+  if (catalogue.not_built.empty()) return choose(catalogue, patterns, suite);
+  const std::vector<std::string> built = names_of(catalogue.methods());
+  for (const std::string& pattern : patterns)
+    if (matches(pattern, built).empty() && !fits_a_case(pattern, catalogue.not_built))
+      throw std::invalid_argument(
+          fmt::format("no case fits '{}', nor does a method of those that are built; expected a case, CASE.METHOD, a "
+                      "glob or a part of one, as `vnv list` shows them. Not built: {}",
+                      pattern, fmt::join(catalogue.not_built, ", ")));
+  throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
+                                          fmt::join(catalogue.not_built, ", ")));
 }
 
 void warn_of_not_built(const Catalogue& catalogue) {

@@ -3,10 +3,8 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/files/data_folder.hpp"
+#include "vnv/programs/command_line.hpp"
 #include "vnv/programs/out_of_memory.hpp"
-
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -37,7 +35,7 @@ void add(Session& session, const std::string& name, const std::string& what, con
 
 CLI::Option* add_suite(CLI::App& command, std::string& suite) {
   return command.add_option("--suite", suite, "acceptance, report, nightly, work or validation")
-      ->check(CLI::IsMember(suites))
+      ->check(programs::one_of(suites))
       ->capture_default_str();
 }
 
@@ -48,7 +46,7 @@ CLI::Option* add_patterns(CLI::App& command, Patterns& patterns) {
 
 void add_at_once(CLI::App& command, int& at_once) {
   command.add_option("-j", at_once, "programs to run at once; those judged by run time run alone")
-      ->check(CLI::Range(1, 4096))
+      ->check(programs::whole_numbers(1, 4096))
       ->capture_default_str();
 }
 
@@ -75,14 +73,14 @@ void declare_run(CLI::App& command, RunOptions& options) {
           "-j", where.at_once,
           "programs to run at once; default: 1; with parallel, one per processor of each host; with slurm, all that "
           "it grants; those judged by run time run alone")
-      ->check(CLI::Range(1, 4096));
+      ->check(programs::whole_numbers(1, 4096));
   command.add_option("--records", where.records, "folder of records; default: BUILD/records/SUITE");
   command
       .add_option(
           "--engine", where.engine,
           "local: on this machine; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by job arrays. "
           "All machines must see the build folder, the data and the records under the same paths")
-      ->check(CLI::IsMember(engines))
+      ->check(programs::one_of(engines))
       ->capture_default_str();
   command.add_option(
       "--hosts", where.hosts,
@@ -126,7 +124,7 @@ void declare_accept(CLI::App& command, AcceptOptions& options) {
           "--claims", options.claims,
           "run nothing and accept no values, only the number of claims that each method makes in this folder of "
           "records; accepted methods without a record there are removed")
-      ->check(CLI::ExistingDirectory);
+      ->check(programs::existing_folder());
 }
 
 void declare_gate(CLI::App& command, GateOptions& options) {
@@ -138,7 +136,7 @@ void declare_gate(CLI::App& command, GateOptions& options) {
   command.add_option("--only", request.only, "only methods whose CASE.METHOD contains this regular expression");
   command
       .add_option("--repeats", request.repeats, "alternating pairs of runs, 6 or more; 0: CPU times are not compared")
-      ->check(CLI::NonNegativeNumber)
+      ->check(programs::whole_numbers(0, 1000))
       ->capture_default_str();
   command.add_flag("--all", request.all, "also run programs that are the same in both");
   command.add_option("--markdown", request.markdown, "file for the findings as Markdown, to be pasted into a review");
@@ -163,7 +161,7 @@ void declare_scene(CLI::App& command, SceneOptions& options) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
-      ->check(CLI::PositiveNumber);
+      ->check(programs::above_zero());
   command.add_flag("--json", options.as_json, "print JSON, for a solver");
   command.add_option("--particles", options.particles, "file for the initial particles, as CSV");
 }
@@ -190,22 +188,23 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       ->type_name("KIND=UNIT")
       ->allow_extra_args(false);
   command.add_option("--axes", options.axes, "axes of the plane of the flow, in the coordinates of the files")
-      ->check(CLI::IsMember({"xy", "xz", "yx", "yz", "zx", "zy"}));
+      ->check(programs::one_of({"xy", "xz", "yx", "yz", "zx", "zy"}));
   command.add_option("--origin", options.origin, "origin of the flow, in the coordinates of the files [m]")
-      ->expected(2);
+      ->expected(2)
+      ->check(programs::numbers());
   command.add_option(
       "--only", options.only,
       "rows that are fluid, by the values of an array: NAME=VALUE, NAME>VALUE or NAME<VALUE; default: those that an "
       "array of names calls fluid or water, else all");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
-  command.add_option("--time", options.time, "time of files without a time [s]")->check(CLI::NonNegativeNumber);
+  command.add_option("--time", options.time, "time of files without a time [s]")->check(programs::zero_or_above());
   command.add_option("--time-step", options.time_step, "time between consecutive indices of files without a time [s]")
-      ->check(CLI::PositiveNumber);
+      ->check(programs::above_zero());
   command
       .add_option("--spacing", options.spacing,
                   "particle spacing [m]; default: from the number of particles in the filled area")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--at-most", options.at_most, "limit for each error norm [%]")->check(CLI::PositiveNumber);
+      ->check(programs::above_zero());
+  command.add_option("--at-most", options.at_most, "limit for each error norm [%]")->check(programs::above_zero());
   command.add_flag("--diagnose", options.diagnose,
                    "diagnose the errors of claims that hold, too, and list all causes that were fitted");
   add_results(command, options.records, options.junit, options.as_json);
@@ -220,7 +219,9 @@ void declare_prepare(CLI::App& command, PrepareOptions& options) {
 
 void declare_collect(CLI::App& command, CollectOptions& options) {
   command.add_option("SOLVER", options.solver, "solver file (.toml)")->required();
-  command.add_option("FOLDER", options.folder, "folder made by vnv prepare")->required()->check(CLI::ExistingDirectory);
+  command.add_option("FOLDER", options.folder, "folder made by vnv prepare")
+      ->required()
+      ->check(programs::existing_folder());
   add_suite(command, options.suite);
   add_results(command, options.records, options.junit, options.as_json);
 }
@@ -230,8 +231,10 @@ void declare_order(CLI::App& command, OrderOptions& options) {
   command.add_flag(
       "--values", options.are_values,
       "the columns hold values whose exact value is unknown: extrapolate them, with the grid convergence index");
-  command.add_option("--surely-above", options.surely_above,
-                     "end with exit status 1 unless each 95 % interval lies above this order");
+  command
+      .add_option("--surely-above", options.surely_above,
+                  "end with exit status 1 unless each 95 % interval lies above this order")
+      ->check(programs::numbers());
 }
 
 CommandWords words_of(const CLI::App& command) {
@@ -257,7 +260,7 @@ void add_completion(Session& session) {
   CLI::App* command = session.app.add_subcommand(
       "completion", "Prints a script that lets a shell complete commands, options and methods.");
   command->footer("Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)");
-  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(programs::one_of({"bash", "zsh"}));
   command->callback([=, &session] { session.work = [=, &session] { return print_completion(session.app, *shell); }; });
 }
 
@@ -358,15 +361,11 @@ std::optional<int> parse(Session& session, int count, char** arguments) {
   app.add_option("--data", session.build.data,
                  "folder of experiments, papers and baselines; default: that of the sources");
   add_subcommands(session);
-  try {
-    app.parse(count, arguments);
-    if (!session.work) throw CLI::RequiredError::Subcommand(1);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);         // help was asked for
-    fmt::print(stderr, "vnv: {}\n\n{}", error.what(), app.help());  // that of the subcommand, if it got so far
-    return bad_usage;
-  }
-  return std::nullopt;
+  static_assert(bad_usage == programs::bad_usage);
+  if (const std::optional<int> status = programs::read_command_line(app, count, arguments)) return status;
+  if (session.work) return std::nullopt;
+  fmt::print(stderr, "vnv: a subcommand is missing\n\n{}", app.help());
+  return bad_usage;
 }
 
 int work(int count, char** arguments) {

@@ -52,6 +52,10 @@ std::vector<std::string> chosen_by(const std::vector<std::string>& patterns, con
   return chosen;
 }
 
+bool fits_a_case(const std::string& pattern, const std::vector<std::string>& cases) {
+  return std::ranges::any_of(cases, [&](const std::string& name) { return fits(case_of(pattern), name); });
+}
+
 std::vector<std::string> possible_cases(const std::string& pattern, const std::vector<std::string>& cases) {
   const std::string part = case_of(pattern);
   if (std::ranges::find(cases, part) != cases.end()) return {part};

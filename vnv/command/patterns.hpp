@@ -14,6 +14,9 @@ std::vector<std::string> matches(const std::string& pattern, const std::vector<s
 /// std::invalid_argument naming a pattern that chooses none.
 std::vector<std::string> chosen_by(const std::vector<std::string>& patterns, const std::vector<std::string>& names);
 
+/// Whether the name of a case fits what a pattern says of cases, as a glob or by containing it.
+bool fits_a_case(const std::string& pattern, const std::vector<std::string>& cases);
+
 /// The cases among which a pattern may choose, when their methods are not known yet.
 std::vector<std::string> possible_cases(const std::string& pattern, const std::vector<std::string>& cases);
 

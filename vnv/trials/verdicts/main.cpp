@@ -3,10 +3,8 @@
 /// reads it, and its case put on an index.
 
 #include "reports/pages/index.hpp"
+#include "vnv/programs/command_line.hpp"
 #include "vnv/record/json.hpp"
-
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -174,11 +172,12 @@ int try_all(const Suite& suite) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  CLI::App app{"Mutates each claim that holds in a suite's records, and says how many an index shows as red."};
+  CLI::App app{"Mutates each claim that holds in a suite's records, and says how many an index shows as red.",
+               "touchstone_verdict_mutation"};
   std::string records, claims;
-  app.add_option("RECORDS", records, "folder of records, *.json")->required()->check(CLI::ExistingDirectory);
-  app.add_option("--claims", claims, "folder of accepted claims")->required()->check(CLI::ExistingDirectory);
-  CLI11_PARSE(app, count, arguments);
+  app.add_option("RECORDS", records, "folder of records, *.json")->required()->check(programs::existing_folder());
+  app.add_option("--claims", claims, "folder of accepted claims")->required()->check(programs::existing_folder());
+  if (const auto status = programs::read_command_line(app, count, arguments)) return *status;
   try {
     return try_all(read_suite(records, claims));
   } catch (const std::exception& error) {
