@@ -1,4 +1,6 @@
 #pragma once
+#include "solvers/indices.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -52,37 +54,37 @@ struct QuadraticFit {
   }
 
   /// By Cholesky's factors without roots, for the monomials from `first` on.
-  template <std::size_t first>
+  template <int first>
   static std::array<Polynomial, fields> solve(const Sums& sums) {
-    constexpr std::size_t n = monomials - first;
+    constexpr int n = monomials - first;
     std::array<std::array<Real, n>, n> lower;  // below the diagonal; D above it, from the left times from above
     std::array<Real, n> per;
-#pragma GCC unroll 8
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t i = j; i < n; ++i) {
+    for_indices<n>([&](auto j) {
+      for_indices<n - j>([&](auto below) {
+        constexpr int i = j + below;
         Real a = sums[moment(first + i, first + j)];
-        for (std::size_t k = 0; k < j; ++k) a -= lower[i][k] * lower[k][j];
-        if (i == j)
+        for_indices<j>([&](auto k) { a -= lower[i][k] * lower[k][j]; });
+        if constexpr (i == j) {
           per[j] = 1 / a;
-        else {
+        } else {
           lower[j][i] = a;
           lower[i][j] = a * per[j];
         }
-      }
-    }
-    std::array<Polynomial, fields> found{};
+      });
+    });
+    std::array<Polynomial, fields> found;
     for (std::size_t f = 0; f < fields; ++f) {
       std::array<Real, n> y;
-#pragma GCC unroll 8
-      for (std::size_t i = 0; i < n; ++i) {
+      for_indices<n>([&](auto i) {
         y[i] = sums[place_of(f) + first + i];
-        for (std::size_t k = 0; k < i; ++k) y[i] -= lower[i][k] * y[k];
-      }
-      for (std::size_t i = n; i-- > 0;) {
+        for_indices<i>([&](auto k) { y[i] -= lower[i][k] * y[k]; });
+      });
+      for_indices<n>([&](auto above) {
+        constexpr int i = n - 1 - above;
         Real c = y[i] * per[i];
-        for (std::size_t k = i + 1; k < n; ++k) c -= lower[k][i] * found[f][first + k];
+        for_indices<above>([&](auto k) { c -= lower[i + 1 + k][i] * found[f][first + i + 1 + k]; });
         found[f][first + i] = c;
-      }
+      });
     }
     return found;
   }

@@ -56,6 +56,14 @@ struct Tolerance {
   double relative = 1e-6;
   std::string basis = "another compiler or processor rounds otherwise";
   double absolute = 1e-12;  // in any unit: what another order of a sum leaves of zero
+
+  /// Values whose heading contains some words may be farther from theirs.
+  struct Exception {
+    std::string words;
+    double relative;
+    std::string basis;
+  };
+  std::vector<Exception> exceptions{};
 };
 
 /// The material point method has a background grid, smoothed particle hydrodynamics has none.

@@ -24,7 +24,10 @@ struct Tait {
   /// Density [kg/m³] at a pressure [Pa] above -K.
   double density_at(double pressure) const { return density * std::pow(1 + pressure / bulk_modulus, 1 / gamma); }
   /// dP / drho [m²/s²] at a density: the square of the speed of sound there.
-  double pressure_slope(double rho) const { return gamma * (pressure(rho) + bulk_modulus) / rho; }
+  template <class Real>
+  constexpr Real pressure_slope(const Real& rho) const {
+    return gamma * (pressure(rho) + bulk_modulus) / rho;
+  }
   /// Speed of sound at rest [m/s], sqrt(gamma K / rho0).
   double sound_speed() const { return std::sqrt(gamma * bulk_modulus / density); }
 };

@@ -3,13 +3,17 @@
 /// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
 /// depends on what lies in the lanes beside it.
 
+#include "solvers/indices.hpp"
+
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
 namespace touchstone::mpm {
 
-#ifdef __AVX__
+#if defined(__AVX512F__)
+inline constexpr int register_bytes = 64;
+#elif defined(__AVX__)
 inline constexpr int register_bytes = 32;
 #else
 inline constexpr int register_bytes = 16;
@@ -51,21 +55,6 @@ Real load(const NumberIn<Real>* from) {
 template <class Real>
 void store(const Real& value, NumberIn<Real>* to) {
   *reinterpret_cast<typename Register<NumberIn<Real>>::in_memory*>(to) = value;
-}
-
-/// Calls f with the integer constants 0 to n - 1 as arguments.
-template <int n, class F>
-decltype(auto) with_indices(const F& f) {
-  return [&]<int... i>(std::integer_sequence<int, i...>)->decltype(auto) {
-    return f(std::integral_constant<int, i>{}...);
-  }
-  (std::make_integer_sequence<int, n>{});
-}
-
-/// Calls f(0) to f(n - 1), unrolled.
-template <int n, class F>
-void for_indices(const F& f) {
-  with_indices<n>([&](auto... i) { (f(i), ...); });
 }
 
 /// The same number in every lane.
@@ -130,8 +119,8 @@ Truth<Real> between(double low, const Real& number, double high) {
 }
 
 /// A bit for each lane, from the first on.
-using LaneBits = unsigned char;
-static_assert(lanes_of<float> <= 8);
+using LaneBits = unsigned short;
+static_assert(lanes_of<float> <= 16);
 
 /// Those of the lanes that say so. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
 template <class Real>

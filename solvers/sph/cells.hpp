@@ -1,6 +1,7 @@
 #pragma once
 /// Particles sorted into square cells: the linked-cell search of Sun et al., section 2.5.
 
+#include "solvers/sph/close_ones.hpp"
 #include "solvers/sph/particles.hpp"
 
 #include <algorithm>
@@ -12,52 +13,55 @@ class Cells {
  public:
   /// Sorts those of `count` places that are accepted; a place that is not finite is refused by the caller.
   template <class Accept>
-  Cells(const Scalars& x, const Scalars& y, Index count, double side, Accept accept) : per_side_(1 / side) {
-    Vec2 high = measure(x, y, count, accept);
-    columns_ = column(high.x()) + 1;
-    rows_ = row(high.y()) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-    std::vector<int> cell(count, -1);
-    for (Index i = 0; i < count; ++i)
-      if (accept(i)) ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    sort(x, y, cell);
+  Cells(const Scalars& x, const Scalars& y, Index count, double side, Accept accept)
+      : per_side_(1 / side), low_(Vec2::Constant(1e300)) {
+    for_accepted(count, accept, [&](Index i) { low_ = low_.cwiseMin(Vec2(x[i], y[i])); });
+    fill(x, y, count, accept);
+  }
+  /// Fewer of the same places, in the same cells.
+  template <class Accept>
+  Cells(const Scalars& x, const Scalars& y, Index count, const Cells& all, Accept accept)
+      : per_side_(all.per_side_), low_(all.low_) {
+    fill(x, y, count, accept);
   }
 
   /// The accepted particles, cell by cell, each cell in the order of the numbers.
   const std::vector<int>& sorted() const { return sorted_; }
 
-  /// Writes those but `self` that are closer than `reach` to a place and accepted into `found`, in a fixed order, and
-  /// returns how many they are. `found` grows as needed.
-  template <class Accept>
-  std::size_t near(const Vec2& place, double reach, int self, Accept accept, std::vector<int>& found) const {
+  /// Writes those but `self` that are closer than `reach` to a place into `found`, in a fixed order, and returns how
+  /// many they are. `found` grows as needed.
+  std::size_t near(const Vec2& place, double reach, int self, std::vector<int>& found) const {
     const int c = column(place.x()), r = row(place.y());
     if (c < -1 || c > columns_) return 0;
     std::size_t count = 0;
     for (int k = std::max(r - 1, 0); k <= std::min(r + 1, rows_ - 1); ++k) {
       const int begin = first_[at(std::max(c - 1, 0), k)], end = first_[at(std::min(c + 1, columns_ - 1), k) + 1];
-      if (found.size() < count + (end - begin)) found.resize(2 * (count + (end - begin)));
-      for (int s = begin; s < end; ++s) {
-        const double dx = place.x() - x_[s], dy = place.y() - y_[s];
-        const int j = sorted_[s];
-        found[count] = j;  // kept if it counts: no branch
-        count += static_cast<std::size_t>((dx * dx + dy * dy < reach * reach) & (j != self) & accept(j));
-      }
+      if (const std::size_t most = count + (end - begin) + close_ones_overrun; found.size() < most)
+        found.resize(2 * most);
+      count += close_ones(x_.data() + begin, y_.data() + begin, sorted_.data() + begin, end - begin, place.x(),
+                          place.y(), reach, self, found.data() + count);
     }
     return count;
   }
 
  private:
-  template <class Accept>
-  Vec2 measure(const Scalars& x, const Scalars& y, Index count, Accept accept) {
-    Vec2 low = Vec2::Constant(1e300), high = -low;
+  template <class Accept, class Work>
+  static void for_accepted(Index count, const Accept& accept, const Work& work) {
     for (Index i = 0; i < count; ++i)
-      if (accept(i)) {
-        low = low.cwiseMin(Vec2(x[i], y[i]));
-        high = high.cwiseMax(Vec2(x[i], y[i]));
-      }
-    low_ = low;
-    return high.cwiseMax(low);
+      if (accept(i)) work(i);
+  }
+
+  template <class Accept>
+  void fill(const Scalars& x, const Scalars& y, Index count, const Accept& accept) {
+    Vec2 high = low_;
+    for_accepted(count, accept, [&](Index i) { high = high.cwiseMax(Vec2(x[i], y[i])); });
+    columns_ = column(high.x()) + 1;
+    rows_ = row(high.y()) + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+    std::vector<int> cell(count, -1);
+    for_accepted(count, accept, [&](Index i) { ++first_[(cell[i] = at(column(x[i]), row(y[i]))) + 1]; });
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    sort(x, y, cell);
   }
 
   void sort(const Scalars& x, const Scalars& y, const std::vector<int>& cell) {

@@ -63,6 +63,7 @@ class Neighbourhood {
         walls_(scene.walls),
         reach_(reach),
         threads_(threads) {
+    std::ranges::copy_if(walls_, std::back_inserter(gates_), &Wall::is_partial);
     const Vec2 period = domain_.box.size();
     for (const int axis : {0, 1})
       if (const double farthest = reach.kernel + reach.greatest_skin; domain_.periodic(axis) && farthest > period[axis])
@@ -233,19 +234,15 @@ class Neighbourhood {
       return std::remove_if(begin, end, [&](int j) { return is_hidden_by_gate(i, j, time); }) - begin;
     };
     const Cells cells(all.x, all.y, all.nowhere(), listed, [&](Index j) { return !is_on_wall(source(j)); });
-    fill(
-        fluid_near_fluid, all, cells, 0, all.fluid, listed, true, threads_, [](int) { return true; }, left);
-    const int fluid = static_cast<int>(all.fluid), first = static_cast<int>(images.first(all)),
-              last = first + static_cast<int>(images.of_fluid());
-    fill(
-        fluid_near_ghost, all, cells, all.fluid, all.fluid + ghosts(), listed, false, threads_,
-        [=](int j) { return (j < fluid) | ((j >= first) & (j < last)); }, left);
+    fill(fluid_near_fluid, all, cells, 0, all.fluid, listed, true, threads_, left);
+    const Cells of_fluid(all.x, all.y, all.nowhere(), cells, [&](Index j) { return source(j) < all.fluid; });
+    fill(fluid_near_ghost, all, of_fluid, all.fluid, all.fluid + ghosts(), listed, false, threads_, left);
   }
 
   /// Whether a ghost of a gate, which stands behind it within the kernel's reach, may be listed with a particle.
   bool is_near_gate(int i, double listed) const {
-    return std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
-      return wall.is_partial() && std::abs(wall.distance({all.x[i], all.y[i]})) < 2 * listed;
+    return std::ranges::any_of(gates_, [&](const Wall& gate) {
+      return std::abs(gate.distance({all.x[i], all.y[i]})) < 2 * listed;
     });
   }
   /// A ghost of a gate and fluid behind it do not see each other, nor does fluid on both sides. What stands otherwise
@@ -257,13 +254,10 @@ class Neighbourhood {
       return g >= ghosts() - of_gates() && gate_of(g).distance(place(std::min(i, j))) < 0;
     }
     const Vec2 from = place(i), to = place(j);
-    for (const Wall& wall : walls_) {
-      const double before = wall.distance(from), behind = wall.distance(to);
-      if (wall.is_partial() && (before < 0) != (behind < 0) &&
-          wall.is_beside(from + before / (before - behind) * (to - from), time))
-        return true;
-    }
-    return false;
+    return std::ranges::any_of(gates_, [&](const Wall& gate) {
+      const double before = gate.distance(from), behind = gate.distance(to);
+      return (before < 0) != (behind < 0) && gate.is_beside(from + before / (before - behind) * (to - from), time);
+    });
   }
   Index of_gates() const { return static_cast<Index>(boundary.of_gates); }
   const Wall& gate_of(Index ghost) const { return walls_[boundary.ghosts[ghost].behind.front()]; }
@@ -274,7 +268,7 @@ class Neighbourhood {
       const Cells cells(all.x, all.y, all.nowhere(), listed,
                         [&](Index j) { return is_on_wall(source(j)) && (source(j) < on_upright) == (axis == 0); });
       if (cells.sorted().empty()) continue;
-      fill(wall_near_fluid[axis], all, cells, 0, all.fluid, listed, false, threads_, [](int) { return true; });
+      fill(wall_near_fluid[axis], all, cells, 0, all.fluid, listed, false, threads_);
     }
   }
 
@@ -306,8 +300,8 @@ class Neighbourhood {
   }
 
   Domain domain_;
-  double density_;  // kg/m³  at rest
-  std::vector<Wall> walls_;
+  double density_;                   // kg/m³  at rest
+  std::vector<Wall> walls_, gates_;  // gates are those with an extent
   Reach reach_;
   int threads_;
   Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made

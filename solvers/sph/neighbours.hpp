@@ -71,12 +71,12 @@ struct AllOfThem {
   std::size_t operator()(int, std::vector<int>&, std::size_t found) const { return found; }
 };
 
-/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m] and accepted, but for those
-/// that left(particle, list, count) takes off the list, which returns how many it leaves. Particles without any have no
+/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m], but for those that
+/// left(particle, list, count) takes off the list, which returns how many it leaves. Particles without any have no
 /// list, unless `all_of_them` shall have one.
-template <int width, class Accept, class Left = AllOfThem>
+template <int width, class Left = AllOfThem>
 void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells, Index begin, Index end, double reach,
-          bool all_of_them, int threads, Accept accept, const Left& left = {}) {
+          bool all_of_them, int threads, const Left& left = {}) {
   lists.parts.resize(threads);
   share_out(threads, threads, [&](Index first, Index last) {
     for (Index part = first; part < last; ++part) {
@@ -85,7 +85,7 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
       for (Index i = begin + count * part / threads; i < begin + count * (part + 1) / threads; ++i) {
         const int self = static_cast<int>(i);
         std::vector<int>& list = writer.next();
-        const std::size_t found = left(self, list, cells.near(Vec2(all.x[i], all.y[i]), reach, self, accept, list));
+        const std::size_t found = left(self, list, cells.near(Vec2(all.x[i], all.y[i]), reach, self, list));
         if (found > 0 || all_of_them) writer.take(self, found);
       }
       writer.flush();
@@ -109,9 +109,9 @@ template <std::size_t K, int width, class Packed, class Term>
   return total;
 }
 
-/// For each particle i that has a list: give(i, made), with made = finish(sums), as many numbers as it makes of
-/// sums[k] = sum over its neighbours j of term(i, j)[k], in the order of the list; for the term i and j are Rows, and
-/// sums are Lanes of as many particles.
+/// For each particle i that has a list: give(i, made), with made = finish(i, sums), as many numbers as it makes of
+/// sums[k] = sum over its neighbours j of term(i, j)[k], in the order of the list; for term and finish i and j are
+/// Rows, and sums are Lanes of as many particles.
 template <std::size_t K, int width, class Packed, class Term, class Finish, class Give>
 void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Packed>& all, const Term& term,
                          const Finish& finish, const Give& give) {
@@ -120,7 +120,8 @@ void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<P
     for (Index p = first; p < last; ++p) {
       for (const auto& block : lists.parts[p].blocks) {
         const std::span<const int> rows = lists.parts[p].rows_of(block);
-        const auto made = finish(sum_of_block<K, width>(rows, all.data(), term));
+        const auto made =
+            finish(Row<Packed, width>{all.data(), rows.data()}, sum_of_block<K, width>(rows, all.data(), term));
         for (int lane = 0; lane < block.particles; ++lane) {
           std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(made)>>> of_particle;
           for (std::size_t k = 0; k < of_particle.size(); ++k) of_particle[k] = made[k][lane];
@@ -136,7 +137,7 @@ template <std::size_t K, int width, class Packed, class Term, class Give>
 void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<Packed>& all, const Term& term,
                          const Give& give) {
   sum_over_neighbours<K>(
-      lists, all, term, [](const auto& sums) -> const auto& { return sums; }, give);
+      lists, all, term, [](const auto& /*i*/, const auto& sums) -> const auto& { return sums; }, give);
 }
 
 }  // namespace touchstone::sph

@@ -85,6 +85,19 @@ Real square_root(const Real& a) {
   }
 }
 
+/// f of doubles, at once where lanes hold doubles, else one by one.
+template <class Real, class F>
+Real each_lane(const Real& a, const F& f) {
+  if constexpr (std::is_same_v<Number<Real>, double>) {
+    return f(a);
+  } else {
+    Real all;
+    for (std::size_t lane = 0; lane < sizeof(Real) / sizeof(Number<Real>); ++lane)
+      all[lane] = static_cast<Number<Real>>(f(static_cast<double>(a[lane])));
+    return all;
+  }
+}
+
 /// The number where it is positive, else zero.
 template <class Real>
 constexpr Real positive_part(const Real& a) {

@@ -151,6 +151,29 @@ Near with_thin_skin(const Domain& domain, const std::vector<Wall>& walls, double
               lay_out_ghosts_and_walls(domain, walls, spacing, 2), threads);
 }
 
+TEST(Neighbours, AreFoundSeveralAtOnceAsOneAtATime) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1, 1);
+  for (int count = 0; count < 40; ++count) {
+    std::vector<double> x(count), y(count);
+    std::vector<int> numbers(count);
+    for (int k = 0; k < count; ++k) {
+      x[k] = place(random);
+      y[k] = place(random);
+      numbers[k] = 100 + k;
+    }
+    const int self = 100 + count / 2;
+    std::vector<int> found(count + close_ones_overrun), in_turn(found);
+    const auto search = [&](auto how, std::vector<int>& into) {
+      into.resize(how(x.data(), y.data(), numbers.data(), count, 0.1, -0.2, 0.7, self, into.data()));
+    };
+    search(close_ones, found);
+    search(close_ones_in_turn, in_turn);
+    EXPECT_EQ(found, in_turn) << count;
+    EXPECT_EQ(std::ranges::count(found, self), 0) << count;
+  }
+}
+
 TEST(Neighbours, AreListedToTheEndOfTheKernelAndOfTheSkinWhenListsAreMade) {
   constexpr double skin = 0.1 * spacing;
   const Near near = with_thin_skin(channel, plates, skin);
@@ -440,7 +463,7 @@ Vectors accelerations() {
   }
   NeighbourLists<width> lists;
   const Cells cells(all.x, all.y, all.fluid, 2 * h, [](Index) { return true; });
-  fill(lists, all, cells, 0, all.fluid, 2 * h, true, 1, [](int) { return true; });
+  fill(lists, all, cells, 0, all.fluid, 2 * h, true, 1);
   Vectors a(2, all.fluid);
   sum_over_neighbours<2>(
       lists, seen,

@@ -31,13 +31,22 @@ std::vector<Claim> finest(const std::string& level, double first) {
           .on(level)};
 }
 
+constexpr const char* of_sheet =
+    "the front is a sheet of single particles at last: in twelve runs of APIC, 20 across, whose time steps differ by "
+    "1e-10, the error of its speed is 14 to 22 %, and its RMS error 0.39 to 0.49";
+
 std::vector<Method> methods() {
-  return methods_with_friction(collapse(dam), dam.column_height, plate,
-                               {{"mpm_apic", finest("80 across", 29.3)},
-                                {"mpm_xpic", finest("80 across", 22.8)},
-                                {"sph_delta", finest("40 across", 22.4)},
-                                {"sph_shifted", finest("40 across", 23.1)},
-                                {"sph_corrected", finest("40 across", 26.0)}});
+  std::vector<Method> all = methods_with_friction(collapse(dam), dam.column_height, plate,
+                                                  {{"mpm_apic", finest("80 across", 29.3)},
+                                                   {"mpm_xpic", finest("80 across", 22.8)},
+                                                   {"sph_delta", finest("40 across", 22.4)},
+                                                   {"sph_shifted", finest("40 across", 23.1)},
+                                                   {"sph_corrected", finest("40 across", 26.0)}});
+  for (Method& method : all)
+    if (method.family == Family::mpm)
+      method.tolerance.exceptions = {{"Martin & Moyce 1952, half-full slab", 0.35, of_sheet},
+                                     {"Martin & Moyce 1952, with the best time shift, half-full slab", 0.35, of_sheet}};
+  return all;
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ Series evenly(const Series& series, double from, double to) {
 
 /// dx/dT_H by a straight line.
 double speed(const Series& front, double from, double to) {
-  return slope_of("a front", {front.time, front.value}, {from, to});
+  return slope_of("our", {front.time, front.value}, {from, to});
 }
 
 double speed_of_front(const Observed& observed) { return speed(observed.front, 1, 1.58); }

@@ -309,9 +309,15 @@ std::vector<std::string> complaints(const Record& record, const AcceptedClaims& 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
   std::vector<Baseline> rows;
   for (const Value& e : record.values) {
-    const double allowed = std::max(tolerance.relative * std::abs(e.value), tolerance.absolute);
-    rows.push_back({record.method, e.level, e.time, e.quantity.heading(), e.value, e.value - allowed, e.value + allowed,
-                    tolerance.basis});
+    const std::string heading = e.quantity.heading();
+    const auto wider = std::ranges::find_if(tolerance.exceptions, [&](const Tolerance::Exception& exception) {
+      return heading.find(exception.words) != heading.npos;
+    });
+    const bool is_exception = wider != tolerance.exceptions.end();
+    const double relative = is_exception ? wider->relative : tolerance.relative;
+    const double allowed = std::max(relative * std::abs(e.value), tolerance.absolute);
+    rows.push_back({record.method, e.level, e.time, heading, e.value, e.value - allowed, e.value + allowed,
+                    is_exception ? wider->basis : tolerance.basis});
   }
   return rows;
 }

@@ -189,6 +189,17 @@ TEST(Baselines, AreMadeOfTheValuesOfARecord) {
   EXPECT_EQ(rows[0].basis, "wide");
 }
 
+TEST(Baselines, OfSomeValuesMayBeWider) {
+  const Record record = assessed(second_order());
+  const std::string heading = record.values.front().quantity.heading();
+  const Tolerance tolerance{.relative = 0.1, .basis = "wide", .exceptions = {{heading.substr(1), 0.5, "wider"}}};
+  for (const Baseline& row : baselines_from(record, tolerance)) {
+    const bool is_exception = row.quantity == heading;
+    EXPECT_NEAR(row.upper, (is_exception ? 1.5 : 1.1) * row.value, 1e-12) << row.quantity;
+    EXPECT_EQ(row.basis, is_exception ? "wider" : "wide") << row.quantity;
+  }
+}
+
 TEST(Baselines, OfNegativeValuesAllowAsMuchAsOfPositiveOnes) {
   Record record = assessed(second_order());
   record.values[0].value = -3;

@@ -96,10 +96,9 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   static constexpr double damping_of_v =
       8;  // likewise, while the fluid is strained by as much as it is long; no faster
 
-  using Fit = FitOfFlow<Real>;
-  /// What is read of a fit, for each particle.
-  enum Derivative { rest, along_x, along_y, xx, xy, yy };
-  static constexpr std::size_t centre = 18, made = 20;  // after the derivatives of three fields
+  /// What is made of a fit: rates of change, then what is carried to the next drift.
+  static constexpr std::size_t rate_of_rho = 0, rate_of_vx = 1, rate_of_vy = 2, carried = 3,
+                               made = carried + drift_fields;
 
   void drift(double dt) {
     Particles& all = near_.all;
@@ -124,55 +123,57 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   }
 
   void fit_and_move() {
-    const double per_h = 1 / smoothing_length();
-    sum_over_neighbours<Fit::count>(
-        near_.fluid_near_fluid, near_.seen, TermsOfFit<Kernel, Real>{static_cast<Real>(per_h)},
-        [per_h = static_cast<Real>(per_h)](const auto& sums) { return derivatives(sums, per_h); },
-        [this](Index i, const std::array<double, made>& fit) { move(i, fit); });
+    const double of_rho = damping_of_rho * sound_speed_ / settings_.spacing;
+    const double of_v = std::min(damping_of_v * strain_rate_, of_rho);
+    const TermsOfFit<Kernel, Real> terms{static_cast<Real>(1 / smoothing_length())};
+    const MotionOfFit motion{scene_.fluid, smoothing_length(), spreading * sound_speed_, of_rho, of_v};
+    Particles& all = near_.all;
+    std::array<double*, made> fields{all.drho.data(), all.ax.data(), all.ay.data()};
+    for (std::size_t k = 0; k < drift_fields; ++k) fields[carried + k] = all.carried[k].data();
+    sum_over_neighbours<FitOfFlow<Real>::count>(near_.fluid_near_fluid, near_.seen, terms, motion,
+                                                [&](Index i, const std::array<double, made>& of_particle) {
+                                                  for (std::size_t k = 0; k < made; ++k) fields[k][i] = of_particle[k];
+                                                });
     strain_rate_ = 0;
     for (const DriftField slope : {vx_along_x, vx_along_y, vy_along_x, vy_along_y})
       strain_rate_ = std::max(strain_rate_, near_.all.carried[slope].abs().maxCoeff());
   }
 
-  static std::array<Lanes<Real>, made> derivatives(const typename Fit::Sums& sums, Real per_h) {
-    const auto polynomials = Fit::through_zero(sums);
-    std::array<Lanes<Real>, made> all;
-    for (std::size_t f = 0; f < 3; ++f) {
-      const auto& c = polynomials[f];
-      const std::array<Lanes<Real>, 6> of_field{
-          c[0], per_h * c[1], per_h * c[2], 2 * per_h * per_h * c[3], per_h * per_h * c[4], 2 * per_h * per_h * c[5]};
-      for (std::size_t k = 0; k < 6; ++k) all[6 * f + k] = of_field[k];
-    }
-    all[centre] = sums[1] / sums[0];
-    all[centre + 1] = sums[2] / sums[0];
-    return all;
-  }
+  /// The equations of motion of a Newtonian fluid, and how particles will drift, of the sums of their fits.
+  struct MotionOfFit {
+    using Number = Lanes<Real>;
+    const FluidLaw& fluid;
+    double h, spread, of_rho, of_v;  // m, m/s  from where particles are dense, 1/s, 1/s
 
-  /// The equations of motion of a Newtonian fluid at a particle, and how it will drift.
-  void move(Index i, const std::array<double, made>& fit) {
-    Particles& all = near_.all;
-    const double *const vx = fit.data(), *const vy = vx + 6, *const p = vx + 12;
-    const double rho = all.rho[i], per_c2 = 1 / scene_.fluid.pressure_slope(rho);
-    const double c = sound_speed_, of_rho = damping_of_rho * c / settings_.spacing,
-                 of_v = std::min(damping_of_v * strain_rate_, of_rho);
-    all.drho[i] = -rho * (vx[along_x] + vy[along_y]) + of_rho * per_c2 * p[rest];
-    all.ax[i] = -p[along_x] / rho + of_v * vx[rest];
-    all.ay[i] = -p[along_y] / rho + of_v * vy[rest];
-    if constexpr (Viscous<FluidLaw>) {
-      const double nu = scene_.fluid.viscosity / rho;
-      all.ax[i] += nu * (vx[xx] + vx[yy] + (vx[xx] + vy[xy]) / 3);
-      all.ay[i] += nu * (vy[xx] + vy[yy] + (vx[xy] + vy[yy]) / 3);
+    [[gnu::flatten]] std::array<Number, made> operator()(const Row<Packed<Real>>& i,
+                                                         const typename FitOfFlow<Real>::Sums& sums) const {
+      enum Factor { rest, along_x, along_y, xx, xy, yy };
+      const auto [vx, vy, p] = FitOfFlow<Real>::through_zero(sums);
+      const Number rho = i.two(&Packed<Real>::rho)[0], specific_volume = i.two(&Packed<Real>::specific_volume)[0];
+      const Number per_c2 = 1 / each_lane(rho, [&](const auto& density) { return fluid.pressure_slope(density); });
+      const auto real = [](double number) { return static_cast<Real>(number); };
+      const Real per_h = real(1 / h);
+      std::array<Number, made> all;
+      all[rate_of_rho] = real(of_rho) * per_c2 * p[rest] - per_h * rho * (vx[along_x] + vy[along_y]);
+      all[rate_of_vx] = real(of_v) * vx[rest] - per_h * specific_volume * p[along_x];
+      all[rate_of_vy] = real(of_v) * vy[rest] - per_h * specific_volume * p[along_y];
+      if constexpr (Viscous<FluidLaw>) {  // a factor of x² or y² is half of a second derivative
+        const Number nu = real(fluid.viscosity / (h * h)) * specific_volume;
+        all[rate_of_vx] += nu * (2 * (vx[xx] + vx[yy]) + real(1. / 3) * (2 * vx[xx] + vy[xy]));
+        all[rate_of_vy] += nu * (2 * (vy[xx] + vy[yy]) + real(1. / 3) * (vx[xy] + 2 * vy[yy]));
+      }
+      const Number away = real(-spread) / sums[0];
+      all[carried + drift_x] = away * sums[1];
+      all[carried + drift_y] = away * sums[2];
+      all[carried + vx_along_x] = per_h * vx[along_x];
+      all[carried + vx_along_y] = per_h * vx[along_y];
+      all[carried + vy_along_x] = per_h * vy[along_x];
+      all[carried + vy_along_y] = per_h * vy[along_y];
+      all[carried + rho_along_x] = per_h * per_c2 * p[along_x];
+      all[carried + rho_along_y] = per_h * per_c2 * p[along_y];
+      return all;
     }
-    const std::array<double, drift_fields> next{-spreading * c * fit[centre],
-                                                -spreading * c * fit[centre + 1],
-                                                vx[along_x],
-                                                vx[along_y],
-                                                vy[along_x],
-                                                vy[along_y],
-                                                per_c2 * p[along_x],
-                                                per_c2 * p[along_y]};
-    for (std::size_t k = 0; k < drift_fields; ++k) all.carried[k][i] = next[k];
-  }
+  };
 
   double sound_speed_;       // m/s
   double mean_density_ = 0;  // kg/m³
