@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers side by side, for the loops over pairs: the vector details of this solver, all of them.
+/// Numbers side by side, for the loops over pairs: all their vector details.
 /// Kernels and terms are templates over `Real`; they are written for one pair (`Real` = double) and run for as many as
 /// a vector register of the processor holds.
 
