@@ -72,7 +72,7 @@ struct QuadraticFit {
         }
       });
     });
-    std::array<Polynomial, fields> found;
+    std::array<Polynomial, fields> found;  // factors before `first` are left to the caller
     for (std::size_t f = 0; f < fields; ++f) {
       std::array<Real, n> y;
       for_indices<n>([&](auto i) {

@@ -27,11 +27,22 @@ inline std::size_t close_ones_in_turn(const double* x, const double* y, const in
   return close;
 }
 
-#if defined(__AVX512VL__)
+#if defined(__AVX2__) && !defined(__AVX512VL__)
+/// By which lanes of four are chosen, the bytes that bring these to the front.
+inline constexpr auto bytes_of_chosen = [] {
+  std::array<std::array<signed char, 16>, 16> bytes{};
+  for (int chosen = 0; chosen < 16; ++chosen)
+    for (int lane = 0, to = 0; lane < 4; ++lane)
+      if (chosen >> lane & 1)
+        for (int byte = 0; byte < 4; ++byte) bytes[chosen][to++] = static_cast<signed char>(4 * lane + byte);
+  return bytes;
+}();
+#endif
 
-/// The same for eight at once.
+/// The same, eight or four at once where the processor can.
 inline std::size_t close_ones(const double* x, const double* y, const int* numbers, int count, double at_x, double at_y,
                               double reach, int self, int* found) {
+#if defined(__AVX512VL__)
   std::size_t close = 0;
   const __m512d all_x = _mm512_set1_pd(at_x), all_y = _mm512_set1_pd(at_y), reach2 = _mm512_set1_pd(reach * reach);
   for (int k = 0; k < count; k += 8) {
@@ -46,23 +57,7 @@ inline std::size_t close_ones(const double* x, const double* y, const int* numbe
     close += static_cast<std::size_t>(__builtin_popcount(chosen));
   }
   return close;
-}
-
 #elif defined(__AVX2__)
-
-/// By which lanes of four are chosen, the bytes that bring these to the front.
-inline constexpr auto bytes_of_chosen = [] {
-  std::array<std::array<signed char, 16>, 16> bytes{};
-  for (int chosen = 0; chosen < 16; ++chosen)
-    for (int lane = 0, to = 0; lane < 4; ++lane)
-      if (chosen >> lane & 1)
-        for (int byte = 0; byte < 4; ++byte) bytes[chosen][to++] = static_cast<signed char>(4 * lane + byte);
-  return bytes;
-}();
-
-/// The same for four at once.
-inline std::size_t close_ones(const double* x, const double* y, const int* numbers, int count, double at_x, double at_y,
-                              double reach, int self, int* found) {
   std::size_t close = 0;
   const __m256d all_x = _mm256_set1_pd(at_x), all_y = _mm256_set1_pd(at_y), reach2 = _mm256_set1_pd(reach * reach);
   const __m128i selves = _mm_set1_epi32(self);
@@ -78,15 +73,9 @@ inline std::size_t close_ones(const double* x, const double* y, const int* numbe
     close += static_cast<std::size_t>(__builtin_popcount(chosen));
   }
   return close + close_ones_in_turn(x + k, y + k, numbers + k, count - k, at_x, at_y, reach, self, found + close);
-}
-
 #else
-
-inline std::size_t close_ones(const double* x, const double* y, const int* numbers, int count, double at_x, double at_y,
-                              double reach, int self, int* found) {
   return close_ones_in_turn(x, y, numbers, count, at_x, at_y, reach, self, found);
-}
-
 #endif
+}
 
 }  // namespace touchstone::sph

@@ -8,7 +8,7 @@
 namespace touchstone::vnv::command {
 namespace {
 
-using testing::HasSubstr, testing::Not;
+using testing::HasSubstr;
 
 /// One case is built, with a method, and one is not.
 Catalogue half_built() {
