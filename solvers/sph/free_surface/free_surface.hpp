@@ -4,7 +4,6 @@
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/drift.hpp"
 #include "solvers/sph/free_surface/gradients/plain.hpp"
 #include "solvers/sph/free_surface/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
@@ -34,12 +33,15 @@ struct Finds {
                         correction = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ||
                                      ReadsSurroundings<decltype(PartsOfMethod::pressure)>,
                         density_gradient = ReadsSurroundings<decltype(PartsOfMethod::diffusion)> || shifting,
-                        surroundings = correction || density_gradient, slopes = correction || shifting,
-                        budget = requires {
+                        surroundings = correction || density_gradient, budget = requires {
     PartsOfMethod::records_diffusion_in;
   };
-  static constexpr std::size_t carried = shifting ? drift_fields : density_gradient ? 2 : 0;
-  static constexpr std::size_t first_of_density_gradient = carried - 2;
+  enum Carried : std::size_t {
+    shift_x,
+    shift_y,
+    first_of_density_gradient = shifting ? 2 : 0,
+    carried = first_of_density_gradient + (density_gradient ? 2 : 0)
+  };
 };
 template <class Real, class PartsOfMethod>
 using PackedOfSurface =
@@ -58,7 +60,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
   struct At {
     enum : std::size_t {
       slopes = 0,
-      diffusion = slopes + (Found::slopes ? 4 : 1),
+      diffusion = slopes + (Found::correction ? 4 : 1),
       half_of_ghosts = diffusion + Found::diffusion,
       acceleration = half_of_ghosts + Found::correction,
       moments = acceleration + 2,
@@ -75,14 +77,10 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     sums[At::acceleration] = acceleration.x;
     sums[At::acceleration + 1] = acceleration.y;
     const Real per_r = ij.mass * ij.specific_volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
-    if constexpr (Found::slopes) {
-      Real vx = ij.vx, vy = ij.vy;
-      if constexpr (Found::correction) {
-        const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
-        sums[At::half_of_ghosts] = -half * (vx * x + vy * y);
-        vx -= half * vx;
-        vy -= half * vy;
-      }
+    if constexpr (Found::correction) {
+      const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
+      sums[At::half_of_ghosts] = -half * (ij.vx * x + ij.vy * y);
+      const Real vx = ij.vx - half * ij.vx, vy = ij.vy - half * ij.vy;
       sums[At::slopes] = -vx * x;
       sums[At::slopes + 1] = -vx * y;
       sums[At::slopes + 2] = -vy * x;
@@ -110,19 +108,18 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
         if constexpr (Found::surroundings)
           self.set_surroundings(sums[At::moments], sums[At::moments + 1], sums[At::moments + 2]);
         double divergence = sums[At::slopes];
-        if constexpr (Found::slopes) {
+        if constexpr (Found::correction) {
           const auto slopes_of = [&](std::size_t k) { return self.corrected(sums[k], sums[k + 1]); };
           const Vec2 of_vx = slopes_of(At::slopes), of_vy = slopes_of(At::slopes + 2);
           divergence = ReadsSurroundings<decltype(PartsOfMethod::gradient)> ? of_vx.x() + of_vy.y()
                                                                             : sums[At::slopes] + sums[At::slopes + 3];
-          if constexpr (Found::correction) divergence += sums[At::half_of_ghosts];
-          if constexpr (Found::shifting) {
-            const Vec2 displacement = parts.shifting.displacement(
-                {sums[At::concentration_gradient], sums[At::concentration_gradient + 1]}, h);
-            const std::array<double, 6> next{displacement.x(), displacement.y(), of_vx.x(),
-                                             of_vx.y(),        of_vy.x(),        of_vy.y()};
-            for (std::size_t k = 0; k < next.size(); ++k) all.carried[k][i] = next[k];
-          }
+          divergence += sums[At::half_of_ghosts];
+        }
+        if constexpr (Found::shifting) {
+          const Vec2 displacement =
+              parts.shifting.displacement({sums[At::concentration_gradient], sums[At::concentration_gradient + 1]}, h);
+          all.carried[Found::shift_x][i] = displacement.x();
+          all.carried[Found::shift_y][i] = displacement.y();
         }
         all.drho[i] = -all.rho[i] * divergence;
         if constexpr (Found::diffusion) all.drho[i] += sums[At::diffusion];
@@ -186,11 +183,11 @@ void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, do
         }
         if constexpr (Found::shifting) {
           const Vec2 displacement =
-              parts.shifting.along_surface({all.carried[drift_x][i], all.carried[drift_y][i]}, self,
+              parts.shifting.along_surface({all.carried[Found::shift_x][i], all.carried[Found::shift_y][i]}, self,
                                            {sums[At::eigenvalue_gradient], sums[At::eigenvalue_gradient + 1]},
                                            sums[At::eigenvalue_gradient + 2] > 0);
-          all.carried[drift_x][i] = displacement.x();
-          all.carried[drift_y][i] = displacement.y();
+          all.carried[Found::shift_x][i] = displacement.x();
+          all.carried[Found::shift_y][i] = displacement.y();
         }
       });
 }
@@ -238,7 +235,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
       lap(SubStep::pairs);
     }
     if constexpr (of_velocity) {
-      if constexpr (!of_density && Found::correction) relieve_drops();
+      if constexpr (!of_density && (Found::correction || Found::shifting)) relieve_drops();
       if constexpr (!of_density) see_all(time, lap);
       sum_by_pressure<Kernel>(near_, parts_, smoothing_length());
       lap(SubStep::pairs);
@@ -257,8 +254,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
                    });
   }
 
-  /// Drops of a few particles and tips bear no tension: under corrected gradients, up to 2.5 times those of the kernel,
-  /// it tears them apart ever faster.
+  /// Drops of a few particles and tips bear no tension: it binds those that shifting has brought together, and they
+  /// whirl ever faster; corrected gradients, up to 2.5 times those of the kernel, tear drops apart by it.
   void relieve_drops() {
     constexpr double least_under_tension = 0.4;  // a straight surface has 0.5
     Particles& all = near_.all;
@@ -279,15 +276,18 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     lap(SubStep::boundaries);
   }
 
+  /// Velocities and densities stay with their particles: shifting makes neither momentum nor kinetic energy.
   template <class Laps>
   void shift(const Laps& lap) {
     if constexpr (Found::shifting) {
       Particles& all = near_.all;
       const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
       const double times = fastest * this->time_step();
-      keep_off_walls(all, all.carried[drift_x], all.carried[drift_y], scene_.walls, contact_distance * this->spacing(),
-                     this->time(), times, [](Index, const Vec2&, double, double) {});
-      share_out_fields(this->threads(), all.fluid, [&](Index begin, Index end) { drift(all, times, begin, end); });
+      keep_off_walls(all, all.carried[Found::shift_x], all.carried[Found::shift_y], scene_.walls,
+                     contact_distance * this->spacing(), this->time(), times,
+                     [](Index, const Vec2&, double, double) {});
+      all.x.head(all.fluid) += times * all.carried[Found::shift_x];
+      all.y.head(all.fluid) += times * all.carried[Found::shift_y];
       lap(SubStep::motion);
     }
   }

@@ -132,11 +132,20 @@ TEST(FreeSurface, WaterThatSpreadsAlongAFloorStaysAboveIt) {
   check(corrected);
 }
 
-TEST(FreeSurface, DropsOfAFewParticlesBearNoTensionWhereGradientsAreCorrected) {
+TEST(FreeSurface, ShiftingKeepsMomentumAlsoWithoutSymmetry) {
+  Scene<Tait> lower = patch;
+  lower.filled.high.y() = 0.2;
+  const Samples start = after(0, lower, delta_plus), end = after(100, lower, delta_plus);
+  EXPECT_LT((momentum_of(end) - momentum_of(start)).norm(), 1e-11 * momentum_of(start).norm());
+  EXPECT_GT((end.x - after(100, lower, delta).x).norm(), 0.1 * spacing);
+}
+
+TEST(FreeSurface, DropsOfAFewParticlesBearNoTensionWhereGradientsAreCorrectedOrParticlesShifted) {
   Scene<Tait> drop = patch;
   drop.filled = {.low = {-spacing, -spacing}, .high = {spacing, spacing}};
   drop.start = {.pressure = [](const Vec2&) { return -3000.0; }};
   EXPECT_EQ(after(1, drop, corrected).density.minCoeff(), water.density);
+  EXPECT_EQ(after(1, drop, delta_plus).density.minCoeff(), water.density);
   EXPECT_LT(after(1, drop, delta).density.minCoeff(), water.density);
 }
 

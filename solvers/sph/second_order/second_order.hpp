@@ -5,7 +5,7 @@
 
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/quadratic_fit.hpp"
-#include "solvers/sph/drift.hpp"
+#include "solvers/sph/second_order/drift.hpp"
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/walls/extrapolated_ghosts.hpp"
 

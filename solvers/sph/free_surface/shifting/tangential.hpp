@@ -6,11 +6,12 @@ namespace touchstone::sph {
 /// Moves particles from where they are crowded to where they are sparse, along a free surface only where one is near,
 /// and not at all on drops and edges of it.
 ///
-/// Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012), 1499-1523, shift down the gradient of concentration and
-/// change velocity and density by what their gradients say; the length of the displacement and the guard against pairs
-/// are those of Sun, Colagrossi, Marrone & Zhang, Comput. Methods Appl. Mech. Engrg. 315 (2017), 25-49:
-/// -4 h U dt sum_j (1 + 0.2 (W / W(spacing))⁴) grad W V_j, with U the speed of the fastest particle, and at most U dt /
-/// 2. A surface is seen by the least eigenvalue (Marrone et al. 2010), its normal by the gradient of that.
+/// Down the gradient of concentration (Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012), 1499-1523) as far as
+/// Sun, Colagrossi, Marrone & Zhang, Comput. Methods Appl. Mech. Engrg. 315 (2017), 25-49, say, with their guard
+/// against pairs: -4 h U dt sum_j (1 + 0.2 (W / W(spacing))⁴) grad W V_j, with U the speed of the fastest particle, and
+/// at most U dt / 2. As there, and unlike in Lind et al., velocities do not change on the way: what a particle has more
+/// than its surroundings is in its own gradient too, by which it would grow (README.md). A surface is seen by the least
+/// eigenvalue (Marrone et al. 2010), its normal by the gradient of that.
 struct TangentialShifting {
   static constexpr bool reads_surroundings = true;
   static constexpr double surface = 0.75;  // -  least eigenvalue: a particle with less is at a surface
