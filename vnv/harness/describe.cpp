@@ -3,6 +3,8 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/judge/baselines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,13 +42,20 @@ std::vector<ClaimDescription> of(const std::vector<Claim>& claims) {
   return said;
 }
 
+ToleranceDescription of(const Tolerance& tolerance) {
+  ToleranceDescription said{tolerance.relative, tolerance.absolute, tolerance.basis};
+  for (const Tolerance::Exception& wider : tolerance.exceptions)
+    said.basis += fmt::format("; values of \"{}\" by {:g} %: {}", wider.words, 100 * wider.relative, wider.basis);
+  return said;
+}
+
 MethodDescription of(const Method& method, const Baselines& baselines) {
   MethodDescription said{.name = method.name,
                          .description = method.description,
                          .levels = {},
                          .ladders = {},
                          .claims = of(method.claims),
-                         .tolerance = {method.tolerance.relative, method.tolerance.absolute, method.tolerance.basis},
+                         .tolerance = of(method.tolerance),
                          .relative_cost = method.relative_cost,
                          .baselines = std::ranges::count(baselines.rows, method.name, &Baseline::method)};
   for (const ClaimDescription& claim : of(method.claims_of_work)) said.claims.push_back(claim);

@@ -94,6 +94,13 @@ TEST_F(ADescription, CountsBaselinesAndQuotesTheirAcceptance) {
   EXPECT_EQ(said.acceptance.reason, "first measured");
 }
 
+TEST_F(ADescription, TellsWhichValuesMayBeFartherFromTheirBaselinesAndWhy) {
+  Case one = small_case();
+  one.methods[0].tolerance.exceptions = {{"L2 of v", 0.35, "the edge of a sheet"}};
+  EXPECT_EQ(describe("small", one, data_).methods.at(0).tolerance.basis,
+            "tuned builds; values of \"L2 of v\" by 35 %: the edge of a sheet");
+}
+
 TEST_F(ADescription, ComesBackFromItsText) {
   const Description said = describe("small", small_case(), data_);
   EXPECT_EQ(description_in(json_of(said), "small --describe"), said);
