@@ -64,12 +64,13 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       half_of_ghosts = diffusion + Found::diffusion,
       acceleration = half_of_ghosts + Found::correction,
       moments = acceleration + 2,
-      concentration_gradient = moments + (Found::surroundings ? 3 : 0),
+      weights = moments + (Found::surroundings ? 3 : 0),
+      concentration_gradient = weights + Found::correction,
       count = concentration_gradient + (Found::shifting ? 2 : 0)
     };
   };
-  const auto of_pair = [terms, parts, mass = near.all.mass, slope = Slope<Kernel>(h), per_h = 1 / h](const auto& i,
-                                                                                                     const auto& j) {
+  const Slope<Kernel> slope(h);
+  const auto of_pair = [terms, parts, mass = near.all.mass, slope, per_h = 1 / h](const auto& i, const auto& j) {
     auto ij = pair_of(i, j, mass);
     using Real = std::remove_cvref_t<decltype(ij.r)>;
     std::array<Real, At::count> sums;
@@ -79,6 +80,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     const Real per_r = ij.mass * ij.specific_volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
     if constexpr (Found::correction) {
       const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
+      sums[At::weights] = -per_r;
       sums[At::half_of_ghosts] = -half * (ij.vx * x + ij.vy * y);
       const Real vx = ij.vx - half * ij.vx, vy = ij.vy - half * ij.vy;
       sums[At::slopes] = -vx * x;
@@ -101,12 +103,21 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     }
     return sums;
   };
+  constexpr double close = 1e-3;  // of h  where W' / r has its limit
+  const double own_weight = -slope(close * h, 1 / (close * h));
   Particles& all = near.all;
   sum_over_neighbours<At::count>(
       near.fluid_near_fluid, near.seen, of_pair, [&](Index i, const std::array<double, At::count>& sums) {
         Packed& self = near.seen[i];
-        if constexpr (Found::surroundings)
-          self.set_surroundings(sums[At::moments], sums[At::moments + 1], sums[At::moments + 2]);
+        if constexpr (Found::surroundings) {
+          const double xx = sums[At::moments], xy = sums[At::moments + 1], yy = sums[At::moments + 2];
+          if constexpr (Found::correction) {
+            const double weights = sums[At::weights] + all.mass / all.rho[i] * own_weight;
+            self.set_surroundings(xx, xy, yy, extent<Kernel>(xx + yy, weights, h));
+          } else {
+            self.set_surroundings(xx, xy, yy);
+          }
+        }
         double divergence = sums[At::slopes];
         if constexpr (Found::correction) {
           const auto slopes_of = [&](std::size_t k) { return self.corrected(sums[k], sums[k + 1]); };

@@ -22,7 +22,8 @@ constexpr double spacing = 0.05, h = 2 * spacing, c = 10, g = 9.81;
 constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
 const Box square{.high = {1, 1}};
 
-using Near = Neighbourhood<Surroundings<double>>;
+using Seen = SurroundingsWithGhosts<double>;
+using Near = Neighbourhood<Seen>;
 using Field = std::function<double(const Vec2&)>;
 using Motion = std::function<Vec2(const Vec2&)>;
 
@@ -223,10 +224,10 @@ TEST(Surroundings, OfImagesAreThoseOfTheirSources) {
   first_pass(
       near, still, [](const Vec2& x) { return 1000 + 0.01 * curved(x); }, even);
   ASSERT_GT(near.all.images, 0);
-  same(&Surroundings<double>::least_eigenvalue);
-  same(&Surroundings<double>::l_xy);
+  same(&Seen::least_eigenvalue);
+  same(&Seen::l_xy);
   second_pass(near);
-  same(&Surroundings<double>::rho_along_x);
+  same(&Seen::rho_along_x);
 }
 
 TEST(Surroundings, AreFullInsideAndNotAtASurface) {
@@ -241,18 +242,44 @@ TEST(Surroundings, AreFullInsideAndNotAtASurface) {
 }
 
 TEST(Surroundings, OfALonelyParticleKeepItsCorrectionBounded) {
-  Near near = neighbourhood({.domain = {.box = square}, .fluid = water, .filled = {.high = {spacing, spacing}}});
-  see(near, still, even, even);
-  EXPECT_EQ(near.all.fluid, 1);
-  EXPECT_EQ(near.seen[0].l_xx, 2.5);
-  EXPECT_EQ(near.seen[0].l_xy, 0);
-  EXPECT_EQ(near.seen[0].l_yy, 2.5);
+  Surroundings<double> lonely;
+  lonely.set_surroundings(0, 0, 0);
+  EXPECT_EQ(lonely.l_xx, 2.5);
+  EXPECT_EQ(lonely.l_xy, 0);
+  EXPECT_EQ(lonely.l_yy, 2.5);
+}
+
+TEST(Surroundings, HaveAnExtentOfOneWhereTheyAreFullAndLessWhereParticlesHaveComeClose) {
+  const auto extent_on_a_lattice = [](double squeezed, int rows) {
+    double moments = 0, weights = 0;
+    for (int a = -rows; a <= rows; ++a)
+      for (int b = -rows; b <= rows; ++b) {
+        const double q = squeezed * spacing * std::hypot(a, b) / h, weight = -WendlandC2::dw_per_q(q);
+        weights += weight;
+        moments += weight * (q * h) * (q * h);
+      }
+    return extent<WendlandC2>(moments, weights, h);
+  };
+  EXPECT_NEAR(extent_on_a_lattice(1, 4), 1, 0.04);
+  EXPECT_NEAR(extent_on_a_lattice(0.5, 1), 0.13, 0.01) << "nine particles, half a spacing apart";
+}
+
+TEST(Surroundings, CorrectLessWhereParticlesHaveComeClose) {
+  const auto corrected_by = [](double extent) {
+    Seen seen;
+    seen.set_surroundings(0.5, 0, 1, extent);
+    return Vec2(seen.l_xx, seen.l_yy);
+  };
+  EXPECT_EQ(corrected_by(1), Vec2(2, 1));
+  EXPECT_EQ(corrected_by(0.7), Vec2(2, 1));
+  EXPECT_EQ(corrected_by(0.35), Vec2(1, 0.5));
+  EXPECT_EQ(corrected_by(0), Vec2(0, 0));
 }
 
 TEST(Surroundings, ByWhichPressurePullsFadeWhereNoFluidIsLeft) {
   const auto across = [](double eigenvalue) {
-    SurroundingsWithGhosts<double> seen;
-    seen.set_surroundings(eigenvalue, 0, 1);
+    Seen seen;
+    seen.set_surroundings(eigenvalue, 0, 1, 1);
     return seen.l_xx;
   };
   EXPECT_DOUBLE_EQ(across(0.5), 2) << "a straight surface is corrected in full";

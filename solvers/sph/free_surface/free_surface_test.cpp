@@ -8,6 +8,7 @@
 #include "solvers/sph/kernels/wendland_c2.hpp"
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/bonet_lok_pressure.hpp"
+#include "solvers/stepping/energy_budget.hpp"
 #include "solvers/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
 
@@ -147,6 +148,44 @@ TEST(FreeSurface, DropsOfAFewParticlesBearNoTensionWhereGradientsAreCorrectedOrP
   EXPECT_EQ(after(1, drop, corrected).density.minCoeff(), water.density);
   EXPECT_EQ(after(1, drop, delta_plus).density.minCoeff(), water.density);
   EXPECT_LT(after(1, drop, delta).density.minCoeff(), water.density);
+}
+
+/// The most energy [of that at the start] that a drop has while its breathing dies out: particles in so many rings, so
+/// many spacings apart.
+double most_energy_of_a_drop(int rings, double apart) {
+  Scene<Tait> drop = patch;
+  drop.start = {.velocity = [](const Vec2& x) -> Vec2 { return -0.02 * x; },
+                .places =
+                    [=](const Vectors&) {
+                      Vectors places(2, 1 + 3 * rings * (rings + 1));
+                      Index count = 0;
+                      for (int a = -rings; a <= rings; ++a)
+                        for (int b = -rings; b <= rings; ++b)
+                          if (std::abs(a + b) <= rings)
+                            places.col(count++) = apart * spacing * Vec2(a + 0.5 * b, std::sqrt(0.75) * b);
+                      return places;
+                    }};
+  auto simulation =
+      free_surface<WendlandC2>(drop, {.spacing = spacing, .smoothing_length = h, .time_step = 0.5 * h / c},
+                               momentum(ArtificialViscosity{.alpha = 0.02, .sound_speed = c, .h = h}), corrected);
+  double first = 0, most = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Samples s = simulation.samples();
+    const auto elastic = s.density.unaryExpr([](double rho) { return elastic_energy(water, rho); });
+    const double energy = (s.mass * (elastic + s.v.colwise().squaredNorm().transpose().array() / 2)).sum();
+    if (k == 0) first = energy;
+    most = std::max(most, energy / first);
+    simulation.step();
+  }
+  return most;
+}
+
+/// By theory a drop of radius of gyration R breathes at 2 c / R, which no time step by h resolves once R is below h
+/// / 2.
+TEST(FreeSurface, DropsOfParticlesThatHaveComeCloseBreatheStablyWhereGradientsAreCorrected) {
+  for (const int rings : {1, 2, 3})
+    for (const double apart : {0.2, 0.4, 0.6, 0.8, 1.0})
+      EXPECT_LT(most_energy_of_a_drop(rings, apart), 2.5) << rings << " rings, " << apart << " spacings apart";
 }
 
 /// The tank twice as long, with a gate where its right wall was.

@@ -4,6 +4,8 @@
 
 #include "solvers/sph/flow.hpp"
 
+#include <numbers>
+
 namespace touchstone::sph {
 
 /// The least eigenvalue that fluid is taken to have at most, and that of a ghost where these are to be told apart. What
@@ -20,7 +22,7 @@ struct Surroundings : Packed<Number> {
   /// and corners, count as that: L does not jump, and what it corrects there is too small, never too large. In the very
   /// corner of a square it is 0.09, on a straight surface 0.5.
   void set_surroundings(double xx, double xy, double yy) {
-    set_surroundings(xx, xy, yy, [](double eigenvalue) { return std::max(eigenvalue, least_taken); });
+    invert(xx, xy, yy, [](double eigenvalue) { return std::max(eigenvalue, least_taken); });
   }
   void set_density_gradient(double along_x, double along_y) {
     rho_along_x = static_cast<Number>(along_x);
@@ -35,7 +37,7 @@ struct Surroundings : Packed<Number> {
 
   /// `taken(eigenvalue)` is what an eigenvalue counts as.
   template <class Taken>
-  void set_surroundings(double xx, double xy, double yy, const Taken& taken) {
+  void invert(double xx, double xy, double yy, const Taken& taken) {
     const double middle = (xx + yy) / 2, apart = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy), low = middle - apart,
                  high = middle + apart;
     const double per_low = 1 / taken(low), per_high = 1 / taken(high);
@@ -52,15 +54,34 @@ template <class Number>
 struct SurroundingsWithGhosts : Surroundings<Number> {
   constexpr SurroundingsWithGhosts() { this->least_eigenvalue = static_cast<Number>(ghost_eigenvalue); }
 
+  using Surroundings<Number>::set_surroundings;
   /// Below 0.4 eigenvalues count as ever more, from 0.1 on as 1, so that drops are no stiffer than without correction:
   /// by stiffer ones the time step adds energy (README.md). Of a pair or a row of particles the least is 0.
-  void set_surroundings(double xx, double xy, double yy) {
-    Surroundings<Number>::set_surroundings(xx, xy, yy, [](double eigenvalue) {
+  ///
+  /// `extent` is the mean square distance to the neighbours over that in full surroundings. A drop of radius of
+  /// gyration R whose gradient is exact oscillates at 2 c / R, too fast for time steps by the smoothing length where
+  /// many particles have come close: L is smaller there.
+  void set_surroundings(double xx, double xy, double yy, double extent) {
+    this->invert(xx, xy, yy, [](double eigenvalue) {
       constexpr double some = Surroundings<Number>::least_taken, none = 0.1;
       return std::max(eigenvalue, std::lerp(1.0, some, std::clamp((eigenvalue - none) / (some - none), 0.0, 1.0)));
     });
+    const auto share = static_cast<Number>(std::min(extent / least_extent, 1.0));
+    this->l_xx *= share;
+    this->l_xy *= share;
+    this->l_yy *= share;
   }
+
+ private:
+  static constexpr double least_extent = 0.7;
 };
+
+/// The mean square distance to neighbours, the particle itself among them, over that in full surroundings, where it is
+/// 1 / (pi W(0)): from the sum of their moments, sum_j V_j r |W'|, and that of their weights, sum_j V_j |W'| / r.
+template <class Kernel>
+double extent(double moments, double weights, double h) {
+  return moments / weights * std::numbers::pi * Kernel::w(0.0) / (h * h);
+}
 
 static_assert(SurroundingsWithGhosts<double>{}.vx == 0);  // a constant has no undefined field
 
