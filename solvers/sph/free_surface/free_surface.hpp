@@ -103,7 +103,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     }
     return sums;
   };
-  constexpr double close = 1e-3;  // of h  where W' / r has its limit
+  constexpr double close = 1e-3;  // of h  where W' / r is at its limit, which is 0 / 0 at r = 0 itself
   const double own_weight = -slope(close * h, 1 / (close * h));
   Particles& all = near.all;
   sum_over_neighbours<At::count>(

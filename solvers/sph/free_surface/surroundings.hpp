@@ -76,14 +76,14 @@ struct SurroundingsWithGhosts : Surroundings<Number> {
   static constexpr double least_extent = 0.7;
 };
 
+static_assert(SurroundingsWithGhosts<double>{}.vx == 0);  // a constant has no undefined field
+
 /// The mean square distance to neighbours, the particle itself among them, over that in full surroundings, where it is
 /// 1 / (pi W(0)): from the sum of their moments, sum_j V_j r |W'|, and that of their weights, sum_j V_j |W'| / r.
 template <class Kernel>
 double extent(double moments, double weights, double h) {
   return moments / weights * std::numbers::pi * Kernel::w(0.0) / (h * h);
 }
-
-static_assert(SurroundingsWithGhosts<double>{}.vx == 0);  // a constant has no undefined field
 
 /// A part of a method that says `reads_surroundings` reads what these passes find.
 template <class Part>
