@@ -183,7 +183,7 @@ Flow cavity(Settings& set) {
   const double Re = set.positive("Re", flows[0].Re, "-", "Reynolds number V L / nu: 100, 400 or 1000");
   const auto* const known = std::ranges::find(flows, Re, &lid_driven::Flow::Re);
   if (known == flows.end()) throw std::invalid_argument(fmt::format("Re = {:g}, expected 100, 400 or 1000", Re));
-  const double end = known->end * side / lid, last = 3 * side / lid;  // s
+  const double end = known->end * side / lid, last = steady_over * side / lid;  // s
   doors::Flow flow;
   set_scene(flow, scene_with(box, density, sound_speed, Re, {lid, 0}));
   flow.across = side;
