@@ -1,3 +1,5 @@
+cmake_minimum_required(VERSION 3.25)
+
 # Runs COMMAND, which must fail by itself (not by a signal) and say EXPECTED, a regular expression, in its output.
 # A program that is not built is skipped by who chose what to build.
 if("${EXPECTED}" STREQUAL "")
