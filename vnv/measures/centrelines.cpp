@@ -52,18 +52,25 @@ double Cavity::velocity_at(const Samples& samples, Centreline::Direction directi
   return fitted_at(samples, is_vertical ? velocity_x : velocity_y, place, 2.5 * spacing) / lid_speed;
 }
 
-std::vector<double> Cavity::along(const Samples& samples, const Centreline& line, double spacing) const {
-  std::vector<double> found;
-  for (const double at : line.at) found.push_back(velocity_at(samples, line.direction, at, spacing));
-  return found;
+double Cavity::mean_velocity_at(const Run& run, Centreline::Direction direction, double at, double spacing) const {
+  const double first = run.samples.back().time - span * (1 + 1e-9);
+  double sum = 0;
+  int count = 0;
+  for (const Samples& samples : run.samples) {
+    if (samples.time < first) continue;
+    sum += velocity_at(samples, direction, at, spacing);
+    ++count;
+  }
+  return sum / count;
 }
 
 std::vector<Value> Cavity::compare(const Level& level, const Run& run, const Centreline& line) const {
   if (!run.summary.finished) return {};
   // Norms are relative to the truth: with one that is the lid's speed everywhere they are relative to it.
-  std::vector<double> found = along(run.samples.back(), line, level.spacing);
-  const std::vector<double> lid(found.size(), 1), equal = lid;
-  for (std::size_t k = 0; k < found.size(); ++k) found[k] += lid[k] - line.velocity[k];
+  const std::vector<double> lid(line.at.size(), 1), equal = lid;
+  std::vector<double> found;
+  for (std::size_t k = 0; k < lid.size(); ++k)
+    found.push_back(mean_velocity_at(run, line.direction, line.at[k], level.spacing) + lid[k] - line.velocity[k]);
   const auto error = [&](const char* norm, double value) {
     return Value{level.name, level.spacing, run.summary.end_time, norm_of(norm, line.direction), 100 * value};
   };

@@ -34,15 +34,17 @@ Centreline ghia_centreline(const std::filesystem::path& data, Centreline::Direct
 struct Cavity {
   double side;       // m
   double lid_speed;  // m/s
+  double span = 0;   // s  before the end of a run, over which its velocities are averaged
 
   /// The velocity at one place of a centreline, by the speed of the lid, from the particles within two and a half
   /// spacings [m]: twenty of them, eight at a wall.
   double velocity_at(const Samples& samples, Centreline::Direction direction, double at, double spacing) const;
 
-  /// The same at every place of a line.
-  std::vector<double> along(const Samples& samples, const Centreline& line, double spacing) const;
+  /// The mean of such velocities over the samples of the last `span` of a run: where particles mix, those of one
+  /// instant fluctuate about a steady flow.
+  double mean_velocity_at(const Run& run, Centreline::Direction direction, double at, double spacing) const;
 
-  /// L2 and Linf of a line at the end of a run, in per cent of the lid's speed: "L2 v_x, vertical centreline [%]".
+  /// L2 and Linf of these means along a line, in per cent of the lid's speed: "L2 v_x, vertical centreline [%]".
   std::vector<Value> compare(const Level& level, const Run& run, const Centreline& line) const;
 };
 

@@ -83,6 +83,25 @@ TEST(CentrelineErrors, AreInPerCentOfTheSpeedOfTheLid) {
   EXPECT_NEAR(errors[1].value, 3, 1e-8);
 }
 
+TEST(CentrelineErrors, AreThoseOfTheMeanOverTheLastSpanOfARun) {
+  vnv::Run run;
+  run.summary.finished = true;
+  const auto add = [&](double time, double faster) {
+    Samples s = scattered([&](const Vec2& x) { return bowl(x) + faster; });
+    s.time = time;
+    run.samples.push_back(std::move(s));
+  };
+  add(6.9, 100);  // before that span
+  add(7, 0.3);
+  add(9, -0.2);
+  add(12, 0.2);
+  Cavity averaged = cavity;
+  averaged.span = 5;
+  const Centreline line = published(Centreline::vertical, 1);
+  EXPECT_NEAR(averaged.compare(level, run, line)[1].value, 100 * 0.1 / 3, 1e-8);
+  EXPECT_NEAR(cavity.compare(level, run, line)[1].value, 100 * 0.2 / 3, 1e-8) << "of its last instant";
+}
+
 TEST(CentrelineErrors, OfWhatIsNoNumberAreNoNumbers) {
   Samples s = scattered(bowl);
   s.v.row(1).setConstant(not_a_number);

@@ -13,8 +13,7 @@ Plot centreline_profile(Figure frame, Cavity cavity, Centreline published, std::
     const double nearest = 1.5 * run->summary.spacing / cavity.side;
     for (int k = 0; k <= 100; ++k) {
       ours.x.push_back(nearest + (1 - 2 * nearest) * 0.01 * k);
-      ours.y.push_back(
-          cavity.velocity_at(run->samples.back(), published.direction, ours.x.back(), run->summary.spacing));
+      ours.y.push_back(cavity.mean_velocity_at(*run, published.direction, ours.x.back(), run->summary.spacing));
     }
     record.curves.push_back(std::move(ours));
   };
