@@ -24,7 +24,11 @@ struct CurveSeries {
   const vnv::Curve* curve;
   std::string family;
   std::size_t colour = 0, member = 0;
+  bool is_grey = false;
 };
+
+// What is published takes colours from the end of the palette, and where a method of ours has its colour, none.
+std::size_t colour_of_published(const CurveSeries& s) { return palette.size() - 1 - s.colour % palette.size(); }
 
 LineStyle style_of(const CurveSeries& s) {
   const std::size_t turn = s.member + s.colour / palette.size();  // a second round of colours takes other marks
@@ -34,8 +38,7 @@ LineStyle style_of(const CurveSeries& s) {
     case Role::experiment:
       return {"#000000", pick(hollow_marks, s.member), "1", 1.2, 0.9};
     case Role::published:
-      return {pick(palette, palette.size() - 1 - s.colour % palette.size()), pick(hollow_marks, turn), "(7,5)", 1.5,
-              0.9};
+      return {s.is_grey ? "#5A5A5A" : palette[colour_of_published(s)], pick(hollow_marks, turn), "(7,5)", 1.5, 0.9};
     case Role::guide:
       return {"#8A8A8A", 1, pick(dashes, s.member + 1), 1.2, 0.7};
     case Role::best:
@@ -77,6 +80,10 @@ constexpr std::array back_to_front{Role::guide, Role::published, Role::ours, Rol
 std::vector<CurveSeries> series_of(const vnv::Figure& figure, const CaseRecords& records) {
   std::vector<CurveSeries> all = find_series(figure, records);
   for (const Role role : back_to_front) number_series(all, role);
+  std::size_t ours = 0;
+  for (const CurveSeries& s : all)
+    if (s.curve->role == Role::ours) ours = std::max(ours, s.colour + 1);
+  for (CurveSeries& s : all) s.is_grey = s.curve->role == Role::published && colour_of_published(s) < ours;
   std::ranges::stable_sort(all, {},
                            [](const CurveSeries& s) { return std::ranges::find(back_to_front, s.curve->role); });
   return all;

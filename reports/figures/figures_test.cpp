@@ -38,14 +38,26 @@ TEST(Curves, OfEqualLabelAreDrawnOnce) {
   EXPECT_EQ(count(plot.script, "title 'sph'"), 1);
 }
 
+std::string colour_before(const std::string& title, const std::string& script) {
+  return script.substr(script.rfind("rgb '", script.find(title)), 13);
+}
+
 TEST(Curves, OfTwoMethodsDifferInColour) {
   const std::string script = profile_of({sample_record("mpm"), sample_record("sph")}).script;
-  const auto colour_before = [&](const std::string& title) {
-    const auto end = script.find(title);
-    return script.substr(script.rfind("rgb '", end), 13);
-  };
-  EXPECT_NE(colour_before("title 'mpm'"), colour_before("title 'sph'"));
-  EXPECT_EQ(colour_before("title 'exact'"), "rgb '#000000'");
+  EXPECT_NE(colour_before("title 'mpm'", script), colour_before("title 'sph'", script));
+  EXPECT_EQ(colour_before("title 'exact'", script), "rgb '#000000'");
+}
+
+TEST(Curves, ThatArePublishedAreGreyWhereMethodsHaveAllColours) {
+  std::vector<vnv::Record> records;
+  for (const char* method : {"a", "b", "c", "d", "e"}) records.push_back(sample_record(method));
+  vnv::Curve published = records.front().curves.front();
+  published.label = "Ghia";
+  published.role = vnv::Role::published;
+  records.front().curves.push_back(published);
+  EXPECT_EQ(colour_before("title 'Ghia'", profile_of(records).script), "rgb '#E69F00'");
+  records.push_back(sample_record("f"));
+  EXPECT_EQ(colour_before("title 'Ghia'", profile_of(records).script), "rgb '#5A5A5A'");
 }
 
 TEST(Curves, AreWrittenInTheUnitOfTheAxis) {
