@@ -7,6 +7,7 @@
 #include "vnv/plots/centreline_profiles.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/plots/snapshots.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 
@@ -27,9 +28,9 @@ const Flow& flow_of(const Level& level) {
 Schedule averaged(Schedule when) {
   const double end = when.times.back();
   for (double before = steady_for; before > 0; before -= output_interval) {
-    const double time = end - before, same = 1e-6 * output_interval;
-    const auto is_there = [&](double other) { return std::abs(other - time) < same; };
-    if (time > 0 && std::ranges::none_of(when.times, is_there)) when.times.push_back(time);
+    const double time = end - before;
+    const auto is_it = [&](double other) { return same_time(other, time); };
+    if (time > 0 && std::ranges::none_of(when.times, is_it)) when.times.push_back(time);
   }
   std::ranges::sort(when.times);
   return when;

@@ -11,6 +11,7 @@
 #include "vnv/flows/lid_driven.hpp"
 #include "vnv/flows/patch.hpp"
 #include "vnv/flows/water_at_rest.hpp"
+#include "vnv/measures/steadiness.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 #include "vnv/record/same_time.hpp"
 #include "vnv/run/vtp_series.hpp"
@@ -271,6 +272,16 @@ TEST_F(Doors, CompareACavityWithItsTable) {
   EXPECT_NEAR(value_of(judgement, norm_of("L2", Centreline::vertical)), 100 * std::sqrt(squares), 1e-6);
   EXPECT_THROW(flow_named("cavity", Settings({{"Re", 250}})), std::invalid_argument);
   EXPECT_TRUE(judged("cavity", {changed(flow, 5, moved)}).record.values.empty()) << "not steady yet";
+}
+
+TEST_F(Doors, TakeASampleWithinOnePerCentOfATimeForOneOfThatTime) {
+  const Flow flow = flow_named("cavity");
+  const auto moved = [](Samples& s) { s.v.colwise() = Vec2(0.1, 0); };
+  const auto from = [&](double first) {
+    return judged("cavity", {changed(flow, first, moved), changed(flow, 11.9, moved)});
+  };
+  EXPECT_EQ(value_of(from(7.06), change_of_energy), 0);
+  EXPECT_TRUE(says(from(7.1).not_judged.at(0), "2 times from 7.1 to 11.9 s, expected 2 or more from 7 to 12 s"));
 }
 
 TEST_F(Doors, CompareADamWithItsExperimentsByEachFront) {

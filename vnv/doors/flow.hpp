@@ -54,6 +54,9 @@ struct Drive {
   std::vector<std::array<double, 5>> examples{};  // x [m], y [m], t [s], b_x and b_y [m/s²]
 };
 
+/// A sample that is no farther from a time than this part of it is one of that time.
+inline constexpr double time_tolerance = 0.01;
+
 /// What a measurement over time needs.
 struct Span {
   double first, last;  // s  files at or before, at or after

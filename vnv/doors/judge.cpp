@@ -93,7 +93,7 @@ Run run_of(GivenLevel& given, const std::string& level, const Monitor& monitor) 
 double asked(double time, const std::vector<double>& times, const std::vector<Samples>& all) {
   const auto to = [](double one) { return [one](double other) { return std::abs(one - other); }; };
   const auto one = std::ranges::min_element(times, {}, to(time));
-  if (one == times.end() || to(*one)(time) > 0.01 * *one) return time;
+  if (one == times.end() || to(*one)(time) > time_tolerance * *one) return time;
   const bool another_is_nearer = std::ranges::any_of(
       all, [&](double other) { return to(*one)(other) < to(*one)(time); }, &Samples::time);
   return another_is_nearer ? time : *one;
@@ -121,9 +121,9 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
         add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);
     } else if (!measured.over) {
       add(all, level, run, run.samples);  // without a copy
-    } else if (const auto [first, last, least] = *measured.over; run.samples.size() < least ||
-                                                                 run.samples.front().time > first * (1 + 1e-9) ||
-                                                                 run.samples.back().time < last * (1 - 1e-9)) {
+    } else if (const auto [first, last, least] = *measured.over;
+               run.samples.size() < least || run.samples.front().time > first * (1 + time_tolerance) ||
+               run.samples.back().time < last * (1 - time_tolerance)) {
       not_judged.push_back(fmt::format(
           "{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s", level.name,
           measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time, least, first, last));

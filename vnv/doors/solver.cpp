@@ -111,7 +111,7 @@ std::string keep_asked(const std::vector<double>& times, std::map<double, Sample
   for (const double time : times) {
     const auto distance = [&](const auto& one) { return std::abs(one.first - time); };
     const auto nearest = std::ranges::min_element(at, {}, distance);
-    if (nearest == at.end() || distance(*nearest) > 0.01 * time) {
+    if (nearest == at.end() || distance(*nearest) > time_tolerance * time) {
       std::vector<double> there;
       for (const auto& [t, samples] : at) there.push_back(t);
       return fmt::format("no output at {:g} s, expected it within 1 %; output is at {:g} s", time,

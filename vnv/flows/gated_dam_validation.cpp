@@ -42,7 +42,7 @@ double& input_of(Inputs& inputs, std::string_view name) {
                                        : inputs.gravity;
 }
 
-/// Of gate and gravity at about once and three times what the level in the reservoir resolves.
+/// Each at two sizes: about what the level in the reservoir resolves, and three times that or more.
 std::vector<Group> planted_errors(const Inputs& nominal_inputs, const Starts& starts = {}) {
   std::vector<Group> all;
   const auto plant = [&](const std::string& error, double Inputs::*input, double factor) {
@@ -55,6 +55,7 @@ std::vector<Group> planted_errors(const Inputs& nominal_inputs, const Starts& st
   plant("gravity + 3 %", &Inputs::gravity, 1.03);
   plant("gravity + 9 %", &Inputs::gravity, 1.09);
   plant("column 3 % longer", &Inputs::length, 1.03);
+  plant("column 9 % longer", &Inputs::length, 1.09);
   return all;
 }
 
