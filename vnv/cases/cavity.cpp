@@ -113,7 +113,8 @@ std::vector<Plot> profiles() {
       plots.push_back(centreline_profile(
           {fmt::format("{}_{}", is_vertical ? "vertical" : "horizontal", flow.Re),
            fmt::format("{} centreline at Re {}", is_vertical ? "Vertical" : "Horizontal", flow.Re),
-           fmt::format("Scaled by the side length and the lid speed, at t = {:g} s, 100 particles across.", flow.end),
+           fmt::format("Scaled by the side length and the lid speed, mean of t = {:g} to {:g} s, 100 particles across.",
+                       flow.end - steady_for, flow.end),
            {is_vertical ? "y / side" : "x / side"},
            {is_vertical ? "v_x / lid" : "v_y / lid"}},
           cavity, ghia_centreline(data_folder(), direction, flow.Re), flow.at(100)));
