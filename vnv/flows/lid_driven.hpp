@@ -26,8 +26,8 @@ inline constexpr std::array flows{Flow{100, 12}, Flow{400, 30}, Flow{1000, 35}};
 
 /// For so long before its end a flow is to be steady [s], and its velocities are averaged: particles of second-order
 /// SPH mix, and fluctuate about the flow. With 100 across at Re 1000 L2 of v_x is 0.5 to 3 % at one instant, and of the
-/// means of two runs 1.0 %; with 50 across at Re 400, four runs whose steps differ by up to 3 % have rates of change of
-/// their energy with a standard deviation of 0.13 %/s over 3 s, of 0.05 over 5.
+/// means of three runs 0.7 to 1.0 %; with 50 across at Re 400, four runs whose steps differ by up to 3 % have rates of
+/// change of their energy with a standard deviation of 0.13 %/s over 3 s, of 0.05 over 5.
 inline constexpr double steady_for = 5;
 inline constexpr Cavity cavity{.side = 1, .lid_speed = 1, .span = steady_for};
 

@@ -71,19 +71,25 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
  protected:
   using Base::near_;
 
-  /// Puts a particle back that is too near to a wall.
-  void keep_off(const Wall& wall, Index i) {
+  /// Puts particles back that are too near to a wall. Mostly none is, which one look at all of them tells.
+  void keep_off(const Wall& wall, Index begin, Index end) {
     Particles& all = near_.all;
-    const double missing = least_distance * settings_.spacing - wall.distance({all.x[i], all.y[i]});
-    if (!(missing > 0)) return;
-    const double back = wall.inward * missing;
-    const auto change = [&](DriftField slope_x, DriftField slope_y) {
-      return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
+    Scalars& along = wall.axis == 0 ? all.x : all.y;
+    const auto short_by = [&](const auto& at) {
+      return least_distance * settings_.spacing - wall.inward * (at - wall.position);
     };
-    (wall.axis == 0 ? all.x : all.y)[i] += back;
-    all.vx[i] += change(vx_along_x, vx_along_y);
-    all.vy[i] += change(vy_along_x, vy_along_y);
-    all.rho[i] += change(rho_along_x, rho_along_y);
+    if (begin == end || !(short_by(along(Eigen::seqN(begin, end - begin))).maxCoeff() > 0)) return;
+    for (Index i = begin; i < end; ++i) {
+      const double missing = short_by(along[i]), back = wall.inward * missing;
+      if (!(missing > 0)) continue;
+      const auto change = [&](DriftField slope_x, DriftField slope_y) {
+        return back * all.carried[wall.axis == 0 ? slope_x : slope_y][i];
+      };
+      along[i] += back;
+      all.vx[i] += change(vx_along_x, vx_along_y);
+      all.vy[i] += change(vy_along_x, vy_along_y);
+      all.rho[i] += change(rho_along_x, rho_along_y);
+    }
   }
 
  private:
@@ -104,8 +110,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     Particles& all = near_.all;
     share_out_fields(threads(), all.fluid, [&](Index begin, Index end) {
       sph::drift(all, dt, begin, end);
-      for (const Wall& wall : scene_.walls)
-        for (Index i = begin; i < end; ++i) keep_off(wall, i);
+      for (const Wall& wall : scene_.walls) keep_off(wall, begin, end);
     });
   }
 

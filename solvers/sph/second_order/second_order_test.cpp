@@ -127,7 +127,7 @@ TEST(SecondOrderSph, AParticlePutBackFromAWallHasTheFieldsOfWhereItIsThen) {
     (wall.axis == 0 ? all.x : all.y)[0] = 1 - 0.05 * spacing;  // a fourth of the spacing is the least
     all.vx[0] = all.vy[0] = all.rho[0] = 0;
     for (std::size_t k = 0; k < carried.size(); ++k) all.carried[k][0] = carried[k];
-    solver.keep_off(wall, 0);
+    solver.keep_off(wall, 0, all.fluid);
     EXPECT_DOUBLE_EQ((wall.axis == 0 ? all.x : all.y)[0], 1 - 0.25 * spacing);
     EXPECT_NEAR(all.vx[0], back * (wall.axis == 0 ? 1 : 2), 1e-14) << wall.axis;
     EXPECT_NEAR(all.vy[0], back * (wall.axis == 0 ? 3 : 4), 1e-14) << wall.axis;
