@@ -113,11 +113,12 @@ std::vector<Plot> profiles() {
       plots.push_back(centreline_profile(
           {fmt::format("{}_{}", is_vertical ? "vertical" : "horizontal", flow.Re),
            fmt::format("{} centreline at Re {}", is_vertical ? "Vertical" : "Horizontal", flow.Re),
-           fmt::format("Scaled by the side length and the lid speed, mean of t = {:g} to {:g} s, 100 particles across.",
-                       flow.end - steady_for, flow.end),
+           fmt::format(
+               "Scaled by the side length and the lid speed, mean of t = {:g} to {:g} s, by the most particles.",
+               flow.end - steady_for, flow.end),
            {is_vertical ? "y / side" : "x / side"},
            {is_vertical ? "v_x / lid" : "v_y / lid"}},
-          cavity, ghia_centreline(data_folder(), direction, flow.Re), flow.at(100)));
+          cavity, ghia_centreline(data_folder(), direction, flow.Re), {flow.at(100), flow.at(50), flow.at(24)}));
     }
   return plots;
 }
