@@ -24,13 +24,13 @@ const Flow& flow_of(const Level& level) {
   return named == flows.end() ? flows.front() : *named;
 }
 
-/// Besides, every so often while the flow is to be steady.
-Schedule averaged(Schedule when) {
+/// The same, and every output interval while the flow is to be steady, over which velocities are averaged.
+Schedule sampled_while_steady(Schedule when) {
   const double end = when.times.back();
   for (double before = steady_for; before > 0; before -= output_interval) {
     const double time = end - before;
-    const auto is_it = [&](double other) { return same_time(other, time); };
-    if (time > 0 && std::ranges::none_of(when.times, is_it)) when.times.push_back(time);
+    const auto is_sampled = [&](double other) { return same_time(other, time); };
+    if (time > 0 && std::ranges::none_of(when.times, is_sampled)) when.times.push_back(time);
   }
   std::ranges::sort(when.times);
   return when;
@@ -41,7 +41,7 @@ template <class MakeMethod>
 Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<Claim> claims) {
   Method method = make(scene_at(flows.front().Re));
   method.run = [make](const Level& level, const Schedule& when) {
-    return make(scene_at(flow_of(level).Re)).run(level, averaged(when));
+    return make(scene_at(flow_of(level).Re)).run(level, sampled_while_steady(when));
   };
   method.levels = std::move(levels);
   method.relative_cost = 0;  // particles times steps; started late, these would prolong the nightly suite
@@ -114,7 +114,7 @@ std::vector<Plot> profiles() {
           {fmt::format("{}_{}", is_vertical ? "vertical" : "horizontal", flow.Re),
            fmt::format("{} centreline at Re {}", is_vertical ? "Vertical" : "Horizontal", flow.Re),
            fmt::format(
-               "Scaled by the side length and the lid speed, mean of t = {:g} to {:g} s, by the most particles.",
+               "Scaled by the side length and the lid speed, mean of t = {:g} to {:g} s, finest run of each method.",
                flow.end - steady_for, flow.end),
            {is_vertical ? "y / side" : "x / side"},
            {is_vertical ? "v_x / lid" : "v_y / lid"}},

@@ -63,7 +63,7 @@ double median_inside(const std::vector<Series>& pressures) {
   return fraction_inside(quantile_of(pressures, times(), 0.5), band.front().second, band.back().second, from, to);
 }
 
-/// The fraction of T_H 5 to 7, after the return wave, in which a level as both runs of the experiment have it in the
+/// The fraction of T_H 5 to 7, in which the wave returns, for which a level as both runs of the experiment have it in the
 /// mean lies within the range of the ensemble; of the gauges H2 to H4 the mean.
 double late_levels_inside(const std::vector<Observed>& members) {
   std::vector<double> late;
