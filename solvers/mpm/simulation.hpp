@@ -1,7 +1,9 @@
 #pragma once
-/// What all material point methods share: a scene, its grid, and the answers that a run gives.
+/// What all material point methods share: a scene, its grid, and the answers that a run gives; and the step of those
+/// that sum over the particles of each cell.
 
 #include "solvers/mpm/beginning.hpp"
+#include "solvers/mpm/body_force.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/samples_of.hpp"
 #include "solvers/mpm/seed.hpp"
@@ -40,10 +42,27 @@ class Simulation : public Clock {
   Grid grid_;
 };
 
-/// The same of methods that keep their particles in the order of the cells.
-template <class Particles, class Nodes, class FluidLaw, class Force>
+/// The same of methods that sum over particles, which they keep in the order of the cells. One derives from it as
+/// `Method` and offers the parts of its step, and list_near(), called when other blocks hold particles than before.
+template <class Method, class Particles, class Nodes, class FluidLaw, class Force>
 class SimulationInCells : public Simulation<FluidLaw, Force> {
  public:
+  /// One step, explicit Euler, lumped mass; all weights are those of the places at its start. Throws Diverged.
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    method().scatter();  // m_i, (m v)_i, (12), (13)
+    lap(SubStep::scatter);
+    method().accelerate();  // (10), (11), (14), as walls have it
+    lap(SubStep::grid);
+    method().remap();  // (16), (17), as walls have it
+    lap(SubStep::remap);
+    method().gather();  // (15), (18), (19), (32), (33)
+    lap(SubStep::gather);
+    this->tick();
+    settle();
+    lap(SubStep::sorting);
+  }
+
   Index particles() const { return particles_.count; }
   /// The particles in the order in which they were seeded.
   Samples samples() const { return samples_of(particles_, this->grid_, this->scene_.fluid, this->time()); }
@@ -58,27 +77,37 @@ class SimulationInCells : public Simulation<FluidLaw, Force> {
     set_going(particles_, scene.start, this->grid_, scene.fluid, this->time_step());
   }
 
-  /// Ends a step: carries particles that left their cells to those they are in, and calls list_near() if other blocks
-  /// hold particles than before; meet_walls(slot, cell) sees them first. Throws Diverged.
-  template <class Laps, class ListNear, class MeetWalls>
-  void end_step(const Laps& lap, const ListNear& list_near, const MeetWalls& meet_walls) {
-    lap(SubStep::gather);
-    this->tick();
-    const auto settle_here = [&](int slot, int cell) {
-      meet_walls(slot, cell);
-      return settle(particles_, slot, cell, this->grid_, this->scene_.fluid, this->steps(), this->time());
-    };
-    if (keep_order(particles_, calm_, settle_here)) list_near();
-    lap(SubStep::sorting);
-  }
-  template <class Laps, class ListNear>
-  void end_step(const Laps& lap, const ListNear& list_near) {
-    end_step(lap, list_near, [](int /*slot*/, int /*cell*/) {});
+  /// Where the fluid is strained by the velocities with which the nodes move, there is nothing to remap.
+  static void remap() {}
+  /// What walls do to a particle beyond what they do to the nodes.
+  static void meet_walls(int /*slot*/, int /*cell*/) {}
+
+  /// Calls push(slot, change of velocity [m/s]) with what a body force that differs from place to place gives each
+  /// particle in a step (13).
+  template <class Push>
+  void push_particles(const Push& push) {
+    if constexpr (Local<Force>)
+      particles_.order.for_each([&](int cell, int slot) {
+        const Vec2 x = this->grid_.place(cell, particles_.X[slot], particles_.Y[slot]), v = particles_.velocity(slot);
+        push(slot, this->time_step() * force_on_moving(this->scene_.body_force, x, this->time(), v));
+      });
   }
 
   Particles particles_;
   Nodes nodes_;
   std::vector<LaneBits> calm_;  // of each block, within a step
+
+ private:
+  Method& method() { return static_cast<Method&>(*this); }
+
+  /// Carries particles that left their cells to those they are in. Throws Diverged.
+  void settle() {
+    const auto settle_here = [&](int slot, int cell) {
+      method().meet_walls(slot, cell);
+      return mpm::settle(particles_, slot, cell, this->grid_, this->scene_.fluid, this->steps(), this->time());
+    };
+    if (keep_order(particles_, calm_, settle_here)) method().list_near();
+  }
 };
 
 }  // namespace touchstone::mpm

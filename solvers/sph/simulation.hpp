@@ -1,6 +1,6 @@
 #pragma once
-/// What all methods of smoothed particle hydrodynamics share: a scene with its particles, lists of neighbours and an
-/// integrator; and the answers that a run gives.
+/// What all methods of smoothed particle hydrodynamics share: a scene with its particles, lists of neighbours, an
+/// integrator and the step; and the answers that a run gives.
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
@@ -11,10 +11,23 @@
 namespace touchstone::sph {
 
 /// A method derives from it as `Method`, sums over pairs of `Packed`s, and offers find<of_density, of_velocity>(time,
-/// lap), which finds the rates of change that an integrator asks for.
+/// lap), which finds the rates of change that an integrator asks for; and what it does besides in a step.
 template <class Method, class Kernel, class Integrator, class Packed, class FluidLaw, class Force>
 class Simulation : public Clock {
  public:
+  /// One step. `lap` is called at the end of each sub-step. Throws Diverged.
+  template <class Laps = NoLaps>
+  void step(const Laps& lap = {}) {
+    method().spread_particles();
+    lap(SubStep::motion);
+    near_.follow(steps(), time(), time_step());
+    lap(SubStep::sorting);
+    integrator_.step(*this, time(), time_step(), lap);
+    tick();
+    method().correct_density();
+    lap(SubStep::rates);
+  }
+
   const Scene<FluidLaw, Force>& scene() const { return scene_; }
   Index particles() const { return near_.all.fluid; }
   Index boundary_particles() const { return near_.all.boundary; }
@@ -42,17 +55,10 @@ class Simulation : public Clock {
       : Simulation(scene, settings, carried, reach_of<Kernel>(settings),
                    lay_out_ghosts(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))) {}
 
-  /// Lists of neighbours that hold for the step to come.
-  template <class Laps>
-  void list_neighbours(const Laps& lap) {
-    near_.follow(steps(), time(), time_step());
-    lap(SubStep::sorting);
-  }
-  /// One step of the integrator.
-  template <class Laps>
-  void advance(const Laps& lap) {
-    integrator_.step(*this, time(), time_step(), lap);
-  }
+  /// What a method has particles do, beyond their velocity, to stay evenly spread: nothing.
+  static void spread_particles() {}
+  /// What a method does to densities after a step, beyond continuity: nothing.
+  static void correct_density() {}
 
   /// Fluid, mirrored ghosts and images as the last motion left them.
   template <class Laps>
@@ -79,23 +85,23 @@ class Simulation : public Clock {
   friend Integrator;
   friend PredictorCorrector;  // starts others
 
+  Method& method() { return static_cast<Method&>(*this); }
   Particles& state() { return near_.all; }
   template <class Laps>
   void find_rates(double time, const Laps& lap) {
-    static_cast<Method&>(*this).template find<true, true>(time, lap);
+    method().template find<true, true>(time, lap);
   }
   template <class Laps>
   void find_density_rate(double time, const Laps& lap) {
-    static_cast<Method&>(*this).template find<true, false>(time, lap);
+    method().template find<true, false>(time, lap);
   }
   template <class Laps>
   void find_accelerations(double time, const Laps& lap) {
-    static_cast<Method&>(*this).template find<false, true>(time, lap);
+    method().template find<false, true>(time, lap);
   }
   /// What a method does to velocities before they move particles.
   void before_drift(double time, double dt) {
-    if constexpr (requires(Method & method) { method.meet_walls(time, dt); })
-      static_cast<Method&>(*this).meet_walls(time, dt);
+    if constexpr (requires(Method & method) { method.meet_walls(time, dt); }) method().meet_walls(time, dt);
   }
 
   Integrator integrator_;

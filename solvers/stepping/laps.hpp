@@ -10,6 +10,7 @@ namespace touchstone {
 enum class SubStep {
   scatter,     // particles to nodes
   grid,        // on the nodes
+  remap,       // particles to nodes once more
   gather,      // nodes to particles
   pairs,       // sums over pairs of particles
   rates,       // particle by particle: pressure, force
@@ -17,8 +18,8 @@ enum class SubStep {
   motion,      // particle by particle: forward in time
   sorting,     // who is in which cell, who is near whom
 };
-inline constexpr std::array<std::string_view, 8> names_of_sub_steps{"scatter", "grid",       "gather", "pairs",
-                                                                    "rates",   "boundaries", "motion", "sorting"};
+inline constexpr std::array<std::string_view, 9> names_of_sub_steps{
+    "scatter", "grid", "remap", "gather", "pairs", "rates", "boundaries", "motion", "sorting"};
 
 /// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part. This one
 /// hears nothing and costs nothing.

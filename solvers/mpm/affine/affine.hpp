@@ -13,7 +13,6 @@
 
 #include "solvers/mpm/affine/mirrors.hpp"
 #include "solvers/mpm/affine/transfer.hpp"
-#include "solvers/mpm/printed/node_motion.hpp"
 #include "solvers/mpm/simulation.hpp"
 
 namespace touchstone::mpm {
@@ -21,12 +20,13 @@ namespace touchstone::mpm {
 /// One simulation of a scene. `Number` is what particles are stored and reckoned in; nodes are in double. A change of
 /// the time step reaches the stress, which particles hold as what it gives in a step, one step later.
 template <class Number, class FluidLaw, class Force>
-class Affine : public SimulationInCells<AffineParticles<Number>, AffineNodes, FluidLaw, Force> {
-  using Base = SimulationInCells<AffineParticles<Number>, AffineNodes, FluidLaw, Force>;
+class Affine
+    : public SimulationInCells<Affine<Number, FluidLaw, Force>, AffineParticles<Number>, AffineNodes, FluidLaw, Force> {
+  using Base = SimulationInCells<Affine, AffineParticles<Number>, AffineNodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:
-  using Base::time;
+  using Base::time, Base::time_step;
 
   /// Throws std::invalid_argument as its base does, and for a wall off the grid.
   Affine(const Scene<FluidLaw, Force>& scene, const Settings& settings)
@@ -34,26 +34,26 @@ class Affine : public SimulationInCells<AffineParticles<Number>, AffineNodes, Fl
     list_near();
   }
 
-  /// One step. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    const double dt = this->time_step();
-    push_particles();                       // v_p + dt b(x_p), where b is not the same everywhere
-    scatter(particles_, threads_, nodes_);  // m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)) + ...
-    lap(SubStep::scatter);
-    nodes_.collect(dt * common_acceleration(scene_.body_force), threads_);  // + dt b m_i
-    mirrors_.fold(nodes_, time() + dt);                                     // images behind walls give too
-    nodes_.find_velocities(threads_);                                       // v_i = (m v)_i / m_i
-    mirrors_.unfold(nodes_, time() + dt);
-    lap(SubStep::grid);
-    gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // v_p, C_p, x_p, rho_p, (32), (33)
-    this->end_step(lap, [&] { list_near(); });
-  }
-
  private:
-  void push_particles() {
-    if constexpr (Local<Force>) push(particles_, grid_, scene_.body_force, time(), this->time_step());
+  friend Base;
+
+  /// m_i = sum m_p w_ip, (m v)_i = sum m_p w_ip (v_p + C_p (x_i - x_p)) + what the stress and the body force give in a
+  /// step.
+  void scatter() {
+    this->push_particles([&](int slot, const Vec2& dv) {
+      particles_.x.v[slot] += static_cast<Number>(dv.x());
+      particles_.y.v[slot] += static_cast<Number>(dv.y());
+    });
+    mpm::scatter(particles_, threads_, nodes_);
   }
+  void accelerate() {
+    nodes_.collect(time_step() * common_acceleration(scene_.body_force), threads_);
+    mirrors_.fold(nodes_, time() + time_step());  // images behind walls give too
+    nodes_.find_velocities(threads_);             // v_i = (m v)_i / m_i
+    mirrors_.unfold(nodes_, time() + time_step());
+  }
+  /// v_p, C_p, x_p, rho_p, (32), (33)
+  void gather() { mpm::gather(nodes_, grid_, scene_.fluid, time_step(), threads_, particles_, calm_); }
 
   void list_near() {
     nodes_.list_near(particles_.order);

@@ -28,16 +28,6 @@ void scatter(const AffineParticles<Number>& particles, int threads, AffineNodes&
                   [&](int, const auto& block, auto& to) { give(particles, block, to); });
 }
 
-/// Adds to the particles' velocities what a body force that differs from place to place gives them in a step.
-template <class Number, class Force>
-void push(AffineParticles<Number>& particles, const Grid& grid, const Force& body_force, double time, double dt) {
-  particles.order.for_each([&](int cell, int slot) {
-    const Vec2 dv = dt * body_force(grid.place(cell, particles.X[slot], particles.Y[slot]), time);
-    particles.x.v[slot] += static_cast<Number>(dv.x());
-    particles.y.v[slot] += static_cast<Number>(dv.y());
-  });
-}
-
 /// One component of the velocity within the cells of a block: for each function of X, a field along Y.
 template <class Real>
 struct VelocityWithin {

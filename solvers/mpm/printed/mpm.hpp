@@ -16,12 +16,13 @@ namespace touchstone::mpm {
 /// One simulation of a scene, with linear shape functions (hats). `Number` is what particles are stored and reckoned
 /// in; nodes are in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
 template <class Number, class FluidLaw, class Force>
-class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLaw, Force> {
-  using Base = SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLaw, Force>;
+class Mpm
+    : public SimulationInCells<Mpm<Number, FluidLaw, Force>, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force> {
+  using Base = SimulationInCells<Mpm, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:
-  using Base::time;
+  using Base::time, Base::time_step;
 
   /// `treatment` says how a wall's answer reaches the particles. Throws std::invalid_argument as its base does, and for
   /// a wall off the grid.
@@ -30,24 +31,23 @@ class Mpm : public SimulationInCells<Particles<FluidLaw, Number>, Nodes, FluidLa
     list_near();
   }
 
-  /// One MUSL step. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    const double dt = this->time_step();
-    // m_i, (m v)_i, (12), (13)
-    scatter(particles_, grid_, local(scene_.body_force), time(), threads_, masses_, nodes_);
-    lap(SubStep::scatter);
-    accelerate(nodes_, common_acceleration(scene_.body_force), grid_.cell, dt, threads_);  // (10), (11), (14)
-    wall_nodes_.hold(nodes_, grid_, time(), dt);                                           // (14) at walls
-    scatter_changes(particles_, masses_, threads_, nodes_);                                // (16) as (17) sees it
-    remap_velocity(nodes_, threads_);                                                      // (17)
-    wall_nodes_.hold_remapped(nodes_, time() + dt);                                        // (17) at walls
-    lap(SubStep::grid);
-    gather(nodes_, grid_, scene_.fluid, dt, threads_, particles_, calm_);  // (15), (16), (18), (19)
-    this->end_step(lap, [&] { list_near(); });
-  }
-
  private:
+  friend Base;
+
+  /// m_i, (m v)_i, (12), (13)
+  void scatter() { mpm::scatter(particles_, grid_, local(scene_.body_force), time(), threads_, masses_, nodes_); }
+  void accelerate() {
+    mpm::accelerate(nodes_, common_acceleration(scene_.body_force), grid_.cell, time_step(), threads_);  // (10) - (14)
+    wall_nodes_.hold(nodes_, grid_, time(), time_step());  // (14) at walls
+  }
+  void remap() {
+    scatter_changes(particles_, masses_, threads_, nodes_);   // (16) as (17) sees it
+    remap_velocity(nodes_, threads_);                         // (17)
+    wall_nodes_.hold_remapped(nodes_, time() + time_step());  // (17) at walls
+  }
+  /// (15), (16), (18), (19)
+  void gather() { mpm::gather(nodes_, grid_, scene_.fluid, time_step(), threads_, particles_, calm_); }
+
   void list_near() {
     nodes_.list_near(particles_.order);
     wall_nodes_.list_near(nodes_);

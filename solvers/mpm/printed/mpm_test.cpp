@@ -209,7 +209,8 @@ TEST(Mpm, TellsWhichPartOfAStepIsDone) {
   std::vector<SubStep> parts;
   auto breaking = solver<PrescribedMotion>(dam(), dam_settings);
   breaking.step(Heard{parts});
-  EXPECT_EQ(parts, (std::vector<SubStep>{SubStep::scatter, SubStep::grid, SubStep::gather, SubStep::sorting}));
+  EXPECT_EQ(parts,
+            (std::vector<SubStep>{SubStep::scatter, SubStep::grid, SubStep::remap, SubStep::gather, SubStep::sorting}));
 }
 
 TEST(Mpm, CountsStepsAndTime) {

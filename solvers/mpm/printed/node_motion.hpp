@@ -1,18 +1,9 @@
 #pragma once
 /// What happens on the nodes themselves, between scatter and gather.
 
-#include "solvers/forces/none.hpp"
-#include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
 namespace touchstone::mpm {
-
-/// The acceleration that is the same everywhere [m/s²].
-inline Vec2 common_acceleration(const Uniform& force) { return force.per_mass; }
-template <class Force>
-Vec2 common_acceleration(const Force&) {
-  return Vec2::Zero();
-}
 
 /// Velocity (10), acceleration (11) with a body force `b` [m/s²] that all nodes feel alike, and how far they move (14).
 inline void accelerate(Nodes& nodes, const Vec2& b, const Vec2& cell, double dt, int threads) {

@@ -6,9 +6,8 @@
 /// The shape is `LinearHat`. A wider one, whose cells touch more nodes, needs higher moments too: its own sums,
 /// `scatter`, `scatter_changes` and `gather`.
 
-#include "solvers/forces/none.hpp"
-#include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/beginning.hpp"
+#include "solvers/mpm/body_force.hpp"
 #include "solvers/mpm/cell_rows.hpp"
 #include "solvers/mpm/printed/cell_sums.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
@@ -85,21 +84,6 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
   };
   for_rows(order, threads, scatter_row);
   nodes.join_rows(first, last);
-}
-
-/// A force that differs from place to place is given to the nodes by the particles; the same force everywhere is added
-/// to the nodes' accelerations, which the weights leave as it is.
-template <class Force>
-concept Local = is_present<Force> && !std::same_as<Force, Uniform>;
-
-/// What the particles give of a force.
-template <class Force>
-const Force& local(const Force& force) requires Local<Force> {
-  return force;
-}
-template <class Force>
-NoForce local(const Force&) {
-  return {};
 }
 
 /// Sums over the particles of the cells of a block of a body force (13) [m/s²].

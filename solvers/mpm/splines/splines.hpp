@@ -2,8 +2,6 @@
 /// The material point method with quadratic B-splines cut off at the edges of the domain (`BSpline<2>`), stress last
 /// (MUSL): what `composed` does with this shape, equal but for rounding, over particles in the order of their cells.
 
-#include "solvers/forces/on_moving.hpp"
-#include "solvers/mpm/printed/node_motion.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/splines/densities.hpp"
 #include "solvers/mpm/walls/contact.hpp"
@@ -13,8 +11,9 @@ namespace touchstone::mpm {
 /// One simulation of a scene. `Transfer` and `Density` are names of those of `composed`; walls prescribe the motion of
 /// their nodes.
 template <class Transfer, class Density, class FluidLaw, class Force>
-class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force> {
-  using Base = SimulationInCells<SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force>;
+class Splines : public SimulationInCells<Splines<Transfer, Density, FluidLaw, Force>,
+                                         SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force> {
+  using Base = SimulationInCells<Splines, SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:
@@ -30,46 +29,36 @@ class Splines : public SimulationInCells<SplineParticles<FluidLaw, Transfer, Den
     list_near();
   }
 
-  /// One MUSL step, as that of `Composed`. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    const double dt = time_step();
-    push_particles();
-    scatter();  // m_i, (m v)_i, (12), (13)
-    lap(SubStep::scatter);
-    nodes_.find_mass(threads_);
-    transfer_.accelerate(nodes_, walls_, dt * common_acceleration(scene_.body_force), *this, threads_);  // (10) - (14)
-    lap(SubStep::grid);
-    transfer_.gather(nodes_, grid_, threads_, particles_);  // (16), (17)
-    lap(SubStep::gather);
-    walls_.hold(nodes_, time() + dt, nodes_.strained);
-    nodes_.edges.unfold(nodes_.strained);
-    lap(SubStep::grid);
-    DensityInCells<Density>::update(transfer_, nodes_, StepOf<FluidLaw>{grid_, scene_.fluid, dt, threads_, has_room_},
-                                    particles_,
-                                    calm_);  // (18), (19), (32), (33), (15)
-    this->end_step(
-        lap, [&] { list_near(); }, [&](int slot, int cell) { meet_walls(slot, cell); });
-  }
   /// What contact with walls has taken from the fluid so far.
   const Contacts& contacts() const { return contact_.sum; }
 
  private:
-  /// By a force that is not the same everywhere (13).
-  void push_particles() {
-    if constexpr (Local<Force>)
-      particles_.order.for_each([&](int cell, int slot) {
-        const Vec2 x = grid_.place(cell, particles_.X[slot], particles_.Y[slot]);
-        const Vec2 v(particles_.x.v[slot], particles_.y.v[slot]);
-        transfer_.push(particles_, slot, time_step() * force_on_moving(scene_.body_force, x, time(), v));
-      });
-  }
+  friend Base;
+
+  /// m_i, (m v)_i, (12), (13)
   void scatter() {
+    this->push_particles([&](int slot, const Vec2& dv) { transfer_.push(particles_, slot, dv); });
     const Vec2 dt_per_cell = time_step() * grid_.cell.cwiseInverse();
     const auto give = [&](int index, const auto& block, auto& to) __attribute__((flatten)) {
       transfer_.template give<Local<Force>>(particles_, index, block, grid_, dt_per_cell, to);
     };
     give_by_rows<InCells<Transfer>::given>(particles_.order, threads_, nodes_, give);
+  }
+  /// (10), (11), (14)
+  void accelerate() {
+    nodes_.find_mass(threads_);
+    transfer_.accelerate(nodes_, walls_, time_step() * common_acceleration(scene_.body_force), *this, threads_);
+  }
+  /// (16), (17)
+  void remap() {
+    transfer_.gather(nodes_, grid_, threads_, particles_);
+    walls_.hold(nodes_, time() + time_step(), nodes_.strained);
+    nodes_.edges.unfold(nodes_.strained);
+  }
+  /// (18), (19), (32), (33), (15)
+  void gather() {
+    const StepOf<FluidLaw> step{grid_, scene_.fluid, time_step(), threads_, has_room_};
+    DensityInCells<Density>::update(transfer_, nodes_, step, particles_, calm_);
   }
 
   void meet_walls(int slot, int cell) {

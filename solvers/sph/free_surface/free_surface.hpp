@@ -219,14 +219,6 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
         terms_(terms),
         parts_(parts) {}
 
-  /// The particles are shifted, then one step of the integrator. `lap` is called at the end of each sub-step.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    shift(lap);
-    this->list_neighbours(lap);
-    this->advance(lap);
-    this->tick();
-  }
   /// What contact with walls has taken from the fluid so far.
   const Contacts& contacts() const { return contacts_; }
 
@@ -287,9 +279,8 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
     lap(SubStep::boundaries);
   }
 
-  /// Velocities and densities stay with their particles: shifting makes neither momentum nor kinetic energy.
-  template <class Laps>
-  void shift(const Laps& lap) {
+  /// Shifting. Velocities and densities stay with their particles: it makes neither momentum nor kinetic energy.
+  void spread_particles() {
     if constexpr (Found::shifting) {
       Particles& all = near_.all;
       const double fastest = std::sqrt((all.vx.square() + all.vy.square()).maxCoeff());
@@ -299,7 +290,6 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
                      [](Index, const Vec2&, double, double) {});
       all.x.head(all.fluid) += times * all.carried[Found::shift_x];
       all.y.head(all.fluid) += times * all.carried[Found::shift_y];
-      lap(SubStep::motion);
     }
   }
 

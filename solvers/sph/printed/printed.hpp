@@ -23,25 +23,16 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
              lay_out_ghosts_and_walls(scene.domain, scene.walls, settings.spacing, ghost_layers<Kernel>(settings))),
         terms_(terms) {}
 
-  /// One step of the integrator, section 2.4, and every so often the density reinitialised. `lap` is called at the end
-  /// of each sub-step.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    this->list_neighbours(lap);
-    this->advance(lap);
-    this->tick();
-    if (steps() % steps_between_reinitialisations == 0) reinitialise();  // (29), (30)
-    lap(SubStep::rates);
-  }
-
  private:
   friend Base;
 
   static constexpr long steps_between_reinitialisations = 30;
   static constexpr bool repels = Left::template keeps<Repulsion>;
 
-  void reinitialise() {
+  /// (29), (30)
+  void correct_density() {
     if constexpr (Left::template keeps<DensityReinitialisation>) {
+      if (steps() % steps_between_reinitialisations != 0) return;
       near_.see_fluid(scene_.fluid);
       reinitialise_density<Kernel>(near_, this->smoothing_length());
     }

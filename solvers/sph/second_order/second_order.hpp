@@ -56,18 +56,6 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
     mean_density_ = near_.all.rho.mean();
   }
 
-  /// The particles drift, then one step of the integrator. `lap` is called at the end of each sub-step.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    this->list_neighbours(lap);
-    drift(this->time_step());
-    lap(SubStep::motion);
-    this->advance(lap);
-    near_.all.rho += mean_density_ - near_.all.rho.mean();
-    lap(SubStep::rates);
-    this->tick();
-  }
-
  protected:
   using Base::near_;
 
@@ -106,13 +94,15 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
   static constexpr std::size_t rate_of_rho = 0, rate_of_vx = 1, rate_of_vy = 2, carried = 3,
                                made = carried + drift_fields;
 
-  void drift(double dt) {
+  void spread_particles() {
     Particles& all = near_.all;
     share_out_fields(threads(), all.fluid, [&](Index begin, Index end) {
-      sph::drift(all, dt, begin, end);
+      drift(all, this->time_step(), begin, end);
       for (const Wall& wall : scene_.walls) keep_off(wall, begin, end);
     });
   }
+
+  void correct_density() { near_.all.rho += mean_density_ - near_.all.rho.mean(); }
 
   template <bool of_density, bool of_velocity, class Laps>
   void find(double time, const Laps& lap) {

@@ -77,21 +77,10 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   TransportVelocity(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms)
       : Base(scene, settings, has_background ? 2 : 0), terms_(terms) {}
 
-  /// The particles drift, then one step of the integrator. `lap` is called at the end of each sub-step.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
-    this->list_neighbours(lap);
-    drift(time_step());
-    lap(SubStep::motion);
-    this->advance(lap);
-    this->tick();
-    if (steps() % 30 == 0) constrain_volume();
-    lap(SubStep::rates);
-  }
-
  private:
   friend Base;
 
+  static constexpr long steps_between_corrections = 30;
   static constexpr double background_fraction = 0.1;  // of rho0 c²; more disturbs the flow, less is enough too
   static constexpr bool has_background = Left::template keeps<BackgroundPressure>;
   static constexpr bool drift_has_momentum = has_background && Left::template keeps<DriftMomentum>;
@@ -100,17 +89,18 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   Scalars& wx() { return near_.all.carried[0]; }
   Scalars& wy() { return near_.all.carried[1]; }
 
-  void drift(double dt) {
+  void spread_particles() {
     if constexpr (has_background) {
-      near_.all.x.head(near_.all.fluid) += dt * wx();
-      near_.all.y.head(near_.all.fluid) += dt * wy();
+      near_.all.x.head(near_.all.fluid) += time_step() * wx();
+      near_.all.y.head(near_.all.fluid) += time_step() * wy();
     }
   }
 
   /// The fluid fills its domain, so the particles' volumes add up to what they were at the start. Continuity alone lets
   /// their sum creep, by 0.07 % in 10 s of Poiseuille flow, and with it the viscosity.
-  void constrain_volume() {
+  void correct_density() {
     if constexpr (Left::template keeps<VolumeConstraint>) {
+      if (steps() % steps_between_corrections != 0) return;
       Scalars& rho = near_.all.rho;
       rho *= scene_.fluid.density / static_cast<double>(near_.all.fluid) * rho.inverse().sum();
     }
