@@ -3,9 +3,9 @@
 
 #include "solvers/mpm/composed/composed.hpp"
 #include "solvers/mpm/composed/densities/affine_density.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/mpm/splines/splines.hpp"
 #include "vnv/flows/gated_dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/methods/sph_of_parts.hpp"
@@ -41,7 +41,7 @@ Variant mpm_variant(std::string name, const AnyScene& scene) {
   });
 }
 template <class Transfer, class Density, class Force = Uniform>
-using Fast = mpm::Splines<Transfer, Density, Tait, Force>;
+using Fast = mpm::InLanes<mpm::BSpline<2>, Transfer, Density, Tait, Force>;
 template <class Shape, class Transfer, class Density>
 using Plain = mpm::Composed<Shape, Transfer, Density, Tait, Uniform>;
 

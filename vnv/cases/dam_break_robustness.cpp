@@ -181,7 +181,10 @@ std::vector<Method> methods() {
           of_mpm,
           {at_least(first_end, 0.25, baseline("0.277 s in 148 runs, 16 of which ended early")),
            at_most(ended, 30, baseline("16 of 148 runs when first measured")),
-           at_most(most_energy_made, 0.6, baseline("0.51 when first measured: cell crossings with linear hats"))},
+           at_most(
+               most_energy_made, 0.8,
+               baseline("0.51 and 0.63 by builds that round differently; from more starts, 422 runs, 0.63 and 0.65: "
+                        "cell crossings with linear hats"))},
           [](const auto& s) { return mpm_as_printed(s, sampled_every, 0.2); }),
       as_printed(of_printed_sph,
                  {at_most(ended, 8, baseline("3 of 128 runs when first measured, through the walls of its tall jets")),

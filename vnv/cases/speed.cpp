@@ -3,9 +3,9 @@
 
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/mpm/affine/affine.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/least_squares/least_squares.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/splines/splines.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/free_surface/diffusion/antuono.hpp"
 #include "solvers/sph/free_surface/free_surface.hpp"
@@ -125,7 +125,8 @@ Run race_splines(const Level& level, const Schedule&) {
   constexpr double time_step = 2 * dam_mpm_step;
   constexpr long lead = 1000, stretch = 3000;
   return race(
-      Repeated(mpm::on_splines<Transfer, mpm::AffineDensity>(dam(), mpm_settings(level, time_step)), lead, stretch),
+      Repeated(mpm::in_lanes<mpm::BSpline<2>, Transfer, mpm::AffineDensity>(dam(), mpm_settings(level, time_step)),
+               lead, stretch),
       MlsMpm(plain(dam()), level.cell, level.spacing, time_step), lead);
 }
 

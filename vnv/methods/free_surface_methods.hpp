@@ -1,5 +1,5 @@
 #pragma once
-/// Methods made of parts (solvers/mpm/splines/splines.hpp, solvers/sph/free_surface/free_surface.hpp), as flows with
+/// Methods made of parts (solvers/mpm/lanes/in_lanes.hpp, solvers/sph/free_surface/free_surface.hpp), as flows with
 /// a free surface run them.
 
 #include "vnv/methods/methods.hpp"

@@ -1,8 +1,6 @@
 #include "vnv/methods/methods.hpp"
 
-#include "solvers/mpm/composed/composed.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/shapes/gimp.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "vnv/methods/scenes.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +9,7 @@ namespace touchstone::vnv {
 
 template <class AnyScene>
 Simulation mpm_gimp_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::composed<mpm::Gimp, mpm::Flip>(scene,
+  return mpm::in_lanes<mpm::Gimp, mpm::Flip>(scene,
                                              {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 

@@ -1,13 +1,13 @@
 #include "vnv/methods/free_surface_methods.hpp"
 
-#include "solvers/mpm/splines/splines.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "vnv/methods/scenes.hpp"
 
 namespace touchstone::vnv {
 
 template <class Transfer, class AnyScene>
 Simulation mpm_of_b_splines_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::on_splines<Transfer, mpm::AffineDensity>(
+  return mpm::in_lanes<mpm::BSpline<2>, Transfer, mpm::AffineDensity>(
       scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 

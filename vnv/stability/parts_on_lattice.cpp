@@ -3,15 +3,7 @@
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
-#include "solvers/mpm/composed/composed.hpp"
-#include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/densities/carried_density.hpp"
-#include "solvers/mpm/composed/transfers/apic.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/shapes/b_spline.hpp"
-#include "solvers/mpm/shapes/gimp.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/sph/free_surface/diffusion/antuono.hpp"
 #include "solvers/sph/free_surface/free_surface.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
@@ -40,7 +32,7 @@ LatticeMethod mpm_with(const std::string& name, const std::string& part) {
              part + ".",
          .relative_cost = 2},
         [=](const Level& level, double time_step) {
-          return mpm::composed<Shape, Transfer, Density>(
+          return mpm::in_lanes<Shape, Transfer, Density>(
               scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
         by_cells(scene, 0.4, output_interval));

@@ -1,5 +1,5 @@
 #pragma once
-#include "solvers/mpm/centre_nodes.hpp"
+#include "solvers/mpm/nodes_of_cells.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
 namespace touchstone::mpm {

@@ -1,6 +1,6 @@
 #pragma once
 #include "solvers/mpm/affine/particles.hpp"
-#include "solvers/mpm/centre_nodes.hpp"
+#include "solvers/mpm/nodes_of_cells.hpp"
 #include "solvers/mpm/shapes/quadratic_b_spline.hpp"
 
 namespace touchstone::mpm {

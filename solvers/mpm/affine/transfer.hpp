@@ -11,7 +11,7 @@ namespace touchstone::mpm {
 
 /// What a block of cells gives to its rows of nodes.
 template <class Number, class Block>
-[[gnu::flatten]] void give(const AffineParticles<Number>& particles, const Block& block, GivenToCentres<3>& to) {
+[[gnu::flatten]] void give(const AffineParticles<Number>& particles, const Block& block, GivenByCells<3, 3>& to) {
   const std::array given{mass_of(particles, block), momentum_of(particles, particles.x, block),
                          momentum_of(particles, particles.y, block)};
   const auto give_part = [&]<int part>(std::integral_constant<int, part>) {

@@ -6,10 +6,10 @@
 #include "solvers/mpm/composed/transfers/apic.hpp"
 #include "solvers/mpm/composed/transfers/flip.hpp"
 #include "solvers/mpm/composed/transfers/xpic.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "solvers/mpm/splines/splines.hpp"
 #include "solvers/mpm/testing.hpp"
 #include "solvers/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -25,11 +25,11 @@ struct Of {
     return composed<Shape, Transfer, Density>(as_one_kind(scene), settings);
   }
 };
-/// The same in the order of cells.
-template <class Transfer, class Density>
-struct InOrder {
+/// The same in lanes.
+template <class Shape, class Transfer, class Density = CarriedDensity>
+struct OfLanes {
   static auto solver(const auto& scene, const Settings& settings) {
-    return on_splines<Transfer, Density>(as_one_kind(scene), settings);
+    return in_lanes<Shape, Transfer, Density>(as_one_kind(scene), settings);
   }
 };
 using HatFlip = Of<LinearHat, Flip>;
@@ -37,9 +37,9 @@ using SplineApic = Of<BSpline<2>, Apic, AffineDensity>;
 
 template <class Parts>
 class ComposedMpm : public testing::Test {};
-using Variants =
-    testing::Types<HatFlip, Of<Gimp, Flip>, Of<BSpline<3>, Xpic<1>>, SplineApic, Of<BSpline<2>, Xpic<5>, AffineDensity>,
-                   InOrder<Apic, AffineDensity>, InOrder<Xpic<5>, CarriedDensity>>;
+using Variants = testing::Types<HatFlip, Of<Gimp, Flip>, Of<BSpline<3>, Xpic<1>>, SplineApic,
+                                Of<BSpline<2>, Xpic<5>, AffineDensity>, OfLanes<BSpline<2>, Apic, AffineDensity>,
+                                OfLanes<BSpline<2>, Xpic<5>>, OfLanes<Gimp, Flip>, OfLanes<BSpline<3>, Xpic<1>>>;
 TYPED_TEST_SUITE(ComposedMpm, Variants);
 
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.05, .time_step = 4e-3};

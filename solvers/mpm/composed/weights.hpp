@@ -4,6 +4,7 @@
 
 #include "solvers/mpm/grid.hpp"
 #include "solvers/mpm/shapes/along_axis.hpp"
+#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/threads.hpp"
 
 #include <algorithm>
@@ -56,17 +57,10 @@ class Weights {
            grid_.cell.cwiseProduct(Vec2(along_[0].place(node % columns()), along_[1].place(node / columns())));
   }
 
-  /// The nodes that alone carry what is at a wall. Throws std::invalid_argument if there are none: a wall off the grid,
-  /// or with wider shapes than hats one inside the domain or on a periodic boundary.
+  /// The nodes that alone carry what is at a wall. Throws std::invalid_argument if there are none, or for a wall off
+  /// the grid.
   std::vector<int> nodes_on(const Wall& wall) const {
-    const auto near = along_[wall.axis].near(grid_.line_of(wall));
-    const auto alone = std::find(near.weight.begin(), near.weight.end(), 1.0);
-    if (alone == near.weight.end())
-      throw std::invalid_argument(fmt::format(
-          "mpm: wall at {} = {:g} m, expected at an edge of the domain that is not periodic: this shape has no node "
-          "of its own elsewhere",
-          wall.axis == 0 ? "x" : "y", wall.position));
-    const int line = near.first + static_cast<int>(alone - near.weight.begin());
+    const int line = node_alone_at(grid_.line_of(wall), along_[wall.axis], wall);
     std::vector<int> found;
     for (int k = 0; k < (wall.axis == 0 ? rows() : columns()); ++k)
       found.push_back(wall.axis == 0 ? node_at(line, k) : node_at(k, line));

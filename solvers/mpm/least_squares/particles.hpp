@@ -2,8 +2,8 @@
 #include "solvers/integrators/fluid_state.hpp"
 #include "solvers/mpm/cell_order.hpp"
 #include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/lanes/within.hpp"
 #include "solvers/mpm/seed.hpp"
-#include "solvers/mpm/splines/within.hpp"
 
 namespace touchstone::mpm {
 

@@ -3,11 +3,9 @@
 
 #include "solvers/forces/uniform.hpp"
 #include "solvers/mpm/affine/affine.hpp"
-#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/least_squares/least_squares.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
-#include "solvers/mpm/shapes/gimp.hpp"
-#include "solvers/mpm/splines/splines.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 #include "solvers/sph/free_surface/diffusion/antuono.hpp"
 #include "solvers/sph/free_surface/free_surface.hpp"
@@ -97,10 +95,12 @@ void run_mpm() {
   run("mpm, single precision", [&] { return mpm::solver<mpm::PrescribedMotion, float>(channel, settings); });
   run("mpm_affine", [&] { return mpm::affine(dam, settings); });
   run("mpm_least_squares", [&] { return mpm::least_squares(channel, settings); });
-  run("mpm_apic", [&] { return mpm::on_splines<mpm::Apic, mpm::AffineDensity>(dam, settings); });
-  run("mpm_xpic", [&] { return mpm::on_splines<mpm::Xpic<5>, mpm::AffineDensity>(dam, settings); });
-  run("FLIP on B-splines", [&] { return mpm::on_splines<mpm::Flip, mpm::CarriedDensity>(dam, settings); });
-  run("mpm_gimp", [&] { return mpm::composed<mpm::Gimp, mpm::Flip>(dam, settings); });
+  run("mpm_apic", [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Apic, mpm::AffineDensity>(dam, settings); });
+  run("mpm_xpic", [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Xpic<5>, mpm::AffineDensity>(dam, settings); });
+  run("FLIP on B-splines",
+      [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Flip, mpm::CarriedDensity>(dam, settings); });
+  run("cubic B-splines", [&] { return mpm::in_lanes<mpm::BSpline<3>, mpm::Apic, mpm::AffineDensity>(dam, settings); });
+  run("mpm_gimp", [&] { return mpm::in_lanes<mpm::Gimp, mpm::Flip>(dam, settings); });
 }
 
 }  // namespace

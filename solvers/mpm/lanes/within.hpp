@@ -4,7 +4,7 @@
 /// its particles in powers and meets its nodes once; a field of the nodes is laid out in powers once for all its
 /// particles.
 
-#include "solvers/mpm/centre_nodes.hpp"
+#include "solvers/mpm/nodes_of_cells.hpp"
 
 namespace touchstone::mpm {
 
@@ -87,6 +87,7 @@ struct Place {
 
 /// Affine slope of X² and spread sum w_a (x_a - x)² [cells²] along an axis where splines are whole.
 struct WholeSplines {
+  static Place at(const Lanes& X) { return Place(X); }
   static Lanes affine_slope(const Place& at) { return at.XX * (6 - 4 * at.X); }
   static Lanes spread(const Place&) { return fill<Lanes>(0.25); }
 };
@@ -95,6 +96,7 @@ struct WholeSplines {
 struct CutSplines {
   Lanes low{}, high{};
 
+  static Place at(const Lanes& X) { return Place(X); }
   Lanes affine_slope(const Place& at) const {
     const Lanes rest = 1 - at.X;
     return 2 * at.X * (low + (1 - low) * at.X) * (1 + 2 * rest - high * (rest - at.X)) / (1 + low * rest + high * at.X);

@@ -1,29 +1,39 @@
 #pragma once
-/// The nodes of the method with quadratic B-splines, where splines are cut off, repeated or held at edges.
+/// The nodes of methods in lanes, and where these are the same, or splines are cut off, at edges.
 
-#include "solvers/mpm/centre_nodes.hpp"
 #include "solvers/mpm/composed/densities/affine_density.hpp"
+#include "solvers/mpm/lanes/shapes.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
 namespace touchstone::mpm {
 
-/// Where the splines of cells are not all alike. Cells give to, and see, nodes as if splines were whole and went on
-/// past the edges of the domain. At a periodic boundary the ghost behind it is a node on the other side. At another
-/// edge splines are cut off, as `BSpline` has them, with a node on the edge in place of the ghost: a field that is v
-/// there and u at the first node within is 2 v - u at the ghost, so what the ghost is given belongs twice to the node
-/// on the edge, and is taken from the first within.
+/// Where nodes are not all alike. Along a periodic axis the first nodes and the last are the same: of two, one is a
+/// ghost of the other. Quadratic B-splines give to nodes, and are seen, as if splines were whole and went on past the
+/// edges of the domain; at an edge that is not periodic they are cut off, as `BSpline` has them, with a node on the
+/// edge in place of the ghost: a field that is v there and u at the first node within is 2 v - u at the ghost, so what
+/// the ghost is given belongs twice to the node on the edge, and is taken from the first within.
+template <class Shape>
 class Edges {
+  static constexpr int touched = Shape::touched;
+
  public:
   explicit Edges(const Grid& grid) {
     const auto add = [&](int axis, int cells, bool periodic) {
-      lines_.push_back({axis, periodic, 0, periodic ? cells : 1});
-      lines_.push_back({axis, periodic, cells + 1, periodic ? 1 : cells});
+      constexpr int first = Shape::first_of_period;
+      if (periodic)
+        for (int k = 0; k < touched - 1; ++k)
+          k < first ? lines_.push_back({axis, true, k, k + cells})
+                    : lines_.push_back({axis, true, k + cells, first + (k - first) % cells});
+      else if (Shape::cut_at_edges) {
+        lines_.push_back({axis, false, 0, 1});
+        lines_.push_back({axis, false, cells + 1, cells});
+      }
     };
     add(0, grid.columns, grid.periodic_x);
     add(1, grid.rows, grid.periodic_y);
   }
 
-  void list_near(const CentreNodes& nodes) {
+  void list_near(const NodesOfCells<touched>& nodes) {
     for (Line& line : lines_) {
       line.ghosts.clear();
       line.step = (line.inner - line.at) * (line.axis == 0 ? 1 : nodes.stride);
@@ -70,10 +80,15 @@ class Edges {
 };
 
 /// What the nodes hold within a step. A node that is left out has no mass, and no velocity.
-class SplineNodes : public CentreNodes {
+template <class Shape>
+class LaneNodes : public NodesOfCells<Shape::touched> {
+  using Base = NodesOfCells<Shape::touched>;
+
  public:
-  SplineNodes(const Grid& grid, int block_width)
-      : CentreNodes(grid, block_width, 5),
+  using Base::near, Base::places;
+
+  LaneNodes(const Grid& grid, int block_width)
+      : Base(grid, block_width, 5),
         per_mass(places()),
         start(places()),
         velocity(places()),
@@ -86,11 +101,11 @@ class SplineNodes : public CentreNodes {
   NodeVectors velocity;     // m/s  with which the nodes move
   NodeVectors strained;     // m/s  by which the fluid is strained: particles gave it anew
   Field<double> expansion;  // -    that particles gave
-  Edges edges;
+  Edges<Shape> edges;
 
   template <int width>
   void list_near(const CellOrder<width>& order) {
-    CentreNodes::list_near(order);
+    Base::list_near(order);
     edges.list_near(*this);
   }
   bool moves(int node) const { return per_mass[node] > 0; }
@@ -139,7 +154,7 @@ class SplineNodes : public CentreNodes {
 
  private:
   void collect(int field, Field<double>& sum, int threads) {
-    for_near(near(), threads, [&](int node) { store(given(field, node), &sum[node]); });
+    for_near(near(), threads, [&](int node) { store(this->given(field, node), &sum[node]); });
     edges.fold(sum);
   }
 };

@@ -57,12 +57,12 @@ struct GradientOf<AffineDensity> {
 
 /// The state of all particles.
 template <class FluidLaw, class Transfer, class Density>
-struct SplineParticles : ParticlesInCells<double> {
+struct LaneParticles : ParticlesInCells<double> {
   VelocityOf<Transfer> x, y;  // components of the velocity
   GradientOf<Density> gradient;
   Stress<FluidLaw, double> stress;
 
-  SplineParticles(Index n, double mass_of_each, CellOrder<lanes> cells)
+  LaneParticles(Index n, double mass_of_each, CellOrder<lanes> cells)
       : ParticlesInCells<double>(n, mass_of_each, std::move(cells)),
         x(this->order.slots()),
         y(this->order.slots()),
@@ -86,7 +86,7 @@ struct SplineParticles : ParticlesInCells<double> {
 
 /// Sets a particle going, with the affine velocity of its velocity's slopes and the stress of these and its density.
 template <class FluidLaw, class Transfer, class Density>
-void begin(SplineParticles<FluidLaw, Transfer, Density>& particles, int slot, const Beginning& there,
+void begin(LaneParticles<FluidLaw, Transfer, Density>& particles, int slot, const Beginning& there,
            const FluidLaw& fluid, const Vec2& cell, double /*dt*/) {
   particles.x.v[slot] = there.v.x();
   particles.y.v[slot] = there.v.y();

@@ -1,7 +1,8 @@
 #pragma once
-/// Walls of the method with quadratic B-splines: across the domain at its edges, and with an extent anywhere within.
+/// Walls of methods in lanes: across the domain, and with an extent.
 
-#include "solvers/mpm/splines/nodes.hpp"
+#include "solvers/mpm/lanes/nodes.hpp"
+#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {
@@ -10,9 +11,11 @@ namespace touchstone::mpm {
 /// held at the wall by the impulse that takes the least energy, shared by the three nodes whose splines meet it. Fluid
 /// may leave it: what moves off is left alone, so that it never pulls.
 class PartialSplineWall {
+  using Nodes = LaneNodes<ShapeInLanes<BSpline<2>>>;
+
  public:
   /// Throws std::invalid_argument for a wall less than a cell from an edge of the domain, where splines are cut off.
-  PartialSplineWall(const Wall& wall, const Grid& grid, const SplineNodes& nodes) : wall_(wall) {
+  PartialSplineWall(const Wall& wall, const Grid& grid, const Nodes& nodes) : wall_(wall) {
     const int axis = wall.axis, cells = axis == 0 ? grid.columns : grid.rows;
     const double place = (wall.position - grid.box.low[axis]) / grid.cell[axis];
     if (!(place >= 1 && place <= cells - 1) || (axis == 0 ? grid.periodic_y : grid.periodic_x))
@@ -31,7 +34,7 @@ class PartialSplineWall {
   }
 
   /// Holds velocities at the wall, at a time [s].
-  void hold(const SplineNodes& nodes, double time, NodeVectors& velocity) const {
+  void hold(const Nodes& nodes, double time, NodeVectors& velocity) const {
     const Range part = wall_.extent(time);
     for (const auto& [first, place] : rows_) {
       if (place < part.low || place > part.high) continue;
@@ -61,37 +64,47 @@ class PartialSplineWall {
   int step_;  // from a node to the next across the wall
 };
 
+/// No wall with an extent.
+struct NoPartialWall {
+  template <class Nodes>
+  NoPartialWall(const Wall& wall, const Grid& grid, const Nodes&) {
+    grid.line_of(wall);  // which refuses it
+  }
+  template <class Nodes>
+  static void hold(const Nodes&, double, NodeVectors&) {}
+};
+
 /// The nodes on walls, each with its walls in the order of the scene.
-class SplineWalls {
+template <class Shape>
+class LaneWalls {
+  using InLanes = ShapeInLanes<Shape>;
+  using Nodes = LaneNodes<InLanes>;
+
  public:
-  /// Throws std::invalid_argument for a wall anywhere but at an edge of the domain that is not periodic.
-  SplineWalls(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const SplineNodes& nodes)
+  /// Throws std::invalid_argument for a wall where the shape has no node of its own, or with an extent if it holds
+  /// none.
+  LaneWalls(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const InLanes& shape,
+            const Nodes& nodes)
       : walls_(walls) {
+    const std::array along{NodesAlong(grid.columns, grid.periodic_x, shape.reach(0)),
+                           NodesAlong(grid.rows, grid.periodic_y, shape.reach(1))};
     for (std::size_t wall = 0; wall < walls.size(); ++wall) {
       if (walls[wall].is_partial()) {
         partial_.emplace_back(walls[wall], grid, nodes);
         continue;
       }
-      const int axis = walls[wall].axis, line = grid.line_of(walls[wall]), cells = axis == 0 ? grid.columns : grid.rows;
-      if ((axis == 0 ? grid.periodic_x : grid.periodic_y) || (line > 0 && line < cells))
-        throw std::invalid_argument(fmt::format(
-            "mpm: wall at {} = {:g} m, expected at an edge of the domain that is not periodic: this shape has no node "
-            "of its own elsewhere",
-            axis == 0 ? "x" : "y", walls[wall].position));
-      const int at = line == 0 ? 0 : cells + 1;
-      const bool other_periodic = axis == 0 ? grid.periodic_y : grid.periodic_x;
-      const int others = axis == 0 ? grid.rows : grid.columns;
-      for (int k = other_periodic; k < others + 2 - other_periodic; ++k) {
+      const int axis = walls[wall].axis, at = along[axis].alone_at(grid.line_of(walls[wall]), walls[wall]);
+      for (int k = along[1 - axis].begin(); k < along[1 - axis].end(); ++k) {
         const int column = axis == 0 ? at : k, row = axis == 0 ? k : at;
-        const Vec2 along(place(column, grid.columns, grid.periodic_x), place(row, grid.rows, grid.periodic_y));
+        const Vec2 place(along[0].place(column), along[1].place(row));
         all_.push_back(
-            {row * nodes.stride + column, wall, start.velocity_at(grid.box.low + grid.cell.cwiseProduct(along))});
+            {row * nodes.stride + column, wall, start.velocity_at(grid.box.low + grid.cell.cwiseProduct(place))});
       }
     }
     std::stable_sort(all_.begin(), all_.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
   }
 
-  void list_near(const CentreNodes& nodes) {
+  void list_near(const Nodes& nodes) {
     held_.clear();
     for (int first : nodes.near()) {
       auto held =
@@ -101,13 +114,13 @@ class SplineWalls {
   }
 
   /// Makes velocities those of the walls, at a time [s].
-  void hold(const SplineNodes& nodes, double time, NodeVectors& velocity) const {
+  void hold(const Nodes& nodes, double time, NodeVectors& velocity) const {
     for (const Held& held : held_)
       if (nodes.moves(held.node)) velocity.set(held.node, walls_[held.wall].at_wall(velocity[held.node], time));
-    for (const PartialSplineWall& wall : partial_) wall.hold(nodes, time, velocity);
+    for (const PartialWall& wall : partial_) wall.hold(nodes, time, velocity);
   }
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
-  void hold_motion(SplineNodes& nodes, double start, double dt, bool first_step) const {
+  void hold_motion(Nodes& nodes, double start, double dt, bool first_step) const {
     for (auto held = held_.begin(); held < held_.end();) {
       const int node = held->node;
       NodeAtWall at_wall{nodes.start[node], nodes.velocity[node], start, start + dt, first_step, held->of_scene};
@@ -116,7 +129,7 @@ class SplineWalls {
       nodes.start.set(node, at_wall.before);
       nodes.velocity.set(node, at_wall.after);
     }
-    for (const PartialSplineWall& wall : partial_) {
+    for (const PartialWall& wall : partial_) {
       wall.hold(nodes, start, nodes.start);
       wall.hold(nodes, start + dt, nodes.velocity);
     }
@@ -128,14 +141,37 @@ class SplineWalls {
     std::size_t wall;
     Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
   };
-  /// Of a column or row of nodes [cells from the low edge].
-  static double place(int node, int cells, bool periodic) {
-    return periodic ? node % cells - 0.5 : std::clamp(node - 0.5, 0.0, static_cast<double>(cells));
-  }
+  /// The columns or rows of nodes, as the shape lies along an axis.
+  class NodesAlong {
+   public:
+    NodesAlong(int cells, bool periodic, double reach)
+        : cells_(cells), periodic_(periodic), along_(Axis{cells, periodic, reach}) {}
+
+    /// Those that are no ghosts of others.
+    int begin() const { return periodic_ ? InLanes::first_of_period : 0; }
+    int end() const { return periodic_ ? begin() + cells_ : cells_ + InLanes::touched - 1; }
+    /// Of a node [cells from the low edge].
+    double place(int node) const {
+      const int of_shape = node - InLanes::first_node;
+      return along_.place(periodic_ ? (of_shape + cells_) % cells_ : of_shape);
+    }
+    /// As `node_alone_at`.
+    int alone_at(int line, const Wall& wall) const {
+      const int node = node_alone_at(line, along_, wall) + InLanes::first_node;
+      return periodic_ ? begin() + (node - begin()) % cells_ : node;
+    }
+
+   private:
+    int cells_;
+    bool periodic_;
+    AlongAxis<Shape> along_;
+  };
+
+  using PartialWall = std::conditional_t<InLanes::holds_partial_walls, PartialSplineWall, NoPartialWall>;
 
   std::vector<Wall> walls_;
   std::vector<Held> all_, held_;
-  std::vector<PartialSplineWall> partial_;
+  std::vector<PartialWall> partial_;
 };
 
 }  // namespace touchstone::mpm

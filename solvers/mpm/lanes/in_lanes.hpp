@@ -1,28 +1,31 @@
 #pragma once
-/// The material point method with quadratic B-splines cut off at the edges of the domain (`BSpline<2>`), stress last
-/// (MUSL): what `composed` does with this shape, equal but for rounding, over particles in the order of their cells.
+/// The material point method made of parts that are chosen by type: what `composed` does, equal but for rounding, over
+/// particles in the order of their cells, as many side by side as a vector register holds.
 
+#include "solvers/mpm/lanes/densities.hpp"
 #include "solvers/mpm/simulation.hpp"
-#include "solvers/mpm/splines/densities.hpp"
 #include "solvers/mpm/walls/contact.hpp"
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Transfer` and `Density` are names of those of `composed`; walls prescribe the motion of
-/// their nodes.
-template <class Transfer, class Density, class FluidLaw, class Force>
-class Splines : public SimulationInCells<Splines<Transfer, Density, FluidLaw, Force>,
-                                         SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force> {
-  using Base = SimulationInCells<Splines, SplineParticles<FluidLaw, Transfer, Density>, SplineNodes, FluidLaw, Force>;
+/// One simulation of a scene. `Shape`, `Transfer` and `Density` are names of those of `composed`; walls prescribe the
+/// motion of their nodes. The stress comes last (MUSL).
+template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
+class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, FluidLaw, Force>,
+                                         LaneParticles<FluidLaw, Transfer, Density>, LaneNodes<ShapeInLanes<Shape>>,
+                                         FluidLaw, Force> {
+  using Base = SimulationInCells<InLanes, LaneParticles<FluidLaw, Transfer, Density>, LaneNodes<ShapeInLanes<Shape>>,
+                                 FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:
   using Base::time, Base::time_step;
 
-  /// Throws std::invalid_argument as its base does, and for a wall anywhere but at an edge of the domain.
-  Splines(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+  /// Throws std::invalid_argument as its base does, and for a wall where the shape has no node of its own.
+  InLanes(const Scene<FluidLaw, Force>& scene, const Settings& settings)
       : Base(scene, settings),
-        walls_(scene.walls, scene.start, grid_, nodes_),
+        shape_(grid_, lattice(scene.filled, settings.spacing, scene.domain.box).step),
+        walls_(scene.walls, scene.start, grid_, shape_, nodes_),
         contact_(scene.walls, grid_),
         transfer_(nodes_) {
     begin_gradients();
@@ -34,15 +37,16 @@ class Splines : public SimulationInCells<Splines<Transfer, Density, FluidLaw, Fo
 
  private:
   friend Base;
+  using Moved = TransferInLanes<Transfer, ShapeInLanes<Shape>>;
 
   /// m_i, (m v)_i, (12), (13)
   void scatter() {
     this->push_particles([&](int slot, const Vec2& dv) { transfer_.push(particles_, slot, dv); });
     const Vec2 dt_per_cell = time_step() * grid_.cell.cwiseInverse();
     const auto give = [&](int index, const auto& block, auto& to) __attribute__((flatten)) {
-      transfer_.template give<Local<Force>>(particles_, index, block, grid_, dt_per_cell, to);
+      transfer_.template give<Local<Force>>(particles_, index, block, shape_, dt_per_cell, to);
     };
-    give_by_rows<InCells<Transfer>::given>(particles_.order, threads_, nodes_, give);
+    give_by_rows<Moved::given>(particles_.order, threads_, nodes_, give);
   }
   /// (10), (11), (14)
   void accelerate() {
@@ -51,14 +55,14 @@ class Splines : public SimulationInCells<Splines<Transfer, Density, FluidLaw, Fo
   }
   /// (16), (17)
   void remap() {
-    transfer_.gather(nodes_, grid_, threads_, particles_);
+    transfer_.gather(nodes_, shape_, threads_, particles_);
     walls_.hold(nodes_, time() + time_step(), nodes_.strained);
     nodes_.edges.unfold(nodes_.strained);
   }
   /// (18), (19), (32), (33), (15)
   void gather() {
-    const StepOf<FluidLaw> step{grid_, scene_.fluid, time_step(), threads_, has_room_};
-    DensityInCells<Density>::update(transfer_, nodes_, step, particles_, calm_);
+    const StepOf<ShapeInLanes<Shape>, FluidLaw> step{grid_, shape_, scene_.fluid, time_step(), threads_, has_room_};
+    DensityInLanes<Density>::update(transfer_, nodes_, step, particles_, calm_);
   }
 
   void meet_walls(int slot, int cell) {
@@ -88,15 +92,16 @@ class Splines : public SimulationInCells<Splines<Transfer, Density, FluidLaw, Fo
   }
 
   bool has_room_ = has_room(particles_.mass * static_cast<double>(particles_.count), scene_);
-  SplineWalls walls_;
+  ShapeInLanes<Shape> shape_;
+  LaneWalls<Shape> walls_;
   WallContact contact_;
-  InCells<Transfer> transfer_;
+  Moved transfer_;
 };
 
-/// A simulation of a scene: `mpm::on_splines<mpm::Apic, mpm::AffineDensity>(tank, {.cell = ...})`.
-template <class Transfer, class Density = CarriedDensity, class FluidLaw, class Force>
-auto on_splines(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
-  return Splines<Transfer, Density, FluidLaw, Force>(scene, settings);
+/// A simulation of a scene: `mpm::in_lanes<mpm::BSpline<2>, mpm::Apic, mpm::AffineDensity>(tank, {.cell = ...})`.
+template <class Shape, class Transfer, class Density = CarriedDensity, class FluidLaw, class Force>
+auto in_lanes(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
+  return InLanes<Shape, Transfer, Density, FluidLaw, Force>(scene, settings);
 }
 
 }  // namespace touchstone::mpm

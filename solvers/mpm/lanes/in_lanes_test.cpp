@@ -1,4 +1,4 @@
-#include "solvers/mpm/splines/splines.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 
 #include "solvers/forces/rolling.hpp"
 #include "solvers/forces/skin_friction.hpp"
@@ -30,12 +30,12 @@ WallVelocity any_wall(Dice& dice) {
   return no_slip({dice.between(-0.1, 0.1), 0});
 }
 
-/// Fluid anywhere in one to ten oblong cells along each axis, with empty cells and lonely particles, walls or periodic
+/// Fluid anywhere in up to ten oblong cells along each axis, with empty cells and lonely particles, walls or periodic
 /// boundaries at all edges, moving and compressed unevenly.
 template <class FluidLaw, class Force>
-Scene<FluidLaw, Force> random_scene(unsigned seed, const FluidLaw& fluid, const Force& force) {
+Scene<FluidLaw, Force> random_scene(unsigned seed, const FluidLaw& fluid, const Force& force, int least_cells) {
   Dice dice(seed);
-  const Vec2 size(0.1 * (1 + dice.below(10)), 0.09 * (1 + dice.below(10)));
+  const Vec2 size(0.1 * (least_cells + dice.below(10)), 0.09 * (least_cells + dice.below(10)));
   const Vec2 stretch(dice.between(-1, 1), dice.between(-1, 1)), filled(dice.between(0.3, 1), dice.between(0.3, 1));
   Scene<FluidLaw, Force> scene{
       .domain = {.box = {.high = size}, .periodic_x = dice.below(3) == 0, .periodic_y = dice.below(3) == 0},
@@ -73,12 +73,12 @@ bool diverges(Solver& solver) {
 }
 
 /// Compares all that particles have over a few steps; returns how many until the run ends.
-template <class Transfer, class Density, class FluidLaw, class Force>
+template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 int compare_steps(const Scene<FluidLaw, Force>& scene) {
   constexpr int most = 5;
   const Settings settings{.cell = 0.095, .spacing = 0.045, .time_step = 2e-3};
-  auto plain = composed<BSpline<2>, Transfer, Density>(scene, settings);
-  auto fast = on_splines<Transfer, Density>(scene, settings);
+  auto plain = composed<Shape, Transfer, Density>(scene, settings);
+  auto fast = in_lanes<Shape, Transfer, Density>(scene, settings);
   const auto expect_same = [](const char* what, const auto& a, const auto& b) {
     EXPECT_LE((a - b).abs().maxCoeff(), 1e-11 * b.abs().maxCoeff()) << what;
   };
@@ -95,30 +95,52 @@ int compare_steps(const Scene<FluidLaw, Force>& scene) {
   return most;
 }
 
-template <class Transfer, class Density, class FluidLaw, class Force>
+template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 void expect_as_composed(const FluidLaw& fluid, const Force& force) {
   int steps = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
-    steps += compare_steps<Transfer, Density>(random_scene(seed, fluid, force));
+    steps +=
+        compare_steps<Shape, Transfer, Density>(random_scene(seed, fluid, force, std::same_as<Shape, Gimp> ? 2 : 1));
   }
   EXPECT_GT(steps, 150);  // of 200
 }
 
 constexpr Tait water{.density = 1000, .bulk_modulus = 2000};
+const Newtonian thick{water, 2};
+const ForceField stirred = stirring({0.8, 0.7}, 3);
+const Uniform gravity{{0.3, -1}};
 
-TEST(Splines, DoWithAnyPartsWhatPlainLoopsDo) {
-  const Newtonian thick{water, 2};
-  const ForceField stirred = stirring({0.8, 0.7}, 3);
-  const Uniform gravity{{0.3, -1}};
-  expect_as_composed<Apic, CarriedDensity>(water, NoForce{});
-  expect_as_composed<Apic, AffineDensity>(thick, stirred);
-  expect_as_composed<Flip, CarriedDensity>(thick, stirred);
-  expect_as_composed<Flip, AffineDensity>(water, gravity);
-  expect_as_composed<Xpic<1>, AffineDensity>(thick, NoForce{});
-  expect_as_composed<Xpic<2>, CarriedDensity>(thick, gravity);
-  expect_as_composed<Xpic<5>, CarriedDensity>(water, stirred);
-  expect_as_composed<Xpic<5>, AffineDensity>(water, gravity);
+// Each shape with each transfer and each density, each transfer with each density, fluid and force.
+
+TEST(InLanes, DoWithQuadraticSplinesAndAnyPartsWhatPlainLoopsDo) {
+  using Shape = BSpline<2>;
+  expect_as_composed<Shape, Apic, CarriedDensity>(water, NoForce{});
+  expect_as_composed<Shape, Apic, AffineDensity>(thick, stirred);
+  expect_as_composed<Shape, Flip, CarriedDensity>(thick, stirred);
+  expect_as_composed<Shape, Flip, AffineDensity>(water, gravity);
+  expect_as_composed<Shape, Xpic<1>, AffineDensity>(thick, NoForce{});
+  expect_as_composed<Shape, Xpic<2>, CarriedDensity>(thick, gravity);
+  expect_as_composed<Shape, Xpic<5>, CarriedDensity>(water, stirred);
+  expect_as_composed<Shape, Xpic<5>, AffineDensity>(water, gravity);
+}
+
+TEST(InLanes, DoWithLinearHatsAndAnyPartsWhatPlainLoopsDo) {
+  expect_as_composed<LinearHat, Flip, CarriedDensity>(thick, gravity);
+  expect_as_composed<LinearHat, Apic, AffineDensity>(water, stirred);
+  expect_as_composed<LinearHat, Xpic<2>, AffineDensity>(thick, NoForce{});
+}
+
+TEST(InLanes, DoWithGimpAndAnyPartsWhatPlainLoopsDo) {
+  expect_as_composed<Gimp, Flip, CarriedDensity>(thick, stirred);
+  expect_as_composed<Gimp, Apic, CarriedDensity>(thick, gravity);
+  expect_as_composed<Gimp, Xpic<3>, AffineDensity>(water, NoForce{});
+}
+
+TEST(InLanes, DoWithCubicSplinesAndAnyPartsWhatPlainLoopsDo) {
+  expect_as_composed<BSpline<3>, Flip, AffineDensity>(thick, NoForce{});
+  expect_as_composed<BSpline<3>, Apic, CarriedDensity>(water, gravity);
+  expect_as_composed<BSpline<3>, Xpic<2>, CarriedDensity>(thick, stirred);
 }
 
 /// Water 0.3 m long and 0.2 m high at rest at the left end of a tank, behind a gate between two rows of nodes.
@@ -135,8 +157,8 @@ Scene<Tait, Uniform> behind_a_gate(const WallExtent& extent) {
           .start = {.pressure = [](const Vec2& x) { return water.density * g * (0.2 - x.y()); }}};
 }
 auto run_behind_a_gate(const WallExtent& extent, int steps) {
-  auto tank =
-      on_splines<Apic, AffineDensity>(behind_a_gate(extent), {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  auto tank = in_lanes<BSpline<2>, Apic, AffineDensity>(behind_a_gate(extent),
+                                                        {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
   for (int step = 0; step < steps; ++step) tank.step();
   return tank.samples();
 }
@@ -158,9 +180,9 @@ TEST(AGate, DoesNotHoldBackWaterThatLeavesIt) {
   auto scene = behind_a_gate([](double) { return Range{0, 1}; });
   scene.body_force = {{-1, 0}};
   scene.start = {};
-  auto tank = on_splines<Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  auto tank = in_lanes<BSpline<2>, Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
   scene.walls.pop_back();
-  auto open = on_splines<Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  auto open = in_lanes<BSpline<2>, Apic, AffineDensity>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
   for (int step = 0; step < 20; ++step) tank.step(), open.step();
   EXPECT_EQ(tank.samples().x, open.samples().x);
 }
@@ -170,7 +192,8 @@ TEST(AGate, IsRefusedCloserThanACellToAnEdgeAndByMethodsWithoutPartialWalls) {
   EXPECT_THROW((composed<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
                std::invalid_argument);
   scene.walls.back().position = 0.78;
-  EXPECT_THROW((on_splines<Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})), std::invalid_argument);
+  EXPECT_THROW((in_lanes<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
+               std::invalid_argument);
 }
 
 TEST(SkinFriction, SlowsASlabAsItsWallsBear) {
@@ -182,7 +205,7 @@ TEST(SkinFriction, SlowsASlabAsItsWallsBear) {
                                  .walls = {floor_at(0, free_slip()), ceiling_at(0.2, free_slip())},
                                  .body_force = {Vec2::Zero(), c_f, layer, breadth}};
   slab.start.velocity = [=](const Vec2&) -> Vec2 { return {U, 0}; };
-  auto run = on_splines<Apic, AffineDensity>(slab, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3});
+  auto run = in_lanes<BSpline<2>, Apic, AffineDensity>(slab, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3});
   for (int step = 0; step < 1000; ++step) run.step();
   const double expected = U / (1 + k * U);  // 1.41 m/s after 1 s
   EXPECT_NEAR(run.samples().v.row(0).minCoeff(), expected, 1e-3);
@@ -211,7 +234,7 @@ TEST(ARollingTank, SeesALoneParticleFlyItsParabola) {
   // As seen from the tank, which is upright and turns at 2 rad/s.
   const Vec2 r = from - roll.pivot;
   scene.start.velocity = [=](const Vec2&) -> Vec2 { return v - 2 * Vec2(-r.y(), r.x()); };
-  auto tank = on_splines<Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 1e-4});
+  auto tank = in_lanes<BSpline<2>, Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 1e-4});
   for (int step = 0; step < 4000; ++step) tank.step();
   EXPECT_LT((tank.samples().x.col(0) - in_tank(flight(0.4), 0.4)).norm(), 1e-3) << tank.samples().x.col(0);
 }
@@ -222,7 +245,7 @@ TEST(AffineDensity, ForgetsHowFarLoneParticlesWereTorn) {
                  ceiling_at(1, free_slip())};
   scene.start.places = [](const Vectors&) -> Vectors { return (Vectors(2, 1) << 0.47, 0.52).finished(); };
   scene.start.velocity = [](const Vec2& x) -> Vec2 { return 10 * (x - Vec2(0.47, 0.52)); };  // m/s  it expands
-  auto drop = on_splines<Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
+  auto drop = in_lanes<BSpline<2>, Apic, AffineDensity>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
   for (int step = 0; step < 200; ++step) {
     drop.step();
     ASSERT_GE(drop.samples().density[0], water.density / 1.0031);
@@ -235,7 +258,7 @@ auto beside_the_floor() {
   scene.walls = {floor_at(0, free_slip())};
   scene.start.places = [](const Vectors&) -> Vectors { return Vec2(0.47, 1e-4); };
   scene.start.pressure = [](const Vec2&) { return -0.01 * water.density * std::pow(water.sound_speed(), 2); };
-  return on_splines<Xpic<5>>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
+  return in_lanes<BSpline<2>, Xpic<5>>(scene, {.cell = 0.1, .spacing = 0.05, .time_step = 2e-3});
 }
 
 TEST(ContactOfMpm, HoldsWhatItsTensionDrawsThroughAWall) {
@@ -248,10 +271,10 @@ TEST(ContactOfMpm, HoldsWhatItsTensionDrawsThroughAWall) {
 }
 
 TEST(ContactOfMpm, DoesNotTouchWaterAtRest) {
-  auto tank = on_splines<Xpic<5>, AffineDensity>(behind_a_gate([](double) {
-                                                   return Range{0, 1};
-                                                 }),
-                                                 {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
+  auto tank = in_lanes<BSpline<2>, Xpic<5>, AffineDensity>(behind_a_gate([](double) {
+                                                             return Range{0, 1};
+                                                           }),
+                                                           {.cell = 0.04, .spacing = 0.02, .time_step = 4e-3});
   for (int step = 0; step < 500; ++step) tank.step();
   EXPECT_EQ(tank.contacts().particles, 0);
 }
