@@ -101,8 +101,26 @@ std::vector<Claim> near_ghia(double of_24_across, const std::vector<Flow>& at, s
   };
   add(of_24_across, flows[0].at(24), first_measured);
   for (const Flow& flow : at) add(2, flow.at(100), ghia);
-  more.push_back(at_most(change_of_energy, 0.5, theory("the published flow is steady")));
   return more;
+}
+
+const Claim steady = at_most(change_of_energy, 0.5, theory("the published flow is steady"));
+std::vector<Claim> steady_and(std::vector<Claim> more) {
+  more.push_back(steady);
+  return more;
+}
+/// Particles that mix fluctuate, the more the fewer they are: with 24 across that alone makes up to 0.5 %/s over 5 s.
+std::vector<Claim> steady_on_average() {
+  std::vector<Claim> all;
+  for (const Level& level : all_levels)
+    all.push_back(
+        (level.name == flows[0].at(24)
+             ? at_most(change_of_energy, 1,
+                       baseline("fluctuates by 0.21 %/s, the standard deviation of 40 times 5 s in eight runs "
+                                "that differ by their steps; over 8 s 0.10"))
+             : steady)
+            .on(level.name));
+  return all;
 }
 
 std::vector<Plot> profiles() {
@@ -141,8 +159,9 @@ Case vnv::the_case() {
        .findings = {unsteadiness(0, steady_for)},
        .methods = {in_cavity(affine, coarse_levels, within(5, flows[0].at(24), first_measured)),
                    in_cavity(least_squares, all_levels,
-                             near_ghia(8, {flows[0]}, within(11, flows[2].at(100), first_measured))),
-                   mixing(in_cavity(second_order, all_levels, near_ghia(2.1, {flows.begin(), flows.end()})))},
+                             near_ghia(8, {flows[0]}, steady_and(within(11, flows[2].at(100), first_measured)))),
+                   mixing(in_cavity(second_order, all_levels,
+                                    near_ghia(2.1, {flows.begin(), flows.end()}, steady_on_average())))},
        .plots = {kinetic_energy_over_time(0, {flows[0].at(100), flows[1].at(100), flows[2].at(100)}), work(),
                  snapshots({"speed",
                             "Speed at Re 1000",
