@@ -1,6 +1,8 @@
 #pragma once
 /// Shapes as blocks of cells see them, one cell a lane: with(block, work) calls work(along_x, along_y), whose at(X) is
-/// what is needed of a place. The shapes are named by the types of `composed`.
+/// what is needed of a place; with_affine(block, work) the same, whose affine_slope(place) is of the affine velocity,
+/// too. The shapes are named by the types of `composed`, whose node k along an axis is `first_node` + k here; of nodes
+/// that are the same, along a periodic axis, those from `first_of_period` on are no ghosts (`Edges`).
 
 #include "solvers/mpm/lanes/weights.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
