@@ -7,6 +7,7 @@
 #include "solvers/integrators/predictor_corrector.hpp"
 #include "solvers/sph/flow.hpp"
 #include "solvers/sph/free_surface/free_surface.hpp"
+#include "solvers/sph/second_order/second_order.hpp"
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"
 #include "solvers/stepping/clock.hpp"
 
@@ -449,6 +450,134 @@ class PlainFreeSurface
 
   Terms terms_;
   PartsOfMethod parts_;
+};
+
+/// As `SecondOrder`: each fit by a factorisation of its own.
+template <class Kernel, class Integrator, class FluidLaw, class Force>
+class PlainSecondOrder : public PlainSimulation<PlainSecondOrder<Kernel, Integrator, FluidLaw, Force>, Kernel,
+                                                Integrator, Packed<double>, FluidLaw, Force> {
+  using Base = PlainSimulation<PlainSecondOrder, Kernel, Integrator, Packed<double>, FluidLaw, Force>;
+  using Base::all_, Base::seen_, Base::scene_, Base::h_, Base::spacing_;
+
+ public:
+  PlainSecondOrder(const Scene<FluidLaw, Force>& scene, const Settings& settings)
+      : Base(scene, settings, drift_fields), mean_density_(all_.rho.mean()) {}
+
+ private:
+  friend Base;
+
+  void spread_particles() {
+    this->for_fluid([&](Index i) {
+      move(i, this->time_step() * Vec2(all_.carried[drift_x][i], all_.carried[drift_y][i]));
+      for (const Wall& wall : scene_.walls)
+        if (const double missing = 0.25 * spacing_ - wall.distance(this->place(i)); missing > 0)
+          move(i, missing * wall.normal());
+    });
+  }
+  /// Takes a particle somewhere else in the flow around it [m].
+  void move(Index i, const Vec2& way) {
+    const auto change = [&](DriftField along_x, DriftField along_y) {
+      return way.dot(Vec2(all_.carried[along_x][i], all_.carried[along_y][i]));
+    };
+    all_.x[i] += way.x(), all_.y[i] += way.y();
+    all_.vx[i] += change(vx_along_x, vx_along_y), all_.vy[i] += change(vy_along_x, vy_along_y);
+    all_.rho[i] += change(rho_along_x, rho_along_y);
+  }
+  void correct_density() { all_.rho += mean_density_ - all_.rho.mean(); }
+
+  /// Ghosts on the straight line from the fluid's mean through the velocity at the wall, with what the body force adds
+  /// to its pressure on the way.
+  void see_extrapolated_ghosts(double time) {
+    const auto equal = [](Index) { return 1.0; };
+    for (Index g = all_.fluid; g < this->originals(); ++g) {
+      const auto& [x, behind] = this->ghosts_[static_cast<std::size_t>(g - all_.fluid)];
+      seen_[g].stand_at(x.x(), x.y());
+      seen_[g].move(0, 0);
+      seen_[g].set_state(scene_.fluid.density, 0);
+      auto v = this->mean_at(g, equal, [&](Index j) { return Vec2(seen_[j].vx, seen_[j].vy); });
+      if (!v) continue;
+      const Vec2 from = *this->mean_at(g, equal, [&](Index j) { return Vec2(seen_[j].x, seen_[j].y); });
+      double p = *this->mean_at(g, equal, [&](Index j) { return seen_[j].p; });
+      for (const int w : behind) {
+        const Wall& wall = scene_.walls[w];
+        const double away = std::max(wall.distance(from), 0.4 * spacing_);
+        const Vec2 at_wall = wall.at_wall(*v, time, away);
+        *v = at_wall + wall.distance(x) / away * (*v - at_wall);
+      }
+      if constexpr (is_present<Force>) p -= scene_.fluid.density * scene_.body_force(from, time).dot(from - x);
+      seen_[g].move(v->x(), v->y());
+      seen_[g].set_state(scene_.fluid.density_at(p), p);
+    }
+    this->copy_over_periods();
+  }
+
+  template <bool of_density, bool of_velocity>
+  void find(double time) {
+    this->see_fluid();
+    see_extrapolated_ghosts(time);
+    const double c = scene_.fluid.sound_speed(), of_rho = 0.5 * c / spacing_, of_v = std::min(8 * strain_rate_, of_rho);
+    this->for_fluid([&](Index i) {
+      const auto [v_x, v_y, p, centre] = fits_around(i);
+      const double rho = all_.rho[i], per_c2 = 1 / scene_.fluid.pressure_slope(rho);
+      const auto slope = [&](const Fit& q) { return Vec2(q[1] / h_, q[2] / h_); };
+      const auto second = [&](const Fit& q) { return Mat2{{2 * q[3], q[4]}, {q[4], 2 * q[5]}} / (h_ * h_); };
+      all_.drho[i] = of_rho * per_c2 * p[0] - rho * (slope(v_x).x() + slope(v_y).y());
+      Vec2 a = of_v * Vec2(v_x[0], v_y[0]) - slope(p) / rho;
+      if constexpr (Viscous<FluidLaw>) {
+        const Mat2 of_x = second(v_x), of_y = second(v_y);
+        a += scene_.fluid.viscosity / rho *
+             (Vec2(of_x.trace(), of_y.trace()) + Vec2(of_x(0, 0) + of_y(0, 1), of_x(0, 1) + of_y(1, 1)) / 3);
+      }
+      a += this->body_force(i, time);
+      all_.ax[i] = a.x(), all_.ay[i] = a.y();
+      const auto keep = [&](DriftField along_x, DriftField along_y, const Vec2& what) {
+        all_.carried[along_x][i] = what.x(), all_.carried[along_y][i] = what.y();
+      };
+      keep(drift_x, drift_y, -c * centre / h_);
+      keep(vx_along_x, vx_along_y, slope(v_x));
+      keep(vy_along_x, vy_along_y, slope(v_y));
+      keep(rho_along_x, rho_along_y, per_c2 * slope(p));
+    });
+    strain_rate_ = 0;
+    for (const DriftField slope : {vx_along_x, vx_along_y, vy_along_x, vy_along_y})
+      strain_rate_ = std::max(strain_rate_, all_.carried[slope].abs().maxCoeff());
+  }
+
+  /// What a fit leaves, then its factors of x, y, x², xy, y² [h].
+  using Fit = std::array<double, 6>;
+  struct Fits {
+    Fit v_x, v_y, p;
+    Vec2 centre;  // m  of the neighbours
+  };
+  /// Best polynomials through what a particle has, weighted by the kernel.
+  Fits fits_around(Index i) const {
+    std::vector<std::array<double, 9>> rows;  // weight, x, y, x², xy, y², then differences of v_x, v_y, p
+    this->sum(i, [&](Index j) {
+      const Packed<double>&self = seen_[i], &other = seen_[j];
+      const double x = (other.x - self.x) / h_, y = (other.y - self.y) / h_;
+      rows.push_back({Kernel::w(std::hypot(x, y)), x, y, x * x, x * y, y * y, other.vx - self.vx, other.vy - self.vy,
+                      other.p - self.p});
+      return 0;
+    });
+    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>> all(
+        rows.data()->data(), static_cast<Index>(rows.size()), 9);
+    const Eigen::ArrayXd weights = all.col(0), roots = weights.sqrt();
+    const Eigen::MatrixXd monomials = all.middleCols<5>(1), values = all.rightCols<3>(),
+                          factors = (monomials.array().colwise() * roots)
+                                        .matrix()
+                                        .colPivHouseholderQr()
+                                        .solve((values.array().colwise() * roots).matrix());
+    const Eigen::Vector3d rest =
+        (weights.matrix().transpose() * (values - monomials * factors)).transpose() / weights.sum();
+    const auto fit = [&](int k) {
+      return Fit{rest[k], factors(0, k), factors(1, k), factors(2, k), factors(3, k), factors(4, k)};
+    };
+    return {fit(0), fit(1), fit(2),
+            h_ * (weights.matrix().transpose() * monomials.leftCols<2>()).transpose() / weights.sum()};
+  }
+
+  double mean_density_;     // kg/m³
+  double strain_rate_ = 0;  // 1/s  the largest slope of a velocity
 };
 
 }  // namespace touchstone::sph

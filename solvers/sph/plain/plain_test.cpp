@@ -138,6 +138,23 @@ TEST(PlainSph, IsWhatSphWithATransportVelocityDoes) {
       1.2, momentum(Pressure{}, MonaghanClearyViscosity{.mu = mu}));
 }
 
+template <class Kernel, class Integrator>
+void expect_second_order_as_plain(double ratio) {
+  const Settings settings = settings_with(ratio);
+  expect_same(
+      20, 1, [&](const auto& scene) { return second_order<Kernel, Integrator>(scene, settings); },
+      [&](const auto& scene) {
+        using SceneOfRun = std::remove_cvref_t<decltype(scene)>;
+        return PlainSecondOrder<Kernel, Integrator, decltype(SceneOfRun::fluid), decltype(SceneOfRun::body_force)>(
+            scene, settings);
+      });
+}
+
+TEST(PlainSph, IsWhatSphOfSecondOrderDoes) {
+  expect_second_order_as_plain<WendlandC2, AdamsBashforth>(1.3);
+  expect_second_order_as_plain<CubicSpline, PredictorCorrector>(1.4);
+}
+
 TEST(PlainSph, IsWhatSphForFreeSurfacesDoes) {
   const auto diffusion = [](double ratio) { return Antuono{.sound_speed = c, .h = ratio * spacing}; };
   const auto artificial = [](double ratio) {
