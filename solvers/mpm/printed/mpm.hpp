@@ -39,11 +39,14 @@ class Mpm
   void accelerate() {
     mpm::accelerate(nodes_, common_acceleration(scene_.body_force), grid_.cell, time_step(), threads_);  // (10) - (14)
     wall_nodes_.hold(nodes_, grid_, time(), time_step());  // (14) at walls
+    nodes_.show_first_column(nodes_.change);
+    nodes_.show_first_column(nodes_.displacement);
   }
   void remap() {
     scatter_changes(particles_, masses_, threads_, nodes_);   // (16) as (17) sees it
     remap_velocity(nodes_, threads_);                         // (17)
     wall_nodes_.hold_remapped(nodes_, time() + time_step());  // (17) at walls
+    nodes_.show_first_column(nodes_.velocity);
   }
   /// (15), (16), (18), (19)
   void gather() { mpm::gather(nodes_, grid_, scene_.fluid, time_step(), threads_, particles_, calm_); }

@@ -94,6 +94,15 @@ class Nodes {
     near_.clear();
     std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(near_));
     if (periodic_y_) add_images_of_rows();
+    first_of_rows_.clear();
+    if (periodic_x_)
+      std::copy_if(near_.begin(), near_.end(), std::back_inserter(first_of_rows_),
+                   [this](int node) { return node % stride == 0; });
+  }
+  /// Has the last column have what the first has, across the periodic boundary. What it was given lacks what a row of
+  /// cells that does not reach it gave to the first.
+  void show_first_column(NodeVectors& of) const {
+    for (const int first : first_of_rows_) of.set(first + columns_, of[first]);
   }
 
   /// Whether cells that end at this column have their right corners in the first column of nodes.
@@ -125,6 +134,8 @@ class Nodes {
     fields.fill(Field<double>(places));
     return fields;
   }
+  /// Whether the last column, which need not be visited, is in a register of its own.
+  bool last_column_is_alone() const { return periodic_x_ && columns_ % lanes == 0; }
   int places(const Grid& grid) const {
     return stride * (grid.rows + 1) + lanes;
   }  // a register more to read past the end
@@ -142,7 +153,8 @@ class Nodes {
     for (const Block* block = begin; block < end; ++block) {
       for (int lane = 0; lane < width; lane += lanes) nodes.push_back(first + block->column + lane);
       const bool last = block + 1 == end || block[1].column > block->column + width;
-      if (last && block->column + width < stride) nodes.push_back(first + block->column + width);
+      if (last && block->column + width < (last_column_is_alone() ? columns_ : stride))
+        nodes.push_back(first + block->column + width);
     }
   }
 
@@ -159,7 +171,7 @@ class Nodes {
   int columns_;
   bool periodic_x_, periodic_y_;
   int top_;  // the first node of the last row
-  std::vector<int> near_;
+  std::vector<int> near_, first_of_rows_;
 };
 
 }  // namespace touchstone::mpm
