@@ -203,6 +203,8 @@ TEST(AGate, IsRefusedCloserThanACellToAnEdgeAndByMethodsWithoutPartialWalls) {
   auto scene = behind_a_gate([](double) { return Range{0, 1}; });
   EXPECT_THROW((composed<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
                std::invalid_argument);
+  EXPECT_THROW((in_lanes<Gimp, Flip>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
+               std::invalid_argument);
   scene.walls.back().position = 0.78;
   EXPECT_THROW((in_lanes<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
                std::invalid_argument);

@@ -77,14 +77,13 @@ struct NoPartialWall {
 /// The nodes on walls, each with its walls in the order of the scene.
 template <class Shape>
 class LaneWalls {
-  using InLanes = ShapeInLanes<Shape>;
-  using Nodes = LaneNodes<InLanes>;
+  using Form = ShapeInLanes<Shape>;
+  using Nodes = LaneNodes<Form>;
 
  public:
   /// Throws std::invalid_argument for a wall where the shape has no node of its own, or with an extent if it holds
   /// none.
-  LaneWalls(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const InLanes& shape,
-            const Nodes& nodes)
+  LaneWalls(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Form& shape, const Nodes& nodes)
       : walls_(walls) {
     const std::array along{NodesAlong(grid.columns, grid.periodic_x, shape.reach(0)),
                            NodesAlong(grid.rows, grid.periodic_y, shape.reach(1))};
@@ -148,16 +147,16 @@ class LaneWalls {
         : cells_(cells), periodic_(periodic), along_(Axis{cells, periodic, reach}) {}
 
     /// Those that are no ghosts of others.
-    int begin() const { return periodic_ ? InLanes::first_of_period : 0; }
-    int end() const { return periodic_ ? begin() + cells_ : cells_ + InLanes::touched - 1; }
+    int begin() const { return periodic_ ? Form::first_of_period : 0; }
+    int end() const { return periodic_ ? begin() + cells_ : cells_ + Form::touched - 1; }
     /// Of a node [cells from the low edge].
     double place(int node) const {
-      const int of_shape = node - InLanes::first_node;
+      const int of_shape = node - Form::first_node;
       return along_.place(periodic_ ? (of_shape + cells_) % cells_ : of_shape);
     }
     /// As `node_alone_at`.
     int alone_at(int line, const Wall& wall) const {
-      const int node = node_alone_at(line, along_, wall) + InLanes::first_node;
+      const int node = node_alone_at(line, along_, wall) + Form::first_node;
       return periodic_ ? begin() + (node - begin()) % cells_ : node;
     }
 
@@ -167,7 +166,7 @@ class LaneWalls {
     AlongAxis<Shape> along_;
   };
 
-  using PartialWall = std::conditional_t<InLanes::holds_partial_walls, PartialSplineWall, NoPartialWall>;
+  using PartialWall = std::conditional_t<Form::holds_partial_walls, PartialSplineWall, NoPartialWall>;
 
   std::vector<Wall> walls_;
   std::vector<Held> all_, held_;
