@@ -105,6 +105,9 @@ class Nodes {
     for (const int first : first_of_rows_) of.set(first + columns_, of[first]);
   }
 
+  /// Whether this is the last column, which need not be visited, in a register of its own.
+  bool last_column_is_alone_at(int column) const { return periodic_x_ && columns_ % lanes == 0 && column == columns_; }
+
   /// Whether cells that end at this column have their right corners in the first column of nodes.
   bool at_periodic_boundary(int end_column) const { return periodic_x_ && end_column >= columns_; }
 
@@ -134,8 +137,6 @@ class Nodes {
     fields.fill(Field<double>(places));
     return fields;
   }
-  /// Whether the last column, which need not be visited, is in a register of its own.
-  bool last_column_is_alone() const { return periodic_x_ && columns_ % lanes == 0; }
   int places(const Grid& grid) const {
     return stride * (grid.rows + 1) + lanes;
   }  // a register more to read past the end
@@ -153,8 +154,8 @@ class Nodes {
     for (const Block* block = begin; block < end; ++block) {
       for (int lane = 0; lane < width; lane += lanes) nodes.push_back(first + block->column + lane);
       const bool last = block + 1 == end || block[1].column > block->column + width;
-      if (last && block->column + width < (last_column_is_alone() ? columns_ : stride))
-        nodes.push_back(first + block->column + width);
+      const int next = block->column + width;
+      if (last && next < stride && !last_column_is_alone_at(next)) nodes.push_back(first + next);
     }
   }
 

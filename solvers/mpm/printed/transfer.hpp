@@ -33,8 +33,10 @@ class GivenByRow {
     waiting = {corners[1], corners[3]};
   }
   /// Gives what waits to the nodes from `column` on, where no block follows; a row that ends within a block leaves
-  /// nothing to give.
+  /// nothing to give. What waits for a last column that nobody visits is left for `close_boundary`.
   void finish(int column) {
+    crosses_ = nodes_.last_column_is_alone_at(column);
+    if (crosses_) return;
     if (column == nodes_.stride)
       waiting_.fill({});
     else
@@ -42,10 +44,17 @@ class GivenByRow {
   }
   /// Adds what both images of a node on a periodic boundary were given.
   void close_boundary() {
-    with_indices<last - first + 1>([&](auto... i) {
-      (nodes_.join_images(nodes_.from_above[first + i], low_), ...);
-      (nodes_.join_images(nodes_.from_below[first + i], high_), ...);
-    });
+    const auto close = [&](auto i) {
+      Field<double>&above = nodes_.from_above[first + i], &below = nodes_.from_below[first + i];
+      if (crosses_) {
+        above[low_] += waiting_[i].low[lanes - 1];
+        below[high_] += waiting_[i].high[lanes - 1];
+      } else {
+        nodes_.join_images(above, low_);
+        nodes_.join_images(below, high_);
+      }
+    };
+    for_indices<last - first + 1>(close);
   }
 
  private:
@@ -54,6 +63,7 @@ class GivenByRow {
   };
   Nodes& nodes_;
   int low_, high_;  // the first nodes below and above the row
+  bool crosses_ = false;
   std::array<Waiting, last - first + 1> waiting_;
 };
 
