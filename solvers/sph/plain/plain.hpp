@@ -520,7 +520,7 @@ class PlainSecondOrder : public PlainSimulation<PlainSecondOrder<Kernel, Integra
       const auto [v_x, v_y, p, centre] = fits_around(i);
       const double rho = all_.rho[i], per_c2 = 1 / scene_.fluid.pressure_slope(rho);
       const auto slope = [&](const Fit& q) { return Vec2(q[1] / h_, q[2] / h_); };
-      const auto second = [&](const Fit& q) { return Mat2{{2 * q[3], q[4]}, {q[4], 2 * q[5]}} / (h_ * h_); };
+      const auto second = [&](const Fit& q) -> Mat2 { return Mat2{{2 * q[3], q[4]}, {q[4], 2 * q[5]}} / (h_ * h_); };
       all_.drho[i] = of_rho * per_c2 * p[0] - rho * (slope(v_x).x() + slope(v_y).y());
       Vec2 a = of_v * Vec2(v_x[0], v_y[0]) - slope(p) / rho;
       if constexpr (Viscous<FluidLaw>) {
