@@ -2,6 +2,7 @@
 /// Walls of methods in lanes: across the domain, and with an extent.
 
 #include "solvers/mpm/lanes/nodes.hpp"
+#include "solvers/mpm/walls/held_nodes.hpp"
 #include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
@@ -74,7 +75,7 @@ struct NoPartialWall {
   static void hold(const Nodes&, double, NodeVectors&) {}
 };
 
-/// The nodes on walls, each with its walls in the order of the scene.
+/// The nodes on the walls of a scene, and how they are held there.
 template <class Shape>
 class LaneWalls {
   using Form = ShapeInLanes<Shape>;
@@ -87,6 +88,7 @@ class LaneWalls {
       : walls_(walls) {
     const std::array along{NodesAlong(grid.columns, grid.periodic_x, shape.reach(0)),
                            NodesAlong(grid.rows, grid.periodic_y, shape.reach(1))};
+    std::vector<HeldNode> all;
     for (std::size_t wall = 0; wall < walls.size(); ++wall) {
       if (walls[wall].is_partial()) {
         partial_.emplace_back(walls[wall], grid, nodes);
@@ -96,25 +98,18 @@ class LaneWalls {
       for (int k = along[1 - axis].begin(); k < along[1 - axis].end(); ++k) {
         const int column = axis == 0 ? at : k, row = axis == 0 ? k : at;
         const Vec2 place(along[0].place(column), along[1].place(row));
-        all_.push_back(
+        all.push_back(
             {row * nodes.stride + column, wall, start.velocity_at(grid.box.low + grid.cell.cwiseProduct(place))});
       }
     }
-    std::stable_sort(all_.begin(), all_.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
+    held_ = HeldNodes(std::move(all));
   }
 
-  void list_near(const Nodes& nodes) {
-    held_.clear();
-    for (int first : nodes.near()) {
-      auto held =
-          std::lower_bound(all_.begin(), all_.end(), first, [](const Held& h, int node) { return h.node < node; });
-      for (; held < all_.end() && held->node < first + lanes; ++held) held_.push_back(*held);
-    }
-  }
+  void list_near(const Nodes& nodes) { held_.list_near(nodes.near()); }
 
   /// Makes velocities those of the walls, at a time [s].
   void hold(const Nodes& nodes, double time, NodeVectors& velocity) const {
-    for (const Held& held : held_)
+    for (const HeldNode& held : held_)
       if (nodes.moves(held.node)) velocity.set(held.node, walls_[held.wall].at_wall(velocity[held.node], time));
     for (const PartialWall& wall : partial_) wall.hold(nodes, time, velocity);
   }
@@ -135,11 +130,6 @@ class LaneWalls {
   }
 
  private:
-  struct Held {
-    int node;
-    std::size_t wall;
-    Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
-  };
   /// The columns or rows of nodes, as the shape lies along an axis.
   class NodesAlong {
    public:
@@ -169,7 +159,7 @@ class LaneWalls {
   using PartialWall = std::conditional_t<Form::holds_partial_walls, PartialSplineWall, NoPartialWall>;
 
   std::vector<Wall> walls_;
-  std::vector<Held> all_, held_;
+  HeldNodes held_;
   std::vector<PartialWall> partial_;
 };
 

@@ -1,36 +1,28 @@
 #pragma once
 #include "solvers/mpm/printed/nodes.hpp"
+#include "solvers/mpm/walls/held_nodes.hpp"
 #include "solvers/mpm/walls/node_at_wall.hpp"
 #include "solvers/scene.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace touchstone::mpm {
 
-/// The nodes on the walls of a scene, each with its walls in the order of the scene: two in a corner, applied in turn.
-/// Only those near particles are held.
+/// The nodes on the walls of a scene, and how they are held there.
 class WallNodes {
  public:
   /// Throws std::invalid_argument for a wall off the grid.
   WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Nodes& nodes,
             WallTreatment treatment)
       : walls_(walls), treat_(treatment) {
+    std::vector<HeldNode> all;
     for (std::size_t wall = 0; wall < walls.size(); ++wall)
       for (int node : grid.nodes_on(walls[wall]))
-        for (int image : nodes.images(node, grid))
-          all_.push_back({image, static_cast<int>(wall), start.velocity_at(grid.place_of(node))});
-    std::stable_sort(all_.begin(), all_.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
+        for (int image : nodes.images(node, grid)) all.push_back({image, wall, start.velocity_at(grid.place_of(node))});
+    held_ = HeldNodes(std::move(all));
   }
 
-  void list_near(const Nodes& nodes) {
-    held_.clear();
-    for (int first : nodes.near()) {
-      auto held =
-          std::lower_bound(all_.begin(), all_.end(), first, [](const Held& h, int node) { return h.node < node; });
-      for (; held < all_.end() && held->node < first + lanes; ++held) held_.push_back(*held);
-    }
-  }
+  void list_near(const Nodes& nodes) { held_.list_near(nodes.near()); }
 
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
   void hold(Nodes& nodes, const Grid& grid, double start, double dt) const {
@@ -47,19 +39,15 @@ class WallNodes {
 
   /// Makes the remapped velocities those of the walls, at a time [s].
   void hold_remapped(Nodes& nodes, double time) const {
-    for (const Held& held : held_)
+    for (const HeldNode& held : held_)
       if (nodes.moves(held.node))
         nodes.velocity.set(held.node, walls_[held.wall].at_wall(nodes.velocity[held.node], time));
   }
 
  private:
-  struct Held {
-    int node, wall;
-    Vec2 of_scene;  // m/s  velocity of the fluid there when the run starts
-  };
   std::vector<Wall> walls_;
   WallTreatment treat_;
-  std::vector<Held> all_, held_;
+  HeldNodes held_;
 };
 
 }  // namespace touchstone::mpm

@@ -1,0 +1,43 @@
+#pragma once
+#include "solvers/fields.hpp"
+#include "solvers/mpm/cell_lanes.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace touchstone::mpm {
+
+/// A node on a wall.
+struct HeldNode {
+  int node;
+  std::size_t wall;  // of the scene
+  Vec2 of_scene;     // m/s  velocity of the fluid there when the run starts
+};
+
+/// The nodes on the walls of a scene, each with its walls in the order of the scene: two in a corner, applied in turn.
+/// Only those near particles are held.
+class HeldNodes {
+ public:
+  HeldNodes() = default;
+  explicit HeldNodes(std::vector<HeldNode> all) : all_(std::move(all)) {
+    std::stable_sort(all_.begin(), all_.end(), [](const HeldNode& a, const HeldNode& b) { return a.node < b.node; });
+  }
+
+  /// `near` are the first nodes of registers, ascending.
+  void list_near(const std::vector<int>& near) {
+    held_.clear();
+    for (int first : near) {
+      auto held =
+          std::lower_bound(all_.begin(), all_.end(), first, [](const HeldNode& h, int node) { return h.node < node; });
+      for (; held < all_.end() && held->node < first + lanes; ++held) held_.push_back(*held);
+    }
+  }
+  auto begin() const { return held_.begin(); }
+  auto end() const { return held_.end(); }
+
+ private:
+  std::vector<HeldNode> all_, held_;
+};
+
+}  // namespace touchstone::mpm
