@@ -30,23 +30,35 @@ class NodesOfCells {
   /// Registers beyond those of a block in which the block has nodes.
   static constexpr int registers_more = (touched - 1 + lanes - 1) / lanes;
 
-  /// `fields` are how many numbers a cell gives to a node at once.
-  NodesOfCells(const Grid& grid, int block_width, int fields)
+  NodesOfCells(const Grid& grid, int block_width)
       : stride(((grid.columns + block_width - 1) / block_width + (touched - 1 + block_width - 1) / block_width) *
                block_width),
         columns(grid.columns + touched - 1),
         rows(grid.rows + touched - 1),
         periodic_x_(grid.periodic_x),
-        periodic_y_(grid.periodic_y),
-        given_(fields) {
-    for (auto& parts : given_) parts.fill(Field<double>(places()));
-  }
+        periodic_y_(grid.periodic_y) {}
 
   const int stride, columns, rows;
+
+  /// For so many numbers that a cell gives to a node at once.
+  void make_room(int fields) {
+    given_.resize(fields);
+    for (auto& parts : given_) parts.fill(Field<double>(places()));
+  }
 
   int places() const { return stride * rows + lanes; }  // a register more to read past the end
   /// The first of each `lanes` nodes that may be near particles, ascending.
   const std::vector<int>& near() const { return near_; }
+
+  /// Calls work(node) for those on a column (axis 0) or row (1) of nodes.
+  template <class Work>
+  void for_near_on(int axis, int line, const Work& work) const {
+    for (int first : near_) {
+      const int column = first % stride, row = first / stride;
+      for (int lane = 0; lane < lanes; ++lane)
+        if ((axis == 0 ? column + lane : row) == line && column + lane < columns) work(first + lane);
+    }
+  }
 
   /// Where a row of cells gives to the rows of nodes that it touches, from below: `towards` 0 to touched - 1.
   void give(int field, int towards, int node, const Lanes& share) { store(share, &given_[field][towards][node]); }

@@ -103,6 +103,7 @@ class SimulationInCells : public Simulation<FluidLaw, Force> {
   /// Carries particles that left their cells to those they are in. Throws Diverged.
   void settle() {
     const auto settle_here = [&](int slot, int cell) {
+      if (is_calm(particles_, slot)) return cell;
       method().meet_walls(slot, cell);
       return mpm::settle(particles_, slot, cell, this->grid_, this->scene_.fluid, this->steps(), this->time());
     };

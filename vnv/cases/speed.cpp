@@ -2,7 +2,6 @@
 /// its other load cancel.
 
 #include "solvers/integrators/adams_bashforth.hpp"
-#include "solvers/mpm/affine/affine.hpp"
 #include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/least_squares/least_squares.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
@@ -84,7 +83,7 @@ auto race_mpm(const AnyScene& scene, double time_step) {
 }
 
 Run race_affine_mpm(const Level& level, const Schedule&) {
-  return race(mpm::affine(bench::channel(), mpm_settings(level, channel_step)),
+  return race(mpm::in_lanes<mpm::QuadraticBSpline, mpm::MlsApic>(bench::channel(), mpm_settings(level, channel_step)),
               MlsMpm(plain(bench::channel()), level.cell, level.spacing, channel_step));
 }
 

@@ -1,10 +1,6 @@
 #include "vnv/methods/energy_budgets.hpp"
 
-#include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/transfers/apic.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/xpic.hpp"
-#include "solvers/mpm/composed/with_budget.hpp"
+#include "solvers/mpm/plain/with_budget.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/sph/free_surface/kick_drift_kick_with_budget.hpp"

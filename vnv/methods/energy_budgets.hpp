@@ -14,7 +14,7 @@ inline const std::vector<Quantity> parts_of_energy{
     {"energy by walls", "J/m"},    {"energy by transfer", "J/m"},
     {"energy by shifting", "J/m"}, {"energy that no part accounts for", "J/m"}};
 
-/// delta-SPH, shifted and corrected SPH, and, as the plain `mpm::composed`, APIC, XPIC(5) and MPM as printed. Walls
+/// delta-SPH, shifted and corrected SPH, and, as the plain `mpm::plain`, APIC, XPIC(5) and MPM as printed. Walls
 /// with an extent are refused by MPM.
 std::vector<Method> methods_with_energy_budget(const Scene<Tait, Uniform>& scene, double output_interval);
 

@@ -1,11 +1,12 @@
-#include "solvers/mpm/affine/affine.hpp"
+#include "solvers/mpm/lanes/in_lanes.hpp"
 #include "vnv/methods/scenes.hpp"
 
 namespace touchstone::vnv {
 
 template <class AnyScene>
 Simulation mpm_affine_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::affine(scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+  return mpm::in_lanes<mpm::QuadraticBSpline, mpm::MlsApic>(
+      scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
 template <class AnyScene>

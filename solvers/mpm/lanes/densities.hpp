@@ -46,20 +46,24 @@ Lanes strained(Particles& particles, int slot, const Velocity& velocity, const A
   return before + (1 + before) * (step.dt * of_v.divergence());
 }
 
-/// Density, stress (32), (33) and place (15); true if the particles are still in their cells, with plausible densities.
+/// Place (15); true if the particles are still in their cells, with plausible densities.
+template <class Particles, class Write>
+Truth<Lanes> moved(Particles& particles, int slot, const Lanes& cells_x, const Lanes& cells_y, const Lanes& expansion,
+                   const Write& write) {
+  const Lanes to_x = load<Lanes>(&particles.X[slot]) + cells_x, to_y = load<Lanes>(&particles.Y[slot]) + cells_y;
+  write(to_x, &particles.X[slot]);
+  write(to_y, &particles.Y[slot]);
+  return (between(0, to_x, 1) & between(0, to_y, 1) & between(1 / most_density, 1 + expansion, 1 / least_density)) |
+         ~write.present;
+}
+/// Density, stress (32), (33) and place (15).
 template <class Particles, class Step, class Write>
 Truth<Lanes> settle_in(Particles& particles, int slot, const Lanes& expansion, const Step& step, const Write& write) {
   write(expansion, &particles.expansion[slot]);
   particles.stress.template update<Lanes>(slot, step.fluid, expansion,
                                           particles.stress.template kept_rates<Lanes>(slot), write);
-  const Lanes to_x = load<Lanes>(&particles.X[slot]) +
-                     step.dt * step.per_cell.x() * load<Lanes>(&particles.x.of_place()[slot]),
-              to_y = load<Lanes>(&particles.Y[slot]) +
-                     step.dt * step.per_cell.y() * load<Lanes>(&particles.y.of_place()[slot]);
-  write(to_x, &particles.X[slot]);
-  write(to_y, &particles.Y[slot]);
-  return (between(0, to_x, 1) & between(0, to_y, 1) & between(1 / most_density, 1 + expansion, 1 / least_density)) |
-         ~write.present;
+  return moved(particles, slot, step.dt * step.per_cell.x() * load<Lanes>(&particles.x.of_place()[slot]),
+               step.dt * step.per_cell.y() * load<Lanes>(&particles.y.of_place()[slot]), expansion, write);
 }
 
 template <class Density>
@@ -89,14 +93,14 @@ struct DensityInLanes<CarriedDensity> {
   }
 };
 
-template <>
-struct DensityInLanes<AffineDensity> {
+template <std::derived_from<AffineDensity> Density>
+struct DensityInLanes<Density> {
   template <class Transfer, class Shape, class Particles, class FluidLaw>
   static void update(const Transfer& transfer, LaneNodes<Shape>& nodes, const StepOf<Shape, FluidLaw>& step,
                      Particles& particles, std::vector<LaneBits>& calm) {
     give(transfer, nodes, step, particles);
     nodes.find_mean(0, nodes.expansion, step.threads);
-    if (step.has_room) nodes.bound_expansion(step.threads);
+    if (step.has_room) nodes.bound_expansion(Density::most_expansion, step.threads);
     nodes.edges.unfold(nodes.expansion);
     for_blocks(
         particles, nodes, step.threads, calm, [&](const auto& block, int node) __attribute__((flatten)) {
@@ -140,5 +144,9 @@ struct DensityInLanes<AffineDensity> {
     give_by_rows<1>(particles.order, step.threads, nodes, give_block);
   }
 };
+
+/// All that particles take after the remap.
+template <class Transfer, class Density>
+struct GatherInLanes : DensityInLanes<Density> {};
 
 }  // namespace touchstone::mpm

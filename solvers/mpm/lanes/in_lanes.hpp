@@ -1,15 +1,16 @@
 #pragma once
-/// The material point method made of parts that are chosen by type: what `composed` does, equal but for rounding, over
+/// The material point method made of parts that are chosen by type: what `plain` does, equal but for rounding, over
 /// particles in the order of their cells, as many side by side as a vector register holds.
 
-#include "solvers/mpm/lanes/densities.hpp"
+#include "solvers/mpm/lanes/mirrors.hpp"
+#include "solvers/mpm/lanes/mls.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/contact.hpp"
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Shape`, `Transfer` and `Density` are names of those of `composed`; walls prescribe the
-/// motion of their nodes. The stress comes last (MUSL).
+/// One simulation of a scene. `Shape`, `Transfer` and `Density` are those of `plain`; walls prescribe the motion of
+/// their nodes. The stress comes last (MUSL).
 template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, FluidLaw, Force>,
                                          LaneParticles<FluidLaw, Transfer, Density>, LaneNodes<ShapeInLanes<Shape>>,
@@ -28,6 +29,8 @@ class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, Fluid
         walls_(scene.walls, scene.start, grid_, shape_, nodes_),
         contact_(scene.walls, grid_),
         transfer_(nodes_) {
+    nodes_.make_room(Moved::given);
+    if constexpr (Moved::remaps) nodes_.strained = NodeVectors(nodes_.places());
     begin_gradients();
     list_near();
   }
@@ -37,6 +40,7 @@ class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, Fluid
 
  private:
   friend Base;
+  static_assert(std::same_as<Transfer, MlsApic> == std::same_as<Shape, QuadraticBSpline>);
   using Moved = TransferInLanes<Transfer, ShapeInLanes<Shape>>;
 
   /// m_i, (m v)_i, (12), (13)
@@ -55,14 +59,16 @@ class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, Fluid
   }
   /// (16), (17)
   void remap() {
-    transfer_.gather(nodes_, shape_, threads_, particles_);
-    walls_.hold(nodes_, time() + time_step(), nodes_.strained);
-    nodes_.edges.unfold(nodes_.strained);
+    if constexpr (Moved::remaps) {
+      transfer_.gather(nodes_, shape_, threads_, particles_);
+      walls_.hold(nodes_, time() + time_step(), nodes_.strained);
+      nodes_.edges.unfold(nodes_.strained);
+    }
   }
   /// (18), (19), (32), (33), (15)
   void gather() {
     const StepOf<ShapeInLanes<Shape>, FluidLaw> step{grid_, shape_, scene_.fluid, time_step(), threads_, has_room_};
-    DensityInLanes<Density>::update(transfer_, nodes_, step, particles_, calm_);
+    GatherInLanes<Transfer, Density>::update(transfer_, nodes_, step, particles_, calm_);
   }
 
   void meet_walls(int slot, int cell) {
@@ -74,7 +80,8 @@ class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, Fluid
   }
 
   void begin_gradients() {
-    if constexpr (std::same_as<Density, AffineDensity>) {
+    if constexpr (std::derived_from<Density, AffineDensity>) {
+      nodes_.expansion = Field<double>(nodes_.places());
       if (scene_.start.at_rest()) return;
       const auto expansion = [&](const Vec2& x) { return expansion_at(x, scene_.start, scene_.fluid); };
       particles_.order.for_each([&](int cell, int slot) {

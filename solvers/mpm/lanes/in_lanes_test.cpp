@@ -2,7 +2,7 @@
 
 #include "solvers/forces/rolling.hpp"
 #include "solvers/forces/skin_friction.hpp"
-#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/plain/plain.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/testing.hpp"
@@ -95,12 +95,12 @@ int compare_steps(Plain plain, Fast fast, bool may_end_earlier = false) {
 }
 
 template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
-void expect_as_composed(const FluidLaw& fluid, const Force& force) {
+void expect_as_plain(const FluidLaw& fluid, const Force& force) {
   int steps = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(seed);
     const auto scene = random_scene(seed, fluid, force, std::same_as<Shape, Gimp> ? 2 : 1);
-    steps += compare_steps(composed<Shape, Transfer, Density>(scene, some_settings),
+    steps += compare_steps(plain<Shape, Transfer, Density>(scene, some_settings),
                            in_lanes<Shape, Transfer, Density>(scene, some_settings));
   }
   EXPECT_GT(steps, 150);  // of 200
@@ -115,20 +115,20 @@ const Uniform gravity{{0.3, -1}};
 
 TEST(InLanes, DoWithQuadraticSplinesAndAnyPartsWhatPlainLoopsDo) {
   using Shape = BSpline<2>;
-  expect_as_composed<Shape, Apic, CarriedDensity>(water, NoForce{});
-  expect_as_composed<Shape, Apic, AffineDensity>(thick, stirred);
-  expect_as_composed<Shape, Flip, CarriedDensity>(thick, stirred);
-  expect_as_composed<Shape, Flip, AffineDensity>(water, gravity);
-  expect_as_composed<Shape, Xpic<1>, AffineDensity>(thick, NoForce{});
-  expect_as_composed<Shape, Xpic<2>, CarriedDensity>(thick, gravity);
-  expect_as_composed<Shape, Xpic<5>, CarriedDensity>(water, stirred);
-  expect_as_composed<Shape, Xpic<5>, AffineDensity>(water, gravity);
+  expect_as_plain<Shape, Apic, CarriedDensity>(water, NoForce{});
+  expect_as_plain<Shape, Apic, AffineDensity>(thick, stirred);
+  expect_as_plain<Shape, Flip, CarriedDensity>(thick, stirred);
+  expect_as_plain<Shape, Flip, AffineDensity>(water, gravity);
+  expect_as_plain<Shape, Xpic<1>, AffineDensity>(thick, NoForce{});
+  expect_as_plain<Shape, Xpic<2>, CarriedDensity>(thick, gravity);
+  expect_as_plain<Shape, Xpic<5>, CarriedDensity>(water, stirred);
+  expect_as_plain<Shape, Xpic<5>, AffineDensity>(water, gravity);
 }
 
 TEST(InLanes, DoWithLinearHatsAndAnyPartsWhatPlainLoopsDo) {
-  expect_as_composed<LinearHat, Flip, CarriedDensity>(thick, gravity);
-  expect_as_composed<LinearHat, Apic, AffineDensity>(water, stirred);
-  expect_as_composed<LinearHat, Xpic<2>, AffineDensity>(thick, NoForce{});
+  expect_as_plain<LinearHat, Flip, CarriedDensity>(thick, gravity);
+  expect_as_plain<LinearHat, Apic, AffineDensity>(water, stirred);
+  expect_as_plain<LinearHat, Xpic<2>, AffineDensity>(thick, NoForce{});
 }
 
 TEST(PrintedMpm, DoesWithHatsAndFlipWhatPlainLoopsDo) {
@@ -137,22 +137,22 @@ TEST(PrintedMpm, DoesWithHatsAndFlipWhatPlainLoopsDo) {
     SCOPED_TRACE(seed);
     auto scene = random_scene(seed, thick, stirred, 1);
     scene.start.velocity = [](const Vec2&) -> Vec2 { return {0.1, -0.07}; };  // the same on both sides of a period
-    steps += compare_steps(composed<LinearHat, Flip>(scene, some_settings),
-                           solver<PrescribedMotion>(scene, some_settings), true);  // which has no contact with walls
+    steps += compare_steps(plain<LinearHat, Flip>(scene, some_settings), solver<PrescribedMotion>(scene, some_settings),
+                           true);  // which has no contact with walls
   }
   EXPECT_GT(steps, 150);  // of 200
 }
 
 TEST(InLanes, DoWithGimpAndAnyPartsWhatPlainLoopsDo) {
-  expect_as_composed<Gimp, Flip, CarriedDensity>(thick, stirred);
-  expect_as_composed<Gimp, Apic, CarriedDensity>(thick, gravity);
-  expect_as_composed<Gimp, Xpic<3>, AffineDensity>(water, NoForce{});
+  expect_as_plain<Gimp, Flip, CarriedDensity>(thick, stirred);
+  expect_as_plain<Gimp, Apic, CarriedDensity>(thick, gravity);
+  expect_as_plain<Gimp, Xpic<3>, AffineDensity>(water, NoForce{});
 }
 
 TEST(InLanes, DoWithCubicSplinesAndAnyPartsWhatPlainLoopsDo) {
-  expect_as_composed<BSpline<3>, Flip, AffineDensity>(thick, NoForce{});
-  expect_as_composed<BSpline<3>, Apic, CarriedDensity>(water, gravity);
-  expect_as_composed<BSpline<3>, Xpic<2>, CarriedDensity>(thick, stirred);
+  expect_as_plain<BSpline<3>, Flip, AffineDensity>(thick, NoForce{});
+  expect_as_plain<BSpline<3>, Apic, CarriedDensity>(water, gravity);
+  expect_as_plain<BSpline<3>, Xpic<2>, CarriedDensity>(thick, stirred);
 }
 
 /// Water 0.3 m long and 0.2 m high at rest at the left end of a tank, behind a gate between two rows of nodes.
@@ -201,7 +201,7 @@ TEST(AGate, DoesNotHoldBackWaterThatLeavesIt) {
 
 TEST(AGate, IsRefusedCloserThanACellToAnEdgeAndByMethodsWithoutPartialWalls) {
   auto scene = behind_a_gate([](double) { return Range{0, 1}; });
-  EXPECT_THROW((composed<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
+  EXPECT_THROW((plain<BSpline<2>, Apic>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
                std::invalid_argument);
   EXPECT_THROW((in_lanes<Gimp, Flip>(scene, {.cell = 0.04, .spacing = 0.02, .time_step = 1e-3})),
                std::invalid_argument);

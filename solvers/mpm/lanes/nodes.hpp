@@ -1,7 +1,6 @@
 #pragma once
 /// The nodes of methods in lanes, and where these are the same, or splines are cut off, at edges.
 
-#include "solvers/mpm/composed/densities/affine_density.hpp"
 #include "solvers/mpm/lanes/shapes.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
@@ -37,12 +36,7 @@ class Edges {
     for (Line& line : lines_) {
       line.ghosts.clear();
       line.step = (line.inner - line.at) * (line.axis == 0 ? 1 : nodes.stride);
-      for (int first : nodes.near()) {
-        const int column = first % nodes.stride, row = first / nodes.stride;
-        for (int lane = 0; lane < lanes; ++lane)
-          if ((line.axis == 0 ? column + lane : row) == line.at && column + lane < nodes.columns)
-            line.ghosts.push_back(first + lane);
-      }
+      nodes.for_near_on(line.axis, line.at, [&](int ghost) { line.ghosts.push_back(ghost); });
     }
   }
 
@@ -79,7 +73,8 @@ class Edges {
   std::vector<Line> lines_;
 };
 
-/// What the nodes hold within a step. A node that is left out has no mass, and no velocity.
+/// What the nodes hold within a step; parts of a method make room for what they need. A node that is left out has no
+/// mass, and no velocity.
 template <class Shape>
 class LaneNodes : public NodesOfCells<Shape::touched> {
   using Base = NodesOfCells<Shape::touched>;
@@ -88,18 +83,13 @@ class LaneNodes : public NodesOfCells<Shape::touched> {
   using Base::near, Base::places;
 
   LaneNodes(const Grid& grid, int block_width)
-      : Base(grid, block_width, 5),
-        per_mass(places()),
-        start(places()),
-        velocity(places()),
-        strained(places()),
-        expansion(places()),
-        edges(grid) {}
+      : Base(grid, block_width), per_mass(places()), velocity(places()), edges(grid) {}
 
-  Field<double> per_mass;   // 1/particles
-  NodeVectors start;        // m/s  that particles gave
-  NodeVectors velocity;     // m/s  with which the nodes move
-  NodeVectors strained;     // m/s  by which the fluid is strained: particles gave it anew
+  Field<double> per_mass;  // 1/particles
+  NodeVectors velocity;    // m/s  with which the nodes move
+  // Of those methods that need it:
+  NodeVectors start{0};     // m/s  that particles gave
+  NodeVectors strained{0};  // m/s  by which the fluid is strained: particles gave it anew
   Field<double> expansion;  // -    that particles gave
   Edges<Shape> edges;
 
@@ -109,6 +99,12 @@ class LaneNodes : public NodesOfCells<Shape::touched> {
     edges.list_near(*this);
   }
   bool moves(int node) const { return per_mass[node] > 0; }
+  /// Adds a mass [particles] that moves at v [m/s] to a node.
+  void join(int node, double mass, const Vec2& v, NodeVectors& velocity_of) {
+    const double before = moves(node) ? 1 / per_mass[node] : 0;
+    per_mass[node] = 1 / (before + mass);
+    velocity_of.set(node, per_mass[node] * (before * velocity_of[node] + mass * v));
+  }
 
   void find_mass(int threads) {
     collect(0, per_mass, threads);
@@ -135,9 +131,8 @@ class LaneNodes : public NodesOfCells<Shape::touched> {
       store(load<Lanes>(&one.y[node]) + times * load<Lanes>(&other.y[node]), &sum.y[node]);
     });
   }
-  /// As `AffineDensity` does.
-  void bound_expansion(int threads) {
-    const Lanes most = fill<Lanes>(AffineDensity::most_expansion);
+  void bound_expansion(double most_expansion, int threads) {
+    const Lanes most = fill<Lanes>(most_expansion);
     for_near(near(), threads, [&](int node) {
       const Lanes e = load<Lanes>(&expansion[node]);
       store(e > most ? most : e, &expansion[node]);

@@ -1,10 +1,7 @@
 #pragma once
 #include "solvers/mpm/beginning.hpp"
-#include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/transfers/apic.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/xpic.hpp"
 #include "solvers/mpm/particles.hpp"
+#include "solvers/mpm/parts.hpp"
 #include "solvers/mpm/stress.hpp"
 
 #include <concepts>
@@ -22,6 +19,10 @@ struct VelocityOf<Apic> {
   explicit VelocityOf(int slots) : v(slots), along_x(v), along_y(v) {}
   const Field<double>& of_place() const { return v; }
   auto fields() { return std::array{&v, &along_x, &along_y}; }
+};
+template <>
+struct VelocityOf<MlsApic> : VelocityOf<Apic> {  // of along_x, along_y the stress has taken what it gives in a step
+  using VelocityOf<Apic>::VelocityOf;
 };
 /// Where particles move with the nodes, and not with what they hold as their velocity.
 struct VelocityAndThatOfPlace {
@@ -47,20 +48,29 @@ struct GradientOf {
   explicit GradientOf(int) {}
   auto fields() { return std::array<Field<double>*, 0>{}; }
 };
-template <>
-struct GradientOf<AffineDensity> {
+template <std::derived_from<AffineDensity> Density>
+struct GradientOf<Density> {
   Field<double> along_x, along_y;  // -
 
   explicit GradientOf(int slots) : along_x(slots), along_y(slots) {}
   auto fields() { return std::array{&along_x, &along_y}; }
 };
 
+/// Of a transfer whose affine velocity holds what the stress gives.
+struct NoStress {
+  explicit NoStress(int) {}
+  template <class F>
+  static void for_fields(const F&) {}
+};
+template <class FluidLaw, class Transfer>
+using StressOf = std::conditional_t<std::same_as<Transfer, MlsApic>, NoStress, Stress<FluidLaw, double>>;
+
 /// The state of all particles.
 template <class FluidLaw, class Transfer, class Density>
 struct LaneParticles : ParticlesInCells<double> {
   VelocityOf<Transfer> x, y;  // components of the velocity
   GradientOf<Density> gradient;
-  Stress<FluidLaw, double> stress;
+  StressOf<FluidLaw, Transfer> stress;
 
   LaneParticles(Index n, double mass_of_each, CellOrder<lanes> cells)
       : ParticlesInCells<double>(n, mass_of_each, std::move(cells)),

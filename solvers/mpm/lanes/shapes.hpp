@@ -1,13 +1,14 @@
 #pragma once
 /// Shapes as blocks of cells see them, one cell a lane: with(block, work) calls work(along_x, along_y), whose at(X) is
 /// what is needed of a place; with_affine(block, work) the same, whose affine_slope(place) is of the affine velocity,
-/// too. The shapes are named by the types of `composed`, whose node k along an axis is `first_node` + k here; of nodes
+/// too. The shapes are named by the types of `plain`, whose node k along an axis is `first_node` + k here; of nodes
 /// that are the same, along a periodic axis, those from `first_of_period` on are no ghosts (`Edges`).
 
 #include "solvers/mpm/lanes/weights.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
+#include "solvers/mpm/shapes/quadratic_b_spline.hpp"
 
 #include <algorithm>
 
@@ -266,6 +267,18 @@ class ShapeInLanes<BSpline<2>> {
 
  private:
   Grid grid_;
+};
+/// The same that are whole up to walls, which mirror what is behind them (`LaneWalls<QuadraticBSpline>`).
+template <>
+class ShapeInLanes<QuadraticBSpline> : public ShapeInLanes<BSpline<2>> {
+ public:
+  static constexpr bool cut_at_edges = false;
+  using ShapeInLanes<BSpline<2>>::ShapeInLanes;
+
+  template <class Block, class Work>
+  static void with_affine(const Block&, const Work& work) {
+    work(WholeSplines{}, WholeSplines{});
+  }
 };
 
 }  // namespace touchstone::mpm

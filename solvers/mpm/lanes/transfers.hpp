@@ -37,6 +37,11 @@ auto stress_turn(const Stress<FluidLaw, double>& stress, int slot, const At& at,
     return NoTurn{};
 }
 
+template <int axis, int along, class At>
+NoTurn stress_turn(const NoStress&, int /*slot*/, const At&, const Vec2& /*dt_per_cell*/) {
+  return {};
+}
+
 /// Calls work(slot, X, Y) for all particles of a block; slots without one, at X = Y = 0, have nothing to add to a sum.
 template <class AlongX, class AlongY, class Particles, class Block, class Work>
 void for_places(const AlongX& along_x, const AlongY& along_y, const Particles& particles, const Block& block,
@@ -65,8 +70,9 @@ class TransferInLanes<Apic, Shape> {
 
  public:
   static constexpr int given = 3;
+  static constexpr bool remaps = true;
 
-  TransferInLanes(const Nodes&) {}
+  explicit TransferInLanes(const Nodes&) {}
 
   static void make_room(std::size_t /*blocks*/) {}
 
@@ -134,6 +140,14 @@ class TransferInLanes<Apic, Shape> {
   using Taken = NothingToTake;
 };
 
+/// Momentum, impulse and stress are one, and taken in one pass (`GatherInLanes`).
+template <class Shape>
+class TransferInLanes<MlsApic, Shape> : public TransferInLanes<Apic, Shape> {
+ public:
+  static constexpr bool remaps = false;
+  using TransferInLanes<Apic, Shape>::TransferInLanes;
+};
+
 /// For transfers in which particles take from the nodes by how these change.
 template <class Shape>
 class MomentumAndImpulseApart {
@@ -143,6 +157,9 @@ class MomentumAndImpulseApart {
 
  public:
   static constexpr int given = 5;
+  static constexpr bool remaps = true;
+
+  explicit MomentumAndImpulseApart(Nodes& nodes) { nodes.start = NodeVectors(nodes.places()); }
 
   template <class Particles>
   static void push(Particles& particles, int slot, const Vec2& dv) {
@@ -192,7 +209,7 @@ class TransferInLanes<Flip, Shape> : public MomentumAndImpulseApart<Shape> {
  public:
   using Base::given;
 
-  TransferInLanes(const Nodes&) {}
+  using Base::Base;
 
   static void make_room(std::size_t /*blocks*/) {}
 
@@ -241,7 +258,7 @@ class TransferInLanes<Xpic<m>, Shape> : public MomentumAndImpulseApart<Shape> {
  public:
   using Base::given;
 
-  TransferInLanes(const Nodes& nodes) : taken_(nodes.places()) {}
+  explicit TransferInLanes(Nodes& nodes) : Base(nodes), taken_(nodes.places()) {}
 
   void make_room(std::size_t blocks) { moments_.resize(blocks); }
 

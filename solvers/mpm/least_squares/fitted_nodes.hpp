@@ -39,7 +39,7 @@ class FittedNodes : public CentreNodes {
 
   /// Throws std::invalid_argument for fewer than three nodes along an axis.
   FittedNodes(const Grid& cells, int threads)
-      : CentreNodes(cells, lanes, 0), grid_(cells), threads_(threads), rows_of_cells_(threads, RowsOfCells(cells)) {
+      : CentreNodes(cells, lanes), grid_(cells), threads_(threads), rows_of_cells_(threads, RowsOfCells(cells)) {
     if (cells.columns < 3 || cells.rows < 3)
       throw std::invalid_argument(
           fmt::format("mpm: {} x {} nodes, expected at least 3 along each axis", cells.columns, cells.rows));

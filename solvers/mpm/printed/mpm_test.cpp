@@ -1,7 +1,6 @@
 #include "solvers/mpm/printed/mpm.hpp"
 
-#include "solvers/mpm/composed/composed.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
+#include "solvers/mpm/plain/plain.hpp"
 #include "solvers/mpm/start_tests.hpp"
 #include "solvers/mpm/testing.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -335,11 +334,11 @@ TEST(Mpm, RefusesInOneLine) {
             "lattice: spacing = 0.7 m, expected at most the box of 0.6 m x 0.6 m, and at most 1e+09 particles");
 }
 
-/// The fast transfer against the plain loops over particles and their four nodes of the composed method.
+/// The fast transfer against the plain loops over particles and their four nodes of plain MPM.
 template <class FluidLaw>
 void expect_equal_runs(const Scene<FluidLaw, ForceField>& scene, const Settings& settings, int steps) {
   auto fast = solver<PrescribedMotion>(scene, settings);
-  auto plain = composed<LinearHat, Flip>(scene, settings);
+  auto plain = mpm::plain<LinearHat, Flip>(scene, settings);
   for (int step = 0; step < steps; ++step) {
     fast.step();
     plain.step();

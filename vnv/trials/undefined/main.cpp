@@ -2,7 +2,6 @@
 /// with a report where a result comes to depend on memory that nobody has written; else it prints a line a run.
 
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/affine/affine.hpp"
 #include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/least_squares/least_squares.hpp"
 #include "solvers/mpm/printed/mpm.hpp"
@@ -93,7 +92,7 @@ void run_mpm() {
   const mpm::Settings settings{.cell = 2 * spacing, .spacing = spacing, .time_step = 2e-4};
   run("mpm", [&] { return mpm::solver<mpm::PrescribedMotion>(dam, settings); });
   run("mpm, single precision", [&] { return mpm::solver<mpm::PrescribedMotion, float>(channel, settings); });
-  run("mpm_affine", [&] { return mpm::affine(dam, settings); });
+  run("mpm_affine", [&] { return mpm::in_lanes<mpm::QuadraticBSpline, mpm::MlsApic>(dam, settings); });
   run("mpm_least_squares", [&] { return mpm::least_squares(channel, settings); });
   run("mpm_apic", [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Apic, mpm::AffineDensity>(dam, settings); });
   run("mpm_xpic", [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Xpic<5>, mpm::AffineDensity>(dam, settings); });

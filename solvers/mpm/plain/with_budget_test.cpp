@@ -1,9 +1,5 @@
-#include "solvers/mpm/composed/with_budget.hpp"
+#include "solvers/mpm/plain/with_budget.hpp"
 
-#include "solvers/mpm/composed/densities/affine_density.hpp"
-#include "solvers/mpm/composed/transfers/apic.hpp"
-#include "solvers/mpm/composed/transfers/flip.hpp"
-#include "solvers/mpm/composed/transfers/xpic.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 #include "solvers/testing.hpp"
@@ -34,7 +30,7 @@ EnergyBudget budget_of() {
 }
 template <class Shape, class Transfer, class Density>
 void expect_the_same_run() {
-  auto plain = composed<Shape, Transfer, Density>(dam, settings);
+  auto plain = mpm::plain<Shape, Transfer, Density>(dam, settings);
   WithBudget<Shape, Transfer, Density> with_budget(dam, settings);
   for (int k = 0; k < steps; ++k) plain.step(), with_budget.step();
   const Samples a = plain.samples(), b = with_budget.samples();

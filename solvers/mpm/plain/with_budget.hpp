@@ -1,17 +1,17 @@
 #pragma once
 #include "solvers/forces/uniform.hpp"
-#include "solvers/mpm/composed/composed.hpp"
+#include "solvers/mpm/plain/plain.hpp"
 #include "solvers/stepping/energy_budget.hpp"
 
 #include <memory>
 
 namespace touchstone::mpm {
 
-/// `Composed`, bit by bit, of water under gravity, that keeps an energy budget.
+/// `Plain`, bit by bit, of water under gravity, that keeps an energy budget.
 template <class Shape, class Transfer, class Density>
-class WithBudget : public Composed<Shape, Transfer, Density, Tait, Uniform> {
-  using Base = Composed<Shape, Transfer, Density, Tait, Uniform>;
-  using Base::nodes_, Base::particles_, Base::scene_, Base::threads_, Base::weights_;
+class WithBudget : public Plain<Shape, Transfer, Density, Tait, Uniform> {
+  using Base = Plain<Shape, Transfer, Density, Tait, Uniform>;
+  using Base::nodes_, Base::particles_, Base::scene_;
 
  public:
   std::shared_ptr<EnergyBudget> budget = std::make_shared<EnergyBudget>();
@@ -23,20 +23,18 @@ class WithBudget : public Composed<Shape, Transfer, Density, Tait, Uniform> {
   template <class Laps = NoLaps>
   void step(const Laps& = {}) {
     const Energy before = energy();
-    weights_.find(particles_.x, threads_);
-    this->scatter_momentum();
+    this->scatter();
     budget->transfer += kinetic_of(nodes_.start) - before.kinetic;
-    this->scatter_forces();
     this->accelerate();
     record_forces();
     const double accelerated = kinetic_of(nodes_.velocity);
-    this->gather_motion();
+    this->move();
     const Energy moved = energy();
     budget->transfer += moved.kinetic - accelerated;
     budget->gravity += moved.potential - before.potential;
-    this->remap_velocity();
+    this->remap();
     const Scalars carried = particles_.expansion;
-    this->strain_and_stress();
+    this->strain();
     record_strain(carried);
     const Energy strained = energy();
     this->tick();
@@ -84,7 +82,7 @@ class WithBudget : public Composed<Shape, Transfer, Density, Tait, Uniform> {
   void record_strain(const Scalars& carried) {
     Scalars compressed = carried;
     for (Index p = 0; p < particles_.count(); ++p)
-      compressed[p] += (1 + carried[p]) * (this->time_step() * particles_.slopes[p].divergence());
+      compressed[p] += (1 + carried[p]) * (this->time_step() * particles_.slopes[p].trace());
     const double strained = elastic_of(compressed);
     budget->pressure += strained - elastic_of(carried);
     budget->smoothing += elastic_of(particles_.expansion) - strained;
