@@ -21,7 +21,8 @@ Method sph_second_order(const AnyScene& scene, double output_interval, double co
            "Smoothed particle hydrodynamics of second order: quadratic fits to velocity and pressure around each "
            "particle, particle shifting down the concentration gradient, third-order Adams-Bashforth, Wendland's C2 "
            "kernel with h = 1.3 spacings.",
-       .relative_cost = 2});
+       .relative_cost = 2,
+       .kernel_support = sph::WendlandC2::support});
 }
 
 #define TOUCHSTONE_COMPILE(...)                                                          \

@@ -50,8 +50,15 @@ std::vector<Level> resolutions(const WorkStudy& study, Family family) {
   return all;
 }
 
-/// How long a strip has to be [m]: eight cells or spacings fill a vector register, and hold every kernel.
-double strip_at(const Level& level) { return 8 * (std::isnan(level.cell) ? level.spacing : level.cell); }
+/// How long a strip has to be [m]: for MPM eight cells, which fill a vector register; for SPH as many spacings as the
+/// kernel reaches over and lists beyond it, and an even number of them: three columns of particles cannot go to and
+/// fro, and bear steps that a channel does not.
+double strip_at(const Level& level, const Method& method) {
+  if (method.family == Family::mpm) return 8 * level.cell;
+  constexpr double listed_beyond = 0.3;  // spacings
+  const double columns = method.kernel_support * level.smoothing_length / level.spacing + listed_beyond;
+  return 2 * std::ceil(columns / 2) * level.spacing;
+}
 
 std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
   std::vector<Level> levels;
@@ -61,7 +68,7 @@ std::vector<Level> levels_of(const WorkStudy& study, const Method& method) {
       for (const double step : study.steps) {
         Level level = resolution;
         level.sound_speed = stiffness * study.largest_speed;
-        if (!std::isnan(study.period)) level.period = std::min(study.period, strip_at(level));
+        if (!std::isnan(study.period)) level.period = std::min(study.period, strip_at(level, method));
         const double longest = step * method.time_step(level), first = study.times.front();
         level.time_step = first / std::ceil(first / longest * (1 - 1e-9));
         level.work = study.times.back();

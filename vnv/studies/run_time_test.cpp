@@ -47,7 +47,7 @@ TEST(WorkStudy, TakesWholeNumbersOfStepsToEachTime) {
     }
 }
 
-TEST(WorkStudy, ComputesAStripOfEightCellsOrParticlesWhereThatIsShorterThanTheScene) {
+TEST(WorkStudy, ComputesAStripOfEightCellsOrAKernelWhereThatIsShorterThanTheScene) {
   WorkStudy of_strip = study;
   of_strip.period = 1.5;
   const auto period = [&](Family family, const std::string& start) {
@@ -57,7 +57,8 @@ TEST(WorkStudy, ComputesAStripOfEightCellsOrParticlesWhereThatIsShorterThanTheSc
   };
   EXPECT_EQ(period(Family::mpm, "4 cells"), 1.5);
   EXPECT_EQ(period(Family::mpm, "8 cells, 4"), 1.0);
-  EXPECT_EQ(period(Family::sph, "10 across"), 0.8);
+  EXPECT_DOUBLE_EQ(period(Family::sph, "10 across, h 1,"), 0.4);
+  EXPECT_DOUBLE_EQ(period(Family::sph, "10 across, h 1.5"), 0.6);
   for (const Level& level : studied(Family::mpm).levels) EXPECT_TRUE(std::isnan(level.period)) << level.name;
 }
 

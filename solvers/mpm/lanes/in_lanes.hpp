@@ -9,8 +9,8 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene. `Shape`, `Transfer` and `Density` are those of `plain`; walls prescribe the motion of
-/// their nodes. The stress comes last (MUSL).
+/// One simulation of a scene. `Shape`, `Transfer` and `Density` are those of `plain`, or `QuadraticBSpline` and
+/// `MlsApic`; walls prescribe the motion of their nodes, or mirror. The stress comes last (MUSL).
 template <class Shape, class Transfer, class Density, class FluidLaw, class Force>
 class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, FluidLaw, Force>,
                                          LaneParticles<FluidLaw, Transfer, Density>, LaneNodes<ShapeInLanes<Shape>>,
@@ -40,7 +40,8 @@ class InLanes : public SimulationInCells<InLanes<Shape, Transfer, Density, Fluid
 
  private:
   friend Base;
-  static_assert(std::same_as<Transfer, MlsApic> == std::same_as<Shape, QuadraticBSpline>);
+  static_assert(std::same_as<Transfer, MlsApic> == std::same_as<Shape, QuadraticBSpline>,
+                "MlsApic needs splines whose spread is the same everywhere, and walls that mirror serve it alone");
   using Moved = TransferInLanes<Transfer, ShapeInLanes<Shape>>;
 
   /// m_i, (m v)_i, (12), (13)

@@ -2,6 +2,8 @@
 #include "solvers/mpm/shapes/along_axis.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 namespace touchstone::mpm {
@@ -21,7 +23,8 @@ struct Gimp {
     constexpr explicit Along(const Axis& axis) : axis_(axis) {
       if (!(axis.reach > 0 && axis.reach <= 0.5))
         throw std::invalid_argument(
-            "mpm: GIMP with particles larger than a cell, expected a spacing of at most a cell");
+            fmt::format("mpm: GIMP with particles {:g} cells wide, expected a spacing above 0 and of at most a cell",
+                        2 * axis.reach));
       if (axis.cells < 2) throw std::invalid_argument("mpm: GIMP on one cell, expected at least two along each axis");
     }
 
