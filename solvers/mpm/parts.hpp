@@ -1,6 +1,6 @@
 #pragma once
 /// Parts of which a material point method is made besides a shape. They are names: what they do is written once in
-/// plain loops (plain/plain.hpp) and once in vector lanes (lanes/).
+/// plain loops (plain/plain.hpp) and once in vector lanes (lanes/); `MlsApic` in lanes alone.
 
 #include <limits>
 

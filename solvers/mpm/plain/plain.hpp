@@ -27,12 +27,12 @@ struct Tie {
 template <class Shape>
 class PlainNodes {
  public:
-  Scalars mass;      // particles
-  Vectors force;     // m/s²  per mass of a particle
-  Vectors start;     // m/s   velocity that the particles gave
-  Vectors velocity;  // m/s   with which the nodes move, or by which the fluid is strained
-  Vectors change;    // m/s   of velocity over the step, as particles feel it
-  Scalars expansion;
+  Scalars mass;       // particles
+  Vectors force;      // m/s²  per mass of a particle
+  Vectors start;      // m/s   velocity that the particles gave
+  Vectors velocity;   // m/s   with which the nodes move, or by which the fluid is strained
+  Vectors change;     // m/s   of velocity over the step, as particles feel it
+  Scalars expansion;  // -     that particles gave, of affine densities
 
   /// For square particles of a side [m] along each axis.
   PlainNodes(const Grid& grid, const Vec2& side)
