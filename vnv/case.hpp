@@ -82,7 +82,7 @@ struct Method {
   std::vector<Claim> claims_of_work{};  // judged in the suite `work`, which judges no others
   Tolerance tolerance{};
   double relative_cost = 1;   // of all its runs; ctest starts the dearest first
-  double kernel_support = 3;  // smoothing lengths  of SPH: as far as particles have neighbours, or less
+  double kernel_support = 3;  // smoothing lengths  of SPH: no neighbour is farther
   bool as_printed = false;    // one of the two methods of Sun et al., beside which others are shown
 };
 

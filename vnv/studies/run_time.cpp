@@ -55,7 +55,7 @@ std::vector<Level> resolutions(const WorkStudy& study, Family family) {
 /// fro, and bear steps that a channel does not.
 double strip_at(const Level& level, const Method& method) {
   if (method.family == Family::mpm) return 8 * level.cell;
-  constexpr double listed_beyond = 0.3;  // spacings
+  constexpr double listed_beyond = 0.3;  // spacings  as `sph::reach_of` has it at most
   const double columns = method.kernel_support * level.smoothing_length / level.spacing + listed_beyond;
   return 2 * std::ceil(columns / 2) * level.spacing;
 }

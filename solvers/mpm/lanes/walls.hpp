@@ -115,14 +115,14 @@ class LaneWalls {
   }
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
   void hold_motion(Nodes& nodes, double start, double dt, bool first_step) const {
-    for (auto held = held_.begin(); held < held_.end();) {
-      const int node = held->node;
-      NodeAtWall at_wall{nodes.start[node], nodes.velocity[node], start, start + dt, first_step, held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held) PrescribedMotion::hold(walls_[held->wall], at_wall);
-      if (!nodes.moves(node)) continue;
+    const auto motion = [&](const HeldNode& held) -> NodeAtWall {
+      return {nodes.start[held.node], nodes.velocity[held.node], start, start + dt, first_step, held.of_scene};
+    };
+    mpm::hold_motion(held_, walls_, &PrescribedMotion::hold, motion, [&](int node, const NodeAtWall& at_wall) {
+      if (!nodes.moves(node)) return;
       nodes.start.set(node, at_wall.before);
       nodes.velocity.set(node, at_wall.after);
-    }
+    });
     for (const PartialWall& wall : partial_) {
       wall.hold(nodes, start, nodes.start);
       wall.hold(nodes, start + dt, nodes.velocity);

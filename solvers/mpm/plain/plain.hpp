@@ -229,16 +229,19 @@ class Plain : public Simulation<FluidLaw, Force> {
   }
   /// Has the motion of each wall node follow its walls, in the order of the scene.
   void hold_motion() {
-    for (auto held = held_.begin(); held < held_.end();) {
-      const int node = held->node;
-      NodeAtWall at_wall{nodes_.start.col(node), nodes_.velocity.col(node), time(), time() + time_step(), steps() == 0,
-                         held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held)
-        PrescribedMotion::hold(scene_.walls[held->wall], at_wall);
-      if (!nodes_.moves(node)) continue;
+    const auto motion = [&](const HeldNode& held) -> NodeAtWall {
+      return {nodes_.start.col(held.node),
+              nodes_.velocity.col(held.node),
+              time(),
+              time() + time_step(),
+              steps() == 0,
+              held.of_scene};
+    };
+    mpm::hold_motion(held_, scene_.walls, &PrescribedMotion::hold, motion, [&](int node, const NodeAtWall& at_wall) {
+      if (!nodes_.moves(node)) return;
       nodes_.velocity.col(node) = at_wall.after;
       nodes_.change.col(node) = at_wall.after - at_wall.before;
-    }
+    });
   }
 
   void move() {

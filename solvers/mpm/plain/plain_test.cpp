@@ -36,7 +36,14 @@ class PlainMpm : public testing::Test {};
 using Variants = testing::Types<HatFlip, Of<Gimp, Flip>, Of<BSpline<3>, Xpic<1>>, SplineApic,
                                 Of<BSpline<2>, Xpic<5>, AffineDensity>, OfLanes<BSpline<2>, Apic, AffineDensity>,
                                 OfLanes<BSpline<2>, Xpic<5>>, OfLanes<Gimp, Flip>, OfLanes<BSpline<3>, Xpic<1>>>;
+/// Those that run on several threads.
+using VariantsInLanes = testing::Types<OfLanes<BSpline<2>, Apic, AffineDensity>, OfLanes<BSpline<2>, Xpic<5>>,
+                                       OfLanes<Gimp, Flip>, OfLanes<BSpline<3>, Xpic<1>>>;
 TYPED_TEST_SUITE(PlainMpm, Variants);
+
+template <class Parts>
+class MpmInLanes : public testing::Test {};
+TYPED_TEST_SUITE(MpmInLanes, VariantsInLanes);
 
 constexpr Settings dam_settings{.cell = 0.1, .spacing = 0.05, .time_step = 4e-3};
 
@@ -93,7 +100,7 @@ TYPED_TEST(PlainMpm, LeavesStillWaterStill) {
   EXPECT_EQ(end.density.maxCoeff(), end.density.minCoeff());
 }
 
-TYPED_TEST(PlainMpm, GivesTheSameBitsForAnyNumberOfThreads) {
+TYPED_TEST(MpmInLanes, GivesTheSameBitsForAnyNumberOfThreads) {
   Settings of_dam = dam_settings, of_channel = channel_settings;
   const Samples alone = after<TypeParam>(60, dam(1.5), of_dam),
                 driven_alone = after<TypeParam>(30, channel(), of_channel);

@@ -1,6 +1,7 @@
 #pragma once
 #include "solvers/fields.hpp"
 #include "solvers/mpm/cell_lanes.hpp"
+#include "solvers/mpm/walls/node_at_wall.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,6 +15,19 @@ struct HeldNode {
   std::size_t wall;  // of the scene
   Vec2 of_scene;     // m/s  velocity of the fluid there when the run starts
 };
+
+/// Has the motion of each node follow its walls: motion(held) is what it would be, set(node, motion) keeps what it is.
+/// `held` are HeldNode by node, each with its walls in the order of the scene.
+template <class Held, class Motion, class Set>
+void hold_motion(const Held& held, const std::vector<Wall>& walls, WallTreatment treat, const Motion& motion,
+                 const Set& set) {
+  for (auto at = held.begin(); at < held.end();) {
+    const int node = at->node;
+    NodeAtWall at_wall = motion(*at);
+    for (; at < held.end() && at->node == node; ++at) treat(walls[at->wall], at_wall);
+    set(node, at_wall);
+  }
+}
 
 /// The nodes on the walls of a scene, each with its walls in the order of the scene: two in a corner, applied in turn.
 /// Only those near particles are held.

@@ -26,15 +26,15 @@ class WallNodes {
 
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
   void hold(Nodes& nodes, const Grid& grid, double start, double dt) const {
-    for (auto held = held_.begin(); held < held_.end();) {
-      const int node = held->node;
-      const Vec2 v = nodes.velocity[node];
-      NodeAtWall at_wall{v, v + nodes.change[node], start, start + dt, start == 0, held->of_scene};
-      for (; held < held_.end() && held->node == node; ++held) treat_(walls_[held->wall], at_wall);
-      if (!nodes.moves(node)) continue;
+    const auto motion = [&](const HeldNode& held) -> NodeAtWall {
+      const Vec2 v = nodes.velocity[held.node];
+      return {v, v + nodes.change[held.node], start, start + dt, start == 0, held.of_scene};
+    };
+    hold_motion(held_, walls_, treat_, motion, [&](int node, const NodeAtWall& at_wall) {
+      if (!nodes.moves(node)) return;
       nodes.change.set(node, at_wall.after - at_wall.before);
       nodes.displacement.set(node, dt * at_wall.after.cwiseQuotient(grid.cell));
-    }
+    });
   }
 
   /// Makes the remapped velocities those of the walls, at a time [s].
