@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 namespace touchstone::gate {
@@ -134,7 +135,9 @@ Status gate(const GateRequest& request, const Contest& contest, std::ostream& ou
 }
 
 Status gate(const GateRequest& request, std::ostream& output, std::ostream& progress) {
-  Source before = open_source(request.before, request, progress), after = open_source(request.after, request, progress);
+  Revisions revisions(std::filesystem::current_path());
+  Source before = open_source(request.before, request, revisions, progress);
+  Source after = open_source(request.after, request, revisions, progress);
   if (before.build.has_value() != after.build.has_value())
     throw BadInput(fmt::format("{} is a build and {} is none, expected two of a kind",
                                before.build ? before.name : after.name, before.build ? after.name : before.name));

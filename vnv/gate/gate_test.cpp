@@ -251,7 +251,7 @@ TEST_F(Gate, TakesProgramsForTheSameThatDifferInTheirRevisionOnly) {
     write_text(files + "vnv.dir/run.cpp.o", "compiled in " + folder);
     write_text(files + "wave.dir/cases/wave.cpp.o", revision);
     Build found{folder, ""};
-    found.programs = {{"flow", folder + "/vnv/flow", {"mpm"}}};
+    found.programs = {{.case_name = "flow", .file = folder + "/vnv/flow", .methods = {"mpm"}}};
     return found;
   };
   const Build a = compiled("build1", "1234567", ""), b = compiled("build2", "abcdef0-dirty", "");
@@ -275,7 +275,7 @@ TEST_F(Gate, ReadsDataBesideAProgram) {
     write_text(source + "/data/" + file, "a value");
     write_text(source + "/flow", "the program");
     Build found{folder(), source};
-    found.programs = {{"flow", source + "/flow", {"mpm"}}};
+    found.programs = {{.case_name = "flow", .file = source + "/flow", .methods = {"mpm"}}};
     return found;
   };
   const Build none = with_data("a", "baselines/other.csv"), own = with_data("b", "baselines/flow.csv");

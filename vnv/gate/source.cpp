@@ -22,7 +22,8 @@ bool is_build(const fs::path& folder) {
 /// The program of a case by the file that registers its methods with ctest, which the program wrote when it was built.
 Program program_of(const fs::path& tests, const Choice& choice) {
   const std::string stem = tests.stem().string(), text = files::read_whole(tests);
-  Program program{stem.substr(0, stem.rfind("_tests")), {}, {}, text.find("RUN_SERIAL TRUE") != text.npos};
+  Program program{.case_name = stem.substr(0, stem.rfind("_tests")),
+                  .is_timed = text.find("RUN_SERIAL TRUE") != text.npos};
   program.file = tests.parent_path() / program.case_name;
   const std::regex method("--method ([^ ]+) --suite " + choice.suite + " ");
   for (std::sregex_iterator at(text.begin(), text.end(), method), end; at != end; ++at)
@@ -30,11 +31,12 @@ Program program_of(const fs::path& tests, const Choice& choice) {
   return program;
 }
 
-Build build_in(const fs::path& folder, const Choice& choice) {
-  Build build{folder, configured(folder, "CMAKE_HOME_DIRECTORY")};
+Build build_in(const fs::path& folder, const fs::path& source, const Choice& choice) {
+  Build build{folder, source};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "vnv")) {
     if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
     Program program = program_of(entry.path(), choice);
+    program.data = source / "data";
     const bool has_source = fs::exists(build.source / "vnv/cases" / (program.case_name + ".cpp"));
     if (has_source && fs::exists(program.file) && choice.includes_case(program.case_name) && !program.methods.empty())
       build.programs.push_back(std::move(program));
@@ -104,55 +106,58 @@ bool Choice::includes(const std::string& case_name, const std::string& method) c
   throw BadInput(fmt::format("only '{}': {}, expected a regular expression", only, error.what()));
 }
 
-BuiltRevision::BuiltRevision(const fs::path& repository, const std::string& commit, const Choice& choice,
-                             std::ostream& log)
-    : repository_(repository) {
-  try {
-    log << fmt::format("gate: checks out {} in {}\n", commit.substr(0, 12), scratch_.path().string()) << std::flush;
-    run({"git", "-C", repository_, "worktree", "add", "--detach", source(), commit}, "checked out");
-    log << fmt::format("gate: builds {}, which takes minutes\n", commit.substr(0, 12)) << std::flush;
-    run({"cmake", "-S", source(), "-B", folder(), "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
-        "configured");
-    std::vector<std::string> build = {"cmake", "--build", folder(), "--parallel", "--target"};
-    for (const fs::directory_entry& entry : fs::directory_iterator(source() / "vnv/cases"))
-      if (entry.path().extension() == ".cpp" && choice.includes_case(entry.path().stem()))
-        build.push_back(entry.path().stem());
-    if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
-    run(build, "built");
-  } catch (...) {
-    forget_source();
-    throw;
-  }
+Build Revisions::build(const std::string& commit, const Choice& choice, std::ostream& log) {
+  log << fmt::format("gate: builds {}, which takes minutes\n", commit.substr(0, 12)) << std::flush;
+  check_out(commit);
+  run({"cmake", "-S", source(), "-B", folder(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
+      "configured");
+  std::vector<std::string> build = {"cmake", "--build", folder(), "--target"};
+  for (const fs::directory_entry& entry : fs::directory_iterator(source() / "vnv/cases"))
+    if (entry.path().extension() == ".cpp" && choice.includes_case(entry.path().stem()))
+      build.push_back(entry.path().stem());
+  if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
+  run(build, "built");
+  const fs::path kept = scratch_ / commit;  // what the next revision would overwrite
+  fs::remove_all(kept);
+  fs::create_directories(kept / "vnv");
+  fs::copy(folder() / "vnv", kept / "build/vnv", fs::copy_options::recursive);
+  for (const fs::path part : {"data", "vnv/cases"})
+    if (fs::exists(source() / part)) fs::copy(source() / part, kept / part, fs::copy_options::recursive);
+  return build_in(kept / "build", kept, choice);
 }
 
-BuiltRevision::~BuiltRevision() { forget_source(); }
+void Revisions::check_out(const std::string& commit) const {
+  if (!fs::exists(source()))
+    run({"git", "-C", repository_, "worktree", "add", "--detach", source(), commit}, "checked out");
+  else
+    run({"git", "-C", source(), "checkout", "--detach", commit}, "checked out");
+}
 
-void BuiltRevision::run(const programs::Words& words, const std::string& what) const {
-  const fs::path output = scratch_.path() / "output";
+void Revisions::run(const programs::Words& words, const std::string& what) const {
+  const fs::path output = scratch_ / "output";
   if (!programs::run_into(output, words).succeeded())
     throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, programs::last_lines(output, 20)));
 }
 
-void BuiltRevision::forget_source() const {
+void Revisions::forget_source() const {
+  if (!fs::exists(source())) return;
   try {
-    programs::run_into(scratch_.path() / "output",
-                       {"git", "-C", repository_, "worktree", "remove", "--force", source()});
+    programs::run_into(scratch_ / "output", {"git", "-C", repository_, "worktree", "remove", "--force", source()});
   } catch (...) {  // interrupted once more: what is left is removed with the folder, and forgotten by git in time
   }
 }
 
-Source open_source(const std::string& name, const Choice& choice, std::ostream& log) {
+Source open_source(const std::string& name, const Choice& choice, Revisions& revisions, std::ostream& log) {
   Source source{.name = name};
   if (fs::is_directory(name) && is_build(name)) {
-    source.build = build_in(fs::absolute(name), choice);
+    source.build = build_in(fs::absolute(name), configured(name, "CMAKE_HOME_DIRECTORY"), choice);
   } else if (fs::exists(name)) {
     source.records = records_in(name, choice);
   } else {
     const std::string commit = commit_of(name);
     if (commit.empty())
       throw BadInput(fmt::format("{}: neither a record, a folder of records, a build folder nor a git revision", name));
-    source.revision = std::make_unique<BuiltRevision>(fs::current_path(), commit, choice, log);
-    source.build = build_in(source.revision->folder(), choice);
+    source.build = revisions.build(commit, choice, log);
   }
   return source;
 }

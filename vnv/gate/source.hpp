@@ -6,16 +6,16 @@
 #include "vnv/programs/programs.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
-#include <memory>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 namespace touchstone::gate {
 
 /// The program of one case, with the methods that a suite runs.
 struct Program {
   std::string case_name;
-  std::filesystem::path file;
+  std::filesystem::path file, data;  // the program, and the folder of data that it reads
   std::vector<std::string> methods;
   bool is_timed = false;  // what it judges is time
 };
@@ -29,21 +29,23 @@ struct Build {
 /// What a build folder was configured with, by the name of a variable; empty if it does not say.
 std::string configured(const std::filesystem::path& folder, const std::string& name);
 
-/// A revision's sources and build, in folders that are gone with this.
-class BuiltRevision {
+/// Revisions of a repository, built in folders that are gone with this. All are built in one folder, one after another,
+/// so that a later one compiles only what differs.
+class Revisions {
  public:
-  /// Checks the revision out beside `repository`'s own work tree and builds the programs of the chosen cases, all if
-  /// none is chosen. Throws BadInput with the end of what the compiler said if they cannot be built.
-  BuiltRevision(const std::filesystem::path& repository, const std::string& commit, const Choice& choice,
-                std::ostream& log);
-  ~BuiltRevision();
-  BuiltRevision(const BuiltRevision&) = delete;
-  BuiltRevision& operator=(const BuiltRevision&) = delete;
+  explicit Revisions(std::filesystem::path repository) : repository_(std::move(repository)) {}
+  ~Revisions() { forget_source(); }
+  Revisions(const Revisions&) = delete;
+  Revisions& operator=(const Revisions&) = delete;
 
-  std::filesystem::path folder() const { return scratch_.path() / "build"; }
+  /// Checks a commit out beside the repository's own work tree and builds the programs of the chosen cases, all if none
+  /// is chosen. Throws BadInput with the end of what the compiler said if they cannot be built.
+  Build build(const std::string& commit, const Choice& choice, std::ostream& log);
 
  private:
-  std::filesystem::path source() const { return scratch_.path() / "source"; }
+  std::filesystem::path source() const { return scratch_ / "source"; }
+  std::filesystem::path folder() const { return scratch_ / "build"; }
+  void check_out(const std::string& commit) const;
   void run(const programs::Words& words, const std::string& what) const;
   void forget_source() const;
 
@@ -56,13 +58,12 @@ struct Source {
   std::string name;  // as it was asked for
   Records records{};
   std::optional<Build> build{};
-  std::unique_ptr<BuiltRevision> revision{};  // holds the build's folders
 };
 
 /// What a name means: a file is a record, a folder with CMakeCache.txt and vnv/ a build, any other folder one of
 /// records, and whatever is neither a revision of the repository around the current folder. Throws BadInput for what is
 /// none of these, for a folder without records, for records that cannot be read, and for those of several suites.
-Source open_source(const std::string& name, const Choice& choice, std::ostream& log);
+Source open_source(const std::string& name, const Choice& choice, Revisions& revisions, std::ostream& log);
 
 /// Whether two builds would find the same in a case: its program has the same bytes in both, or else all compiled files
 /// of it and of the libraries that both builds have, and the data that it may read are the same. The file that holds

@@ -27,8 +27,8 @@ RunOnce run_of(const Program& program, const std::string& method, const std::str
   return [=](std::ostream& log) -> std::optional<vnv::Record> {  // that claims fail is no matter here
     const programs::ScratchFolder scratch;
     const fs::path output = scratch.path() / "output";
-    const programs::Ending ending =
-        programs::run_into(output, {program.file, "--suite", suite, "--method", method, "--records", scratch.path()});
+    const programs::Ending ending = programs::run_into(output, {program.file, "--suite", suite, "--method", method,
+                                                                "--records", scratch.path(), "--data", program.data});
     const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
     if (fs::exists(file)) return vnv::read_record(file);
     log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
