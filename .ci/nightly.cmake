@@ -6,7 +6,7 @@
 # HISTORY        folder of the summaries of all nights; history/ in BUILD. Outside of it they outlive the build
 # ENGINE         local, parallel or slurm: `vnv run` makes the suite by it, with ENGINE_OPTIONS (--hosts;a,b), and skips what this
 #                revision has done; none: ctest does, here, from nothing
-# LABEL          regular expression of the labels to run; units and the nightly suite
+# LABEL          regular expression of the labels to run; units, the nightly suite and README's lines on bare machines
 # DROP_SITE      host of a CDash server that gets the results; none: nothing leaves this machine
 # DROP_LOCATION  where on it, /submit.php?project=Touchstone
 # DROP_METHOD    https, or http for one within reach
@@ -23,7 +23,7 @@ endfunction()
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH CTEST_SOURCE_DIRECTORY)
 set_unless_named(BUILD ${CTEST_SOURCE_DIRECTORY}/build)
 set_unless_named(HISTORY ${BUILD}/history)
-set_unless_named(LABEL "^(unit|nightly)$")
+set_unless_named(LABEL "^(unit|nightly|bare)$")
 set_unless_named(DROP_LOCATION "/submit.php?project=Touchstone")
 set_unless_named(DROP_METHOD https)
 get_filename_component(CTEST_BINARY_DIRECTORY ${BUILD} ABSOLUTE)
@@ -57,7 +57,7 @@ if(NOT failed)
     ctest_test(INCLUDE_LABEL "${LABEL}" PARALLEL_LEVEL 2 RETURN_VALUE tested)
     note(tests ${tested})
   else()
-    ctest_test(INCLUDE_LABEL "^unit$" PARALLEL_LEVEL 2 RETURN_VALUE tested)
+    ctest_test(INCLUDE_LABEL "^(unit|bare)$" PARALLEL_LEVEL 2 RETURN_VALUE tested)
     note("unit tests" ${tested})
     set(vnv ${CTEST_BINARY_DIRECTORY}/vnv/vnv)
     set(records ${CTEST_BINARY_DIRECTORY}/records/nightly)
