@@ -372,19 +372,31 @@ class GateOfRevisions : public Gate {
   fs::path before_ = fs::current_path();
 };
 
+/// A project that is built by copying what was prepared in a folder.
+std::string copied_from(const fs::path& prepared) {
+  return "cmake_minimum_required(VERSION 3.25)\nproject(flow NONE)\nadd_custom_target(flow COMMAND ${CMAKE_COMMAND} -E "
+         "copy_directory \"" +
+         prepared.string() + "/vnv\" ${CMAKE_BINARY_DIR}/vnv)\n";
+}
+
 TEST_F(GateOfRevisions, AreBuiltAndForgotten) {
-  const std::string source = folder() / "prepared";
-  build("prepared", 1, 1);
-  commit(
-      "cmake_minimum_required(VERSION 3.25)\nproject(flow NONE)\n"
-      "add_custom_target(flow COMMAND ${CMAKE_COMMAND} -E copy_directory \"" +
-      source + "/vnv\" ${CMAKE_BINARY_DIR}/vnv)\n");
+  commit(copied_from(build("prepared", 1, 1)));
   request_.repeats = 0;
   request_.all = true;
   EXPECT_EQ(gate("HEAD", "HEAD"), same_or_better) << output();
   EXPECT_NE(progress_.str().find("gate: builds "), std::string::npos);
   EXPECT_TRUE(fs::is_empty(temporary()));
   EXPECT_FALSE(fs::exists(".git/worktrees/source"));
+}
+
+TEST_F(GateOfRevisions, KeepTheirProgramsThoughTheyAreBuiltInOneFolder) {
+  commit(copied_from(build("prepared", 1, 1)));
+  write_text(folder() / "repository/data/papers/table.csv", "a value");
+  commit(copied_from(build("prepared otherwise", 1, 2, less_accurate)));
+  request_.repeats = 0;
+  EXPECT_EQ(gate("HEAD~1", "HEAD"), worse) << output();
+  EXPECT_NE(output().find("0.4 before, 0.44 after: worse"), std::string::npos) << output();
+  EXPECT_EQ(gate("HEAD", "HEAD~1"), same_or_better) << output();
 }
 
 TEST_F(GateOfRevisions, ThatCannotBeBuiltAreRefusedAndForgotten) {

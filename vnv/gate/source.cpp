@@ -117,12 +117,16 @@ Build Revisions::build(const std::string& commit, const Choice& choice, std::ost
       build.push_back(entry.path().stem());
   if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
   run(build, "built");
-  const fs::path kept = scratch_ / commit;  // what the next revision would overwrite
+  const fs::path kept = scratch_ / commit;  // of what the next revision overwrites, what is run and compared
   fs::remove_all(kept);
-  fs::create_directories(kept / "vnv");
-  fs::copy(folder() / "vnv", kept / "build/vnv", fs::copy_options::recursive);
-  for (const fs::path part : {"data", "vnv/cases"})
-    if (fs::exists(source() / part)) fs::copy(source() / part, kept / part, fs::copy_options::recursive);
+  const auto keep = [&](const fs::path& from, const fs::path& part) {
+    if (!fs::exists(from / part)) return;
+    fs::create_directories((kept / part).parent_path());
+    fs::copy(from / part, kept / part, fs::copy_options::recursive);
+  };
+  keep(scratch_.path(), "build/vnv");
+  keep(source(), "vnv/cases");
+  keep(source(), "data");
   return build_in(kept / "build", kept, choice);
 }
 

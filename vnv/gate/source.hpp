@@ -15,8 +15,8 @@ namespace touchstone::gate {
 /// The program of one case, with the methods that a suite runs.
 struct Program {
   std::string case_name;
-  std::filesystem::path file, data;  // the program, and the folder of data that it reads
-  std::vector<std::string> methods;
+  std::filesystem::path file{}, data{};  // the program, and the folder of data that it reads
+  std::vector<std::string> methods{};
   bool is_timed = false;  // what it judges is time
 };
 
