@@ -120,7 +120,8 @@ TEST(Npz, IsRefusedInOneLineWhereItsEntriesLie) {
   EXPECT_EQ(refusal_of_npz(wrong).find("a.npz: '"), 0u);
   EXPECT_EQ(refusal_of_npz(bytes_of_sample("objects.npz")),
             "a.npz: 'x.npy': objects of Python, expected numbers, or 'particles' and 'solver_data' of PySPH");
-  EXPECT_EQ(refusal_of_npz("PK\x03\x04"), "a.npz: Not a zip archive, expected a zip file of numpy's arrays");
+  const std::string none = refusal_of_npz("PK\x03\x04");  // why is said by libzip, whose words change with its version
+  EXPECT_TRUE(none.starts_with("a.npz: ") && none.ends_with(", expected a zip file of numpy's arrays")) << none;
 }
 
 TEST(Npz, TakesTheNameOfAnEntryForNoMoreThanAName) {
