@@ -2,11 +2,14 @@
 /// records that are there already.
 
 #include "vnv/command/changes.hpp"
+#include "vnv/command/inputs.hpp"
 #include "vnv/command/patterns.hpp"
 #include "vnv/command/solvers.hpp"
+#include "vnv/command/tasks.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/files/held_folder.hpp"
 #include "vnv/gate/source.hpp"
+#include "vnv/programs/progress.hpp"
 #include "vnv/record/accepted_claims.hpp"
 
 #include <fmt/format.h>
@@ -20,10 +23,12 @@ namespace {
 Baselines accepted_of(const Description& one) { return read_baselines(one.baseline_file).value_or(Baselines{}); }
 
 /// Whether the program accepted; it refuses where a claim of theory or literature fails, and within a test.
-bool accept_one(const Build& build, const AcceptOptions& options, const Chosen& one) {
+bool accept_one(const Build& build, const AcceptOptions& options, const Chosen& one,
+                const programs::Meanwhile& meanwhile) {
   const Baselines before = accepted_of(*one.of);
   const programs::CapturedOutput captured = programs::run_and_capture(
-      build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}));
+      build.call(one.of->name, {"--accept", options.reason, "--method", one.method->name, "--suite", options.suite}),
+      meanwhile);
   if (!captured.ending.succeeded()) {
     fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), captured.complaint());
     return false;
@@ -112,12 +117,13 @@ int accept_claims(const Build& build, const AcceptOptions& options) {
 }  // namespace
 
 /// Judged without what was accepted before.
-void accept_solver(const doors::Solver& solver, const AcceptOptions& options) {
+void accept_solver(const Build& build, const doors::Solver& solver, const AcceptOptions& options) {
   require_no_test("accept");
   doors::Solver unaccepted = solver;
   unaccepted.baselines.clear();
   const programs::ScratchFolder records;
-  accept(solver, run_and_record(unaccepted, options.suite, records.path()).record, options.reason);
+  accept(solver, run_and_record(unaccepted, options.suite, records.path(), build.records(options.suite)).record,
+         options.reason);
   fmt::print("{}: accepted in {}\n", solver.case_and_method(), solver.baseline_file().string());
 }
 
@@ -127,16 +133,21 @@ int accept(const Build& build, const AcceptOptions& chosen) {
     throw std::invalid_argument(
         fmt::format("--reason '{}': expected the reason why the new values are right", options.reason));
   if (!options.claims.empty()) return accept_claims(build, options);
-  for (const doors::Solver& solver : take_solvers(options.patterns)) accept_solver(solver, options);
+  for (const doors::Solver& solver : take_solvers(options.patterns)) accept_solver(build, solver, options);
   if (options.patterns.empty()) return all_holds;
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
   long refused = 0;
-  ProgressLine line;
+  programs::Work work;
+  for (const Chosen& one : methods)
+    work.expect(one.name(), last_cost(record_file(build.records(options.suite), one.name()))
+                                .value_or(LastCost{.wall = one.method->relative_cost})
+                                .wall);
+  programs::Progress line("vnv accept");
   for (const Chosen& one : methods) {
-    line.show(one.name());
-    refused += !accept_one(build, options, one);
-    line.clear();
+    work.begin(one.name());
+    refused += !accept_one(build, options, one, [&] { line.show([&] { return work.sentence(); }); });
+    work.end(one.name());
   }
   return refused == 0 ? all_holds : something_fails;
 }

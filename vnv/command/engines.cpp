@@ -2,6 +2,7 @@
 
 #include "vnv/command/inputs.hpp"
 #include "vnv/files/whole_file.hpp"
+#include "vnv/programs/progress.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +20,8 @@ namespace touchstone::vnv::command {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
+using programs::Progress, programs::Work;
+using Clock = Work::Clock;
 using Listener = Engine::Listener;
 
 constexpr std::chrono::milliseconds between_looks{200};
@@ -28,6 +30,12 @@ fs::path ended_file(const fs::path& records, const std::string& name) { return r
 
 /// What a job is thought to take [s]: relative costs were chosen to be about that.
 double expected(const Job& job) { return job.last ? job.last->wall : job.relative_cost; }
+
+Work work_of(const std::vector<Job>& jobs) {
+  Work work;
+  for (const Job& job : jobs) work.expect(job.name, expected(job), job.alone);
+  return work;
+}
 
 void sort_dearest_first(std::vector<Job>& jobs) {
   std::ranges::stable_sort(jobs, {}, [](const Job& job) { return std::pair(job.alone, -expected(job)); });
@@ -40,61 +48,47 @@ class Local : public Engine {
 
   void run(std::vector<Job> jobs, const Listener& listener) override {
     sort_dearest_first(jobs);  // what judges time comes last
+    Work work = work_of(jobs);
     auto next = jobs.cbegin();
-    std::size_t ended = 0;
     while (next != jobs.cend() || !running_.empty()) {
       for (; next != jobs.cend() && may_start(*next); ++next) {
         listener.begins(*next);
-        running_.emplace(programs_.start(next->name, next->call, logs_ / (next->name + ".txt")),
-                         Started{&*next, Clock::now()});
+        running_.emplace(programs_.start(next->name, next->call, logs_ / (next->name + ".txt")), &*next);
+        work.begin(next->name);
       }
       if (const std::optional<programs::Child> child = programs_.wait(between_looks)) {
-        const Job& job = *running_.at(child->id).job;
+        const Job& job = *running_.at(child->id);
         running_.erase(child->id);
+        work.end(job.name);
         line_.clear();
         listener.ended(job, {{.ending = child->ending}});
-        ++ended;
       }
-      show(ended, jobs.size());
+      if (!running_.empty()) line_.show([&] { return work.sentence(); });
     }
   }
 
  private:
-  struct Started {
-    const Job* job;
-    Clock::time_point since;
-  };
-
   bool may_start(const Job& job) const {
-    const bool one_is_timed = std::ranges::any_of(running_, [](const auto& entry) { return entry.second.job->alone; });
+    const bool one_is_timed = std::ranges::any_of(running_, [](const auto& entry) { return entry.second->alone; });
     return running_.empty() || (!job.alone && !one_is_timed && std::ssize(running_) < at_once_);
-  }
-
-  void show(std::size_t ended, std::size_t count) {
-    if (Clock::now() - shown_ < between_looks) return;
-    shown_ = Clock::now();
-    std::string text = fmt::format("{} of {}:", ended, count);
-    for (const auto& [id, one] : running_)
-      text += fmt::format(" {} {:.0f} s", one.job->name, std::chrono::duration<double>(shown_ - one.since).count());
-    line_.show(text);
   }
 
   int at_once_;
   fs::path logs_;
-  ProgressLine line_;
+  Progress line_{"vnv run"};
   programs::Running programs_;
-  std::map<pid_t, Started> running_;
-  Clock::time_point shown_{};
+  std::map<pid_t, const Job*> running_;
 };
 
 /// Runs one method within limits and leaves how it ended, by a name that is there or not; nothing where it was told to
 /// end by others, as is all that a machine runs which goes down. An engine may start it again: what has ended is not
-/// run twice. Not `ulimit -v`, which would count what is mapped and never used.
+/// run twice. When it began is known by another name. Not `ulimit -v`, which would count what is mapped and never used.
 constexpr std::string_view runs_one = R"(#!/bin/sh
 # one.sh NAME KEY SECONDS KILOBYTES PROGRAM ARGUMENT...
 here=${0%/*} name=$1 key=$2 seconds=$3 memory=$4 began=$(date +%s)
 shift 4
 [ -e "$here/ended/$name" ] && exit 0
+(: >"$here/began/$name") 2>/dev/null
 (ulimit -d "$memory" && exec timeout --foreground -k 10 "$seconds" "$@") >"$here/../logs/$name.txt" 2>&1 </dev/null
 status=$?
 case $status in
@@ -114,9 +108,11 @@ class Elsewhere : public Engine {
     if (jobs.empty()) return;
     for (const Job& job : jobs) listener.begins(job);
     fs::create_directories(folder_ / "ended");
+    fs::remove_all(folder_ / "began");
+    fs::create_directories(folder_ / "began");
     files::write_whole(folder_ / "one.sh", runs_one);
-    count_ = jobs.size();
     sort_dearest_first(jobs);
+    work_ = work_of(jobs);
     const auto first_alone = std::ranges::find(jobs, true, &Job::alone);
     for (const Job& job : jobs) waiting_.emplace(job.name, &job);
     try {
@@ -158,11 +154,13 @@ class Elsewhere : public Engine {
     programs_.start(options_.engine, words, folder_ / "said.txt");
     while (!programs_.wait(between_looks)) {
       look(listener);
-      line_.show(fmt::format("{} of {} by {}", count_ - waiting_.size(), count_, options_.engine));
+      line_.show([&] { return work_.sentence(); });
     }
   }
 
   void look(const Listener& listener) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "began"))
+      if (waiting_.contains(entry.path().filename())) work_.begin(entry.path().filename());
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "ended")) {
       const auto found = waiting_.find(entry.path().filename());
       if (found == waiting_.end()) continue;
@@ -170,15 +168,16 @@ class Elsewhere : public Engine {
       const std::optional<JobResult> result = ended_elsewhere(options_.records, job.name, job.key);
       if (!result) continue;
       waiting_.erase(found);
+      work_.end(job.name);
       line_.clear();
       listener.ended(job, *result);
     }
   }
 
-  ProgressLine line_;
+  Progress line_{"vnv run by " + options_.engine};
   programs::Running programs_;
   std::map<std::string, const Job*> waiting_;  // by name
-  std::size_t count_ = 0;
+  Work work_;
 };
 
 /// Jobs whose host fails, so that one leaves nothing, are tried once more, on another if there is one; what had ended

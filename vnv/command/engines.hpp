@@ -5,7 +5,7 @@
 /// what has ended is known whoever was killed meanwhile, and what left nothing was lost with its machine. All machines
 /// see the build folder, the data and the records at the same places.
 
-#include "vnv/command/terminal.hpp"
+#include "vnv/command/tasks.hpp"
 #include "vnv/programs/limited.hpp"
 
 #include <filesystem>
@@ -18,12 +18,6 @@
 namespace touchstone::vnv::command {
 
 using programs::Words;
-
-/// What a method took when it last ran, all its runs together.
-struct LastCost {
-  double wall = 0;         // s
-  double peak_memory = 0;  // bytes
-};
 
 /// One method of one case, to be run.
 struct Job {

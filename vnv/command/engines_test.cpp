@@ -54,6 +54,13 @@ TEST_F(AnEngineElsewhere, KeepsWhatAProgramSays) {
   EXPECT_EQ(programs::last_lines(scratch_ / "logs/a.b.txt", 2), "it's 42\nan error");
 }
 
+TEST_F(AnEngineElsewhere, LeavesWhichHaveBegun) {
+  std::ofstream((fs::create_directories(scratch_ / "engine/began"), scratch_ / "engine/began/former"));
+  run({job("a.b", "exit 0")});
+  EXPECT_TRUE(fs::exists(scratch_ / "engine/began/a.b"));
+  EXPECT_FALSE(fs::exists(scratch_ / "engine/began/former")) << "of a run before";
+}
+
 TEST_F(AnEngineElsewhere, RunsAJudgedOneOnceAndOneThatLostItsMachineTwice) {
   const std::string counts = "echo x >>'" + (scratch_ / "count").string() + "';";
   run({job("a.fails", counts + "exit 1")});

@@ -45,18 +45,6 @@ void add(Sum& sum, const std::string& name, const MethodOutcome& outcome, bool s
   if (!skipped || !outcome.failures.empty()) print_line(name, outcome, skipped ? ", as before" : "");
 }
 
-/// Nothing where there is no record, or none that can be read.
-std::optional<LastCost> last_cost(const fs::path& record) try {
-  LastCost last;
-  for (const RunSummary& run : read_record(record).runs) {
-    last.wall += (run.cost.wall + run.cost.harness) * static_cast<double>(run.cost.repeats);
-    last.peak_memory = std::max(last.peak_memory, run.cost.peak_memory);
-  }
-  return last;
-} catch (const std::runtime_error&) {
-  return std::nullopt;
-}
-
 /// The methods of a suite, judged by their programs wherever these run.
 class Judging {
  public:
@@ -102,14 +90,13 @@ class Judging {
 
   Job job_of(const Chosen& one) {
     const std::string name = one.name();
-    Job job{.name = name,
+    return {.name = name,
             .key = key_of(inputs_of(one)),
             .call = build_.call(one.of->name, {"--method", one.method->name, "--suite", options_.suite, "--records",
                                                records().string()}),
             .alone = one.of->timed,
-            .relative_cost = one.method->relative_cost};
-    if (options_.where.engine != "local") job.last = last_cost(record_file(records(), name));
-    return job;
+            .relative_cost = one.method->relative_cost,
+            .last = last_cost(record_file(records(), name))};
   }
 
   void begin(const Job& job) {

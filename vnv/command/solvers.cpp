@@ -2,6 +2,7 @@
 
 #include "vnv/command/inputs.hpp"
 #include "vnv/command/outcome.hpp"
+#include "vnv/command/tasks.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
@@ -36,10 +37,13 @@ Suite suite_named(const std::string& name) {
   return *std::ranges::find_if(vnv::suites, [&](Suite suite) { return name_of(suite) == name; });
 }
 
-doors::Judgement run_and_record(const doors::Solver& solver, const std::string& suite, const fs::path& records) {
+doors::Judgement run_and_record(const doors::Solver& solver, const std::string& suite, const fs::path& records,
+                                const fs::path& last_records) {
   const std::string name = solver.case_and_method();
+  const std::map<std::string, double> expected =
+      last_times(record_file(last_records.empty() ? records : last_records, name));
   forget(records, name);
-  doors::Judgement judgement = doors::run_solver(solver, records / "runs" / name, suite_named(suite));
+  doors::Judgement judgement = doors::run_solver(solver, records / "runs" / name, suite_named(suite), expected);
   fs::create_directories(records);
   write(judgement.record, record_file(records, name));
   return judgement;

@@ -4,7 +4,7 @@
 #include "vnv/record/record.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -33,6 +33,26 @@ std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string
     }
   }
   return tasks;
+}
+
+std::optional<LastCost> last_cost(const std::filesystem::path& record) try {
+  LastCost last;
+  for (const RunSummary& run : read_record(record).runs) {
+    last.wall += (run.cost.wall + run.cost.harness) * static_cast<double>(run.cost.repeats);
+    last.peak_memory = std::max(last.peak_memory, run.cost.peak_memory);
+  }
+  return last;
+} catch (const std::runtime_error&) {
+  return std::nullopt;
+}
+
+std::map<std::string, double> last_times(const std::filesystem::path& record) try {
+  std::map<std::string, double> times;
+  for (const RunSummary& run : read_record(record).runs)
+    if (std::isfinite(run.cost.wall)) times[run.level] = run.cost.wall * static_cast<double>(run.cost.repeats);
+  return times;
+} catch (const std::runtime_error&) {
+  return {};
 }
 
 Estimate estimate(const std::vector<Task>& tasks, int at_once) {

@@ -4,6 +4,7 @@
 #include "vnv/command/catalogue.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,16 @@ struct Task {
 /// std::runtime_error for a record that cannot be read.
 std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string& suite,
                            const std::filesystem::path& records);
+
+/// What a method took when it last ran, all its runs together.
+struct LastCost {
+  double wall = 0;         // s
+  double peak_memory = 0;  // bytes
+};
+/// Nothing where there is no record, or none that can be read.
+std::optional<LastCost> last_cost(const std::filesystem::path& record);
+/// The wall time [s] of each of its levels, by name; none where there is no such record.
+std::map<std::string, double> last_times(const std::filesystem::path& record);
 
 struct Estimate {
   double cpu = 0;            // s  of the tasks whose cost is known

@@ -60,19 +60,4 @@ std::string wrapped(std::string_view text, int columns, int indent) {
   return lines;
 }
 
-ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0 && !is_dumb()) {}
-
-void ProgressLine::show(const std::string& text) {
-  if (!on_terminal_) return;
-  const auto columns = static_cast<std::size_t>(columns_of(STDERR_FILENO) - 1);
-  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, columns));
-  std::fflush(stderr);
-}
-
-void ProgressLine::clear() {
-  if (!on_terminal_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
-}
-
 }  // namespace touchstone::vnv::command

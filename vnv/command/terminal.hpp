@@ -1,5 +1,5 @@
 #pragma once
-/// What a person sees: colours and a progress line on a terminal, plain lines everywhere else.
+/// What a person sees: colours and lines as wide as a terminal, plain text everywhere else.
 
 #include <string>
 #include <string_view>
@@ -17,19 +17,5 @@ int width();
 /// Paragraphs broken at spaces into lines of so many columns, each with an indent. Bytes that continue a character of
 /// UTF-8 take no column; a word that is longer than a line stands alone.
 std::string wrapped(std::string_view text, int columns, int indent = 0);
-
-/// One line below all others, rewritten; nothing where stderr is no terminal. It is gone when this ends.
-class ProgressLine {
- public:
-  ProgressLine();
-  ~ProgressLine() { clear(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(const std::string& text);
-  void clear();
-
- private:
-  bool on_terminal_;
-};
 
 }  // namespace touchstone::vnv::command

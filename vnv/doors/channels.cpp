@@ -60,7 +60,7 @@ struct Channel {
     made.judged.description = std::move(description);
     made.judged.times = std::move(times);
     made.judged.claims = {is_consistent(channel::l2)};
-    made.measured = {{{"velocity"}, norms_of("v_x, per particle", channel::by_particles, exact)}};
+    made.measured = {{{velocity_along_x}, norms_of("v_x, per particle", channel::by_particles, exact)}};
     made.exact = {{.field = "velocity",
                    .norms = {channel::l2.name, channel::linf.name, channel::l2_rows.name, channel::linf_rows.name},
                    .causes = std::move(causes),
@@ -83,7 +83,7 @@ std::vector<Cause> and_force(std::vector<Cause> causes) {
 
 /// Flows of the paper are judged by the means of their rows, too.
 Flow with_row_means(Flow flow, const Altered& altered) {
-  flow.measured.push_back({{"velocity"}, norms_of("v_x, row means", channel::by_rows, altered({}))});
+  flow.measured.push_back({{velocity_along_x}, norms_of("v_x, row means", channel::by_rows, altered({}))});
   return flow;
 }
 

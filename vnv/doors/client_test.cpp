@@ -57,6 +57,13 @@ class Exact : public Thirds {
   double now_ = 0;
 };
 
+/// Knows nothing of what moves across.
+class Along : public Thirds {
+ public:
+  using Thirds::Thirds;
+  client::Samples samples() const { return {.x = {1, 2}, .y = {1, 2}, .v_x = {3, 4}}; }
+};
+
 const programs::ScratchFolder& folder() {
   static const programs::ScratchFolder one;
   return one;
@@ -97,6 +104,13 @@ TEST(ClassesOfOthers, HandOverTheirNumbersToTheLastBit) {
             << name << " " << row;
     EXPECT_EQ(data.array("p [Pa]"), nullptr) << "what a solver does not have is not written";
   }
+}
+
+TEST(ClassesOfOthers, MayLeaveWhatTheyDoNotHaveEmpty) {
+  const std::vector<Dataset> all = written_by<Along>({0.1});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NE(all[0].array("v_x [m/s]"), nullptr);
+  EXPECT_EQ(all[0].array("v_y [m/s]"), nullptr);
 }
 
 TEST(ClassesOfOthers, EndTheirStepsAtTheTimesAskedForIfTheyCan) {

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <regex>
 #include <set>
 
 namespace touchstone::vnv::doors {
@@ -406,6 +407,19 @@ TEST_F(Doors, LeaveUnjudgedWhatNoFieldIsThereFor) {
       judged("taylor_green", {write("a.csv", "x,y,vx,vy\n0.1,0.1,0,0\n0.9,0.1,0,0\n0.1,0.9,0,0\n0.9,0.9,0,0\n")});
   ASSERT_EQ(judgement.not_judged.size(), 1u);
   EXPECT_EQ(judgement.not_judged[0], "no pressure in the files: what is measured of it is not judged");
+}
+
+TEST_F(Doors, JudgeAChannelWithoutTheVelocityAcrossAndNoSquare) {
+  const std::string whole = files::read_whole(poiseuille(20, 0.01));
+  const Judgement both = judged("poiseuille", {write("both.csv", whole)}),
+                  along = judged("poiseuille",
+                                 {write("along.csv", std::regex_replace(whole, std::regex(",(v_y|0)\n"), "\n"))});
+  ASSERT_EQ(along.record.values.size(), both.record.values.size());
+  for (std::size_t k = 0; k < both.record.values.size(); ++k)
+    EXPECT_EQ(along.record.values[k].value, both.record.values[k].value) << both.record.values[k].quantity.name;
+  EXPECT_TRUE(along.not_judged.empty());
+  const std::string corners = "x,y,vx\n0.1,0.1,0\n0.9,0.1,0\n0.1,0.9,0\n0.9,0.9,0\n";
+  EXPECT_TRUE(says(refusal("taylor_green", write("square.csv", corners)), "velocity along x alone, expected"));
 }
 
 TEST_F(Doors, RefuseInOneLineWhatIsNoSuchFlow) {

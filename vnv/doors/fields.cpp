@@ -115,14 +115,12 @@ Found found_as(const Dataset& data, const std::string& field, const std::string&
   return found;
 }
 
-/// Refuses one component of a velocity without another: "v_x" alone.
-void refuse_lone_component(const Dataset& data) {
+/// A component of a velocity by its common names: "v_x" along x.
+Found component_along(const Dataset& data, char axis) {
   for (const std::string& base : common_names.at("velocity"))
     for (const Array& array : data.arrays)
-      for (const char* axis : {"x", "y"})
-        if (array.components == 1 && plain(array.name) == base + axis)
-          throw Unreadable(fmt::format("{}: velocity is '{}' alone, expected its component along {} too", data.source,
-                                       array.name, *axis == 'x' ? "y" : "x"));
+      if (array.components == 1 && plain(array.name) == base + axis) return {{&array}, array.name};
+  return {};
 }
 
 Found find(const Dataset& data, const std::string& field, const Mapping& mapping) {
@@ -151,7 +149,6 @@ Found find(const Dataset& data, const std::string& field, const Mapping& mapping
   if (all.size() > 1)
     throw Unreadable(fmt::format("{}: {} may be '{}' or '{}': say which, --field {}=NAME", data.source, field,
                                  all[0].words, all[1].words, field));
-  if (all.empty() && field == "velocity") refuse_lone_component(data);
   return all.empty() ? Found{} : all[0];
 }
 
@@ -313,21 +310,22 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   const auto vectors = [&](const Found& found, const std::string& field, const std::string& kind) {
     std::string as = found.words;
     const double to_si = factor(found, kind, mapping, density, as);
-    if (std::max(plane[0], plane[1]) >= found.components())
+    const bool is_along_x = field == velocity_along_x;  // alone
+    if (!is_along_x && std::max(plane[0], plane[1]) >= found.components())
       throw Unreadable(fmt::format("{}: {} is '{}' of {} component{}, expected those along {} and {}", data.source,
                                    field, found.words, found.components(), found.components() == 1 ? "" : "s",
                                    "xyz"[plane[0]], "xyz"[plane[1]]));
-    Vectors all(2, count);
+    Vectors all = Vectors::Constant(2, count, NAN);
     each_row([&](std::size_t row, Eigen::Index p) {
-      for (const int k : {0, 1}) {
-        const double value = found(row, plane[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < (is_along_x ? 1 : 2); ++k) {
+        const double value = found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
         if (!std::isfinite(value))
           throw Unreadable(
               fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));
         all(k, p) = to_si * value;
       }
     });
-    say(field, as + fmt::format(", along {} and {}", "xyz"[plane[0]], "xyz"[plane[1]]));
+    say(field, is_along_x ? as : as + fmt::format(", along {} and {}", "xyz"[plane[0]], "xyz"[plane[1]]));
     return all;
   };
   s.x = vectors(places, "position", "length");
@@ -361,11 +359,18 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     s.x.conservativeResize(Eigen::NoChange, count);
     chosen = within;
   }
-  if (const Found velocity = find(data, "velocity", mapping); velocity.there()) {
+  s.v = Vectors::Constant(2, count, NAN);
+  Found velocity = find(data, "velocity", mapping);
+  if (!velocity.there()) velocity = component_along(data, "xyz"[plane[0]]);
+  if (velocity.there() && velocity.components() > 1) {
     s.v = vectors(velocity, "velocity", "velocity");
-    reading.fields.emplace_back("velocity");
-  } else {
-    s.v = Vectors::Constant(2, count, NAN);
+    reading.fields.insert(reading.fields.end(), {"velocity", velocity_along_x});
+  } else if (velocity.there()) {
+    s.v = vectors(velocity, velocity_along_x, "velocity");
+    reading.fields.push_back(velocity_along_x);
+  } else if (const Found across = component_along(data, "xyz"[plane[1]]); across.there()) {
+    throw Unreadable(fmt::format("{}: velocity is '{}' alone, expected its component along {} too", data.source,
+                                 across.words, "xyz"[plane[0]]));
   }
   const auto scalars = [&](const std::string& field) {
     const Found found = find(data, field, mapping);

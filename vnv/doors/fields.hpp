@@ -27,6 +27,9 @@ struct Mapping {
 /// Throws std::invalid_argument for a field or a kind of unit that there is not, saying where and naming all of them.
 void require_known_names(const Mapping& mapping, const std::string& where);
 
+/// The field of a velocity of which no more than its component along the flow's x need be there.
+inline const std::string velocity_along_x = "velocity along x";
+
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
   Samples samples{};
@@ -39,7 +42,7 @@ struct Reading {
 /// `density` [kg/m³] is that of the fluid at rest. Where the user names a field "fraction", volumes are multiplied by
 /// it: in a cell at a surface, that of its fluid counts. Throws Unreadable: no places, two candidates for one field, a
 /// cloud that is not flat, rows outside the domain, what is not a finite number, no time, a fraction that is not above
-/// zero or is of no volume.
+/// zero or is of no volume, a velocity without its component along the flow's x. One without the other has that alone.
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density);
 
 }  // namespace touchstone::vnv::doors

@@ -108,13 +108,27 @@ TEST(Fields, AreOfColumnsThatTheUserLists) {
             "column 2, column 3, c_v[1]");
 }
 
-TEST(Fields, OfAVelocityAreBothComponents) {
+/// A table of places and of one component of the velocity.
+Dataset with_velocity(const std::string& component) {
   Dataset table = fluid_and_wall();
   table.arrays.erase(table.arrays.begin() + 1);
-  table.arrays[1].name = "v_x";
-  EXPECT_EQ(refusal(table, {}), "a.npz: velocity is 'v_x' alone, expected its component along y too");
-  EXPECT_EQ(refusal(table, {.arrays = {{"velocity", "v_x"}}}),
-            "a.npz: velocity is 'v_x' of 1 component, expected those along x and y");
+  table.arrays[1].name = component;
+  return table;
+}
+
+TEST(Fields, MayLackTheVelocityAcross) {
+  const Reading reading = reading_of(with_velocity("v_x"), {}, domain, 1000);
+  EXPECT_EQ(std::ranges::count(reading.fields, velocity_along_x), 1);
+  EXPECT_EQ(std::ranges::count(reading.fields, "velocity"), 0);
+  EXPECT_TRUE(reading.samples.v.row(0).allFinite());
+  EXPECT_TRUE(reading.samples.v.row(1).array().isNaN().all());
+  EXPECT_EQ(reading_of(with_velocity("w"), {.arrays = {{"velocity", "w"}}}, domain, 1000).fields, reading.fields);
+}
+
+TEST(Fields, OfAVelocityAreAtLeastThatAlongX) {
+  EXPECT_EQ(refusal(with_velocity("v_y"), {}), "a.npz: velocity is 'v_y' alone, expected its component along x too");
+  EXPECT_EQ(refusal(with_velocity("v_x"), {.axes = "yx"}),
+            "a.npz: velocity is 'v_x' alone, expected its component along y too");
 }
 
 }  // namespace fields_test

@@ -6,6 +6,7 @@
 #include "solvers/forces/uniform.hpp"
 #include "solvers/scene.hpp"
 #include "vnv/case.hpp"
+#include "vnv/doors/fields.hpp"
 #include "vnv/measures/field_errors.hpp"
 
 #include <array>
@@ -106,7 +107,7 @@ struct Exact {
 
 /// A measurement and the fields that it reads besides places.
 struct Measured {
-  std::vector<std::string> fields;  // "velocity", "pressure"; "particles": says nothing of a mesh, whose cells stay
+  std::vector<std::string> fields;  // "velocity", `velocity_along_x`, "pressure"; "particles": says nothing of a mesh
   Measurement measurement;
   std::optional<Span> over{};  // none: made at each time by itself
   std::string name{};          // of what is measured over time

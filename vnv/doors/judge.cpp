@@ -4,6 +4,7 @@
 #include "vnv/doors/diagnosis.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
+#include "vnv/programs/progress.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,13 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
   }
 }
 
+/// Where a flow is judged by a velocity, both components of it are there or none.
+void require_components(const Flow& flow, const std::string& source, const std::vector<std::string>& fields) {
+  const auto needs_both = [](const Measured& one) { return has(one.fields, "velocity"); };
+  if (has(fields, velocity_along_x) && !has(fields, "velocity") && std::ranges::any_of(flow.measured, needs_both))
+    throw Unreadable(fmt::format("{}: velocity along x alone, expected its component along y too", source));
+}
+
 /// Volumes of a plane flow: equal ones of rows that have none, and about those of the fluid where its surface is free.
 void require_volumes(const Flow& flow, const std::string& source, Reading& reading) {
   Samples& samples = reading.samples;
@@ -68,6 +76,12 @@ void require_volumes(const Flow& flow, const std::string& source, Reading& readi
         "{}: volumes of {:.4g} m² in all, per metre of depth, expected {:.4g} m²: --set the size of the flow", source,
         found, area));
   }
+}
+
+double size_of(const std::filesystem::path& file) {
+  std::error_code unknown;  // it is told when the file is read
+  const auto bytes = std::filesystem::file_size(file, unknown);
+  return unknown ? 0 : static_cast<double>(bytes);
 }
 
 /// A run of what was given, whose samples it takes, as if it had been computed here.
@@ -226,6 +240,8 @@ void diagnose_failures(const Flow& flow, const Results& results, const std::vect
 
 }  // namespace
 
+std::string level_name(const Flow& flow, double spacing) { return fmt::format("{:.4g} across", flow.across / spacing); }
+
 void Given::say(const std::string& line) {
   if (std::ranges::find(words, line) == words.end()) words.push_back(line);
 }
@@ -244,6 +260,7 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
     const double spacing = said.value_or(std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size())));
     require_filled(flow, data.source, reading.samples, spacing);
     require_volumes(flow, data.source, reading);
+    require_components(flow, data.source, reading.fields);
     given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
                           said ? "as said" : "the root of the filled area over the number of rows"));
     const double time = reading.samples.time;
@@ -261,7 +278,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   Method method{.name = what.name, .description = what.description, .ladders = {{ladder_of_files, {}}}};
   std::vector<Run> runs;
   for (GivenLevel& level : given.levels) {
-    const std::string name = fmt::format("{:.4g} across", flow.across / level.spacing);
+    const std::string name = level_name(flow, level.spacing);
     runs.push_back(run_of(level, name, flow.judged.monitor));
     if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
       for (const Claim& claim : flow.of_resolved) judged.claims.push_back(claim.on(name));
@@ -287,7 +304,16 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
 Judgement judge_files(const Flow& flow, const std::vector<std::filesystem::path>& files, const Mapping& mapping,
                       std::optional<double> spacing, const Judged& what) {
   Given given;
-  for (const std::filesystem::path& file : files) read_into(given, flow, mapping, file, spacing);
+  programs::Work work(0);  // by the sizes of files
+  programs::Progress line("vnv judge");
+  for (const std::filesystem::path& file : files) work.expect(file, size_of(file));
+  for (const std::filesystem::path& file : files) {
+    work.begin(file);
+    line.show([&] { return work.sentence(); });
+    read_into(given, flow, mapping, file, spacing);
+    work.end(file);
+  }
+  line.clear();
   Judgement judgement = judge_given(flow, std::move(given), what);
   std::erase_if(judgement.record.verdicts, [](const Verdict& v) { return v.quantity == end_time_reached; });
   return judgement;

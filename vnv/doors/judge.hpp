@@ -30,6 +30,9 @@ struct GivenLevel {
             .peak_memory = not_a_number};
 };
 
+/// "40 across": the name of the level of a resolution by its spacing [m].
+std::string level_name(const Flow& flow, double spacing);
+
 /// What files of a code hold, by resolutions, and what was read as what.
 struct Given {
   std::vector<GivenLevel> levels{};

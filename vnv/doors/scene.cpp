@@ -26,6 +26,7 @@ std::set<std::string> fields_of(const Flow& flow) {
   std::set<std::string> fields{"position"};
   for (const Measured& one : flow.measured) fields.insert(one.fields.begin(), one.fields.end());
   fields.erase("particles");
+  if (fields.erase(velocity_along_x)) fields.insert("velocity");
   return fields;
 }
 

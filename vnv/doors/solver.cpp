@@ -4,6 +4,7 @@
 #include "vnv/files/whole_file.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
+#include "vnv/programs/progress.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -223,14 +224,23 @@ void prepare(const Solver& solver, const fs::path& folder) {
   }
 }
 
-Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite) {
+Judgement run_solver(const Solver& solver, const fs::path& folder, Suite suite,
+                     const std::map<std::string, double>& expected) {
   prepare(solver, folder);
   Given given;
+  programs::Work work;
+  programs::Progress line(solver.case_and_method());
   for (const double spacing : solver.spacings) {
+    const auto one = expected.find(level_name(solver.flow, spacing));
+    work.expect(name_of(solver, spacing), one == expected.end() ? std::nullopt : std::optional(one->second));
+  }
+  for (const double spacing : solver.spacings) {
+    work.begin(name_of(solver, spacing));
     const fs::path own = fs::absolute(folder) / name_of(solver, spacing), log = own / log_file;
-    const programs::ProcessResult result =
-        programs::run_limited(solver.case_and_method() + " " + name_of(solver, spacing),
-                              {"sh", (own / run_script).string()}, own, log, solver.limits);
+    const programs::ProcessResult result = programs::run_limited(
+        solver.case_and_method() + " " + name_of(solver, spacing), {"sh", (own / run_script).string()}, own, log,
+        solver.limits, [&] { line.show([&] { return work.sentence(); }); });
+    work.end(name_of(solver, spacing));
     if (result.succeeded()) {
       read_level(solver, spacing, own, given);
     } else {

@@ -41,8 +41,10 @@ Solver read_solver(const std::filesystem::path& file);
 void prepare(const Solver& solver, const std::filesystem::path& folder);
 
 /// Runs each resolution that was prepared, the coarsest first, and judges what it wrote. One that ends badly, at a
-/// limit or without all it was asked for has no answer: its record says why, with the last lines that it said.
-Judgement run_solver(const Solver& solver, const std::filesystem::path& folder, Suite suite);
+/// limit or without all it was asked for has no answer: its record says why, with the last lines that it said. How far
+/// it is stands on stderr, by what resolutions took last [s], of those that have run, by the names of their levels.
+Judgement run_solver(const Solver& solver, const std::filesystem::path& folder, Suite suite,
+                     const std::map<std::string, double>& expected = {});
 
 /// Judges what was written in prepared folders by runs that somebody else made. Of their cost only the wall time is
 /// known, with that what they occupied, where run.sh ran them to its end.

@@ -1,8 +1,11 @@
 #include "vnv/gate/turns.hpp"
 
+#include "vnv/programs/progress.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace touchstone::gate {
 namespace {
@@ -20,6 +23,39 @@ const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string
   const auto found = std::ranges::find(record.runs, level, &vnv::RunSummary::level);
   return found == record.runs.end() || !found->finished ? nullptr : &*found;
 }
+
+/// Runs that are to come, each expected to take what its method took when it ran last, by either program.
+class Ahead {
+ public:
+  Ahead(const std::vector<Contest>& contests, long pairs) : pairs_(pairs) {
+    for (const Contest& contest : contests) expect(contest, 0, std::nullopt);
+  }
+  void begin(const Contest& contest, bool is_after, long pair) {
+    began_ = programs::Work::Clock::now();
+    work_.begin(name_of(contest, is_after, pair), began_);
+    line_.show([&] { return work_.sentence(); });
+  }
+  void end(const Contest& contest, bool is_after, long pair) {
+    const auto now = programs::Work::Clock::now();
+    work_.end(name_of(contest, is_after, pair), now);
+    expect(contest, pair, std::chrono::duration<double>(now - began_).count());
+    line_.clear();
+  }
+
+ private:
+  static std::string name_of(const Contest& contest, bool is_after, long pair) {
+    return fmt::format("{}.{} {}, pair {}", contest.case_name, contest.method, is_after ? "after" : "before", pair + 1);
+  }
+  void expect(const Contest& contest, long from, std::optional<double> seconds) {
+    for (long pair = from; pair < (contest.is_timed ? 1 : pairs_); ++pair)
+      for (const bool is_after : {false, true}) work_.expect(name_of(contest, is_after, pair), seconds);
+  }
+
+  long pairs_;
+  programs::Work work_;
+  programs::Progress line_{"gate"};
+  programs::Work::Clock::time_point began_{};
+};
 
 }  // namespace
 
@@ -42,16 +78,23 @@ Turns take_turns(const std::vector<Contest>& contests, long pairs, std::ostream&
   log << fmt::format("gate: runs {} methods by both programs, {} times in turn\n", contests.size(), pairs)
       << std::flush;
   Turns turns;
-  const auto run = [&](const RunOnce& once, Records& records) {
-    if (std::optional<vnv::Record> record = once(log)) records.push_back(std::move(*record));
+  Ahead ahead(contests, pairs);
+  const auto run = [&](const Contest& contest, bool is_after, long pair) {
+    ahead.begin(contest, is_after, pair);
+    std::ostringstream said;
+    std::optional<vnv::Record> record = (is_after ? contest.after : contest.before)(said);
+    ahead.end(contest, is_after, pair);
+    log << said.str() << std::flush;
+    if (record) (is_after ? turns.after : turns.before).back().push_back(std::move(*record));
   };
   for (long pair = 0; pair < pairs; ++pair) {
-    Records &before = turns.before.emplace_back(), &after = turns.after.emplace_back();
+    turns.before.emplace_back();
+    turns.after.emplace_back();
     for (const Contest& contest : contests) {
       if (pair > 0 && contest.is_timed) continue;
-      if (pair % 2 == 0) run(contest.before, before);
-      run(contest.after, after);
-      if (pair % 2 == 1) run(contest.before, before);
+      const bool after_is_first = pair % 2 == 1;
+      run(contest, after_is_first, pair);
+      run(contest, !after_is_first, pair);
     }
   }
   return turns;

@@ -31,7 +31,7 @@ double user_time_of_children() {  // s
 std::string ProcessResult::sentence() const { return stopped.empty() ? ending.sentence() : "was ended: " + stopped; }
 
 ProcessResult run_limited(const std::string& name, const Words& words, const fs::path& folder, const fs::path& log,
-                          const Limits& limits) {
+                          const Limits& limits, const Meanwhile& meanwhile) {
   constexpr std::chrono::milliseconds between_looks{50};
   ProcessResult result;
   const double user_before = user_time_of_children();
@@ -42,6 +42,7 @@ ProcessResult run_limited(const std::string& name, const Words& words, const fs:
     Running running(limits.grace);
     const pid_t keeper = running.start(name, in_folder, log);
     while (result.stopped.empty()) {
+      if (meanwhile) meanwhile();
       const std::optional<Child> child = running.wait(between_looks);
       result.wall = std::chrono::duration<double>(Clock::now() - start).count();
       if (child) {

@@ -33,6 +33,6 @@ struct ProcessResult {
 /// where that left its process group. `name` is what it is called where this program is interrupted. It must be the
 /// only program that is run at the time. Throws std::runtime_error if it cannot be started.
 ProcessResult run_limited(const std::string& name, const Words& words, const std::filesystem::path& folder,
-                          const std::filesystem::path& log, const Limits& limits);
+                          const std::filesystem::path& log, const Limits& limits, const Meanwhile& meanwhile = {});
 
 }  // namespace touchstone::programs

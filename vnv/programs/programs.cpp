@@ -139,11 +139,14 @@ class Scratch {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-Ending run_alone(const Words& words, const auto& output) {
+Ending run_alone(const Words& words, const auto& output, const Meanwhile& meanwhile = {}) {
+  constexpr std::chrono::milliseconds often{200}, seldom{60000};
   Running running;
   running.start(words.front(), words, output);
-  while (true)
-    if (const std::optional<Child> child = running.wait(std::chrono::minutes(1))) return child->ending;
+  while (true) {
+    if (meanwhile) meanwhile();
+    if (const std::optional<Child> child = running.wait(meanwhile ? often : seldom)) return child->ending;
+  }
 }
 
 }  // namespace
@@ -246,8 +249,8 @@ Ending run_here(const Words& words) {
   return run_alone(words, Streams{});
 }
 
-Ending run_into(const fs::path& output, const Words& words) {
-  const Ending ending = run_alone(words, output);
+Ending run_into(const fs::path& output, const Words& words, const Meanwhile& meanwhile) {
+  const Ending ending = run_alone(words, output, meanwhile);
   if (ending.signal == SIGINT) throw std::runtime_error(fmt::format("{}: interrupted", words.front()));
   return ending;
 }
@@ -256,9 +259,9 @@ std::string CapturedOutput::complaint() const {
   return ending.signal != 0 || errors.empty() ? ending.sentence() : errors.substr(0, errors.find('\n'));
 }
 
-CapturedOutput run_and_capture(const Words& words) {
+CapturedOutput run_and_capture(const Words& words, const Meanwhile& meanwhile) {
   const Scratch output, errors;
-  const Ending ending = run_alone(words, Streams{.output = output.number(), .errors = errors.number()});
+  const Ending ending = run_alone(words, Streams{.output = output.number(), .errors = errors.number()}, meanwhile);
   return {ending, output.text(), errors.text()};
 }
 

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -79,8 +80,11 @@ class Running {
 /// Runs a program to its end; it writes where this one does.
 Ending run_here(const Words& words);
 
+/// Called some times a second while a program runs; none: nothing is.
+using Meanwhile = std::function<void()>;
+
 /// Runs a program to its end; what it writes goes into a file. Throws std::runtime_error if it dies of an interrupt.
-Ending run_into(const std::filesystem::path& output, const Words& words);
+Ending run_into(const std::filesystem::path& output, const Words& words, const Meanwhile& meanwhile = {});
 
 struct CapturedOutput {
   Ending ending;
@@ -90,7 +94,7 @@ struct CapturedOutput {
   std::string complaint() const;
 };
 /// Runs a program to its end and keeps what it says.
-CapturedOutput run_and_capture(const Words& words);
+CapturedOutput run_and_capture(const Words& words, const Meanwhile& meanwhile = {});
 
 /// The last lines of a text file, for a message.
 std::string last_lines(const std::filesystem::path& file, long lines);

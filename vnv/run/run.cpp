@@ -1,7 +1,7 @@
 #include "vnv/run/run.hpp"
 
 #include "solvers/stepping/diverged.hpp"
-#include "vnv/run/progress.hpp"
+#include "vnv/programs/progress.hpp"
 #include "vnv/run/state_check.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,8 @@ class Monitored {
         stepping_(stepping),
         pace_(simulation_),
         state_check_(simulation_.medium(), simulation_.samples()),
-        progress_(name, end) {}
+        end_(end),
+        progress_(name, programs::Progress::Where::terminal) {}
 
   /// Steps until its time is nearest to a target [s], in steps that may be longer than those before. Throws Diverged.
   void step_to(double target) {
@@ -36,7 +37,7 @@ class Monitored {
       const StopWatch watch;
       for (long k = std::min(left, batch); k > 0; --k) simulation_.step();
       seconds_ += watch.seconds();
-      progress_.show(simulation_.time());
+      progress_.show([&] { return how_far(); });
       if (simulation_.steps() - last_checked_ >= steps_between_checks) checked_samples();
     }
   }
@@ -71,12 +72,23 @@ class Monitored {
     changes_.push_back({simulation_.steps(), next});
   }
 
+  /// "40 %, about 12 s left"
+  std::string how_far() const {
+    const double part = simulation_.time() / end_;
+    if (!(part > 0)) return "begins";
+    const std::chrono::duration<double> taken = programs::Progress::Clock::now() - start_;
+    return fmt::format("{:.0f} %, about {} left", 100 * part,
+                       programs::duration_in_words(std::max(0.0, taken.count() * (1 / part - 1))));
+  }
+
   Simulation simulation_;
   Stepping stepping_;
   Pace pace_;
   std::vector<StepChange> changes_;
   StateCheck state_check_;
-  Progress progress_;
+  double end_;  // s
+  programs::Progress progress_;
+  programs::Progress::Clock::time_point start_ = programs::Progress::Clock::now();
   long last_checked_ = 0;
   double seconds_ = 0;
 };

@@ -19,7 +19,8 @@
 
 namespace touchstone::client {
 
-/// Particles, or cells, at one time: an entry each, in SI units. A field that a solver does not have stays empty.
+/// Particles, or cells, at one time: an entry each, in SI units. A field that a solver does not have stays empty, as
+/// may v_y where a flow is judged along x alone, between plates.
 struct Samples {
   std::vector<double> x{}, y{};      // m
   std::vector<double> v_x{}, v_y{};  // m/s

@@ -25,7 +25,7 @@ class Channel {
   double time() const { return time_; }
 
   Samples samples() const {
-    Samples now{.x = start_.x, .y = start_.y, .v_y = start_.v_y};
+    Samples now{.x = start_.x, .y = start_.y};
     for (const double y : start_.y) now.v_x.push_back(u_[size_t(y / dy_)]);
     return now;
   }

@@ -1,0 +1,122 @@
+#include "vnv/programs/progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace touchstone::programs {
+namespace progress_test {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const Work::Clock::time_point start = Work::Clock::now();
+
+TEST(Durations, AreToldInTwoUnitsAtMost) {
+  EXPECT_EQ(duration_in_words(0.4), "0 s");
+  EXPECT_EQ(duration_in_words(59.4), "59 s");
+  EXPECT_EQ(duration_in_words(59.6), "1 min");
+  EXPECT_EQ(duration_in_words(3570), "1 h");
+  EXPECT_EQ(duration_in_words(7500), "2 h 5 min");
+}
+
+TEST(WorkThatIsLeft, IsWhatItsPartsTookLast) {
+  Work work;
+  work.expect("a", 30);
+  work.expect("b", 60);
+  work.begin("a", start);
+  EXPECT_EQ(work.left(start), 90);
+  EXPECT_EQ(work.left(start + seconds(20)), 70);
+  work.end("a", start + seconds(30));
+  work.begin("b", start + seconds(30));
+  EXPECT_EQ(work.left(start + seconds(30)), 60);
+}
+
+TEST(WorkThatIsLeft, IsSharedByWhatRunsBesideEachOtherAndEndsWithTheLongest) {
+  Work work;
+  for (const char* name : {"a", "b", "c", "d"}) work.expect(name, 30);
+  work.expect("timed", 10, true);
+  work.begin("a", start);
+  work.begin("b", start);
+  EXPECT_EQ(work.left(start), 120 / 2 + 10);
+  Work unequal;
+  unequal.expect("long", 100);
+  unequal.expect("short", 10);
+  unequal.begin("long", start);
+  unequal.begin("short", start);
+  EXPECT_EQ(unequal.left(start), 100);
+}
+
+TEST(WorkThatIsLeft, TakesAsMuchLongerAsWhatHasEndedDid) {
+  Work work;
+  work.expect("a", 90);
+  work.expect("b", 50);
+  work.begin("a", start);
+  work.end("a", start + seconds(190));  // twice as long, were ten seconds more expected and taken
+  work.begin("b", start + seconds(190));
+  EXPECT_EQ(work.left(start + seconds(190)), 100);
+  EXPECT_EQ(work.left(start + seconds(190 + 400)), 40) << "what is overdue takes a tenth more";
+}
+
+TEST(WorkThatIsLeft, IsUnknownBeforeAnythingIsKnownOrRuns) {
+  Work work;
+  work.expect("a", 10);
+  EXPECT_EQ(work.sentence(start), "0 of 1 done; none runs yet");
+  Work first_time;
+  first_time.expect("a", std::nullopt);
+  first_time.begin("a", start);
+  EXPECT_EQ(first_time.sentence(start + seconds(3)), "0 of 1 done, 1 of unknown cost; now a 3 s");
+}
+
+TEST(WorkThatIsLeft, IsToldByOtherMeasuresOnceAPartHasEnded) {
+  Work files(0);  // by their bytes
+  files.expect("a", 1e6);
+  files.expect("b", 3e6);
+  files.begin("a", start);
+  EXPECT_EQ(files.left(start), std::nullopt);
+  files.end("a", start + seconds(2));
+  files.begin("b", start + seconds(2));
+  EXPECT_EQ(files.sentence(start + seconds(2)), "1 of 2 done, about 6 s left; now b 0 s");
+}
+
+TEST(WorkThatIsLeft, IsToldWithWhatRunsAndWhatNobodyKnows) {
+  Work work;
+  work.expect("a.mpm", 10);
+  work.expect("b.sph", 300);
+  work.expect("c.sph", std::nullopt);
+  work.begin("a.mpm", start);
+  work.end("a.mpm", start + seconds(10));
+  work.begin("c.sph", start + seconds(10));
+  work.begin("b.sph", start + seconds(12));
+  EXPECT_EQ(work.sentence(start + seconds(72)),
+            "1 of 3 done, about 4 min left and 1 of unknown cost; now c.sph 1 min, b.sph 1 min");
+}
+
+TEST(AProgressLine, IsRewrittenInPlaceOnATerminalAndGoneAtTheEnd) {
+  std::ostringstream out;
+  {
+    Progress line("vnv", out, 12);
+    line.show([] { return "δ = 1 and more"; }, start);
+    line.show([] { return "too soon"; }, start + milliseconds(100));
+    line.show([] { return "2"; }, start + milliseconds(300));
+  }
+  EXPECT_EQ(out.str(), "\r\x1b[Kvnv: δ = 1 \r\x1b[Kvnv: 2\r\x1b[K");
+}
+
+TEST(AProgressLine, IsAPlainLineFromTimeToTimeInALog) {
+  std::ostringstream out;
+  {
+    Progress line("vnv", out, 0);
+    const auto now = Progress::Clock::now();
+    for (int second = 0; second <= 7200; ++second)
+      line.show([&] { return std::to_string(second); }, now + seconds(second));
+  }
+  EXPECT_TRUE(out.str().starts_with("vnv: 60\nvnv: 120\nvnv: 180\n")) << out.str();
+  EXPECT_EQ(out.str().find_first_of("\r\x1b"), std::string::npos);
+  const auto lines = std::ranges::count(out.str(), '\n');
+  EXPECT_GT(lines, 30);
+  EXPECT_LT(lines, 60) << "fewer as work goes on";
+}
+
+}  // namespace progress_test
+}  // namespace touchstone::programs
