@@ -15,6 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> case_names(const Build& build) {
+  if (build.is_installed())
+    throw std::invalid_argument(fmt::format(
+        "{}: an installed copy, which has no cases; expected the file of a solver (.toml), or a build folder by --build",
+        build.folder.string()));
   const fs::path file = build.folder / "vnv" / "cases.txt";
   std::ifstream in(file);
   if (!in)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::vnv::command {
@@ -108,15 +109,28 @@ struct OrderOptions {
 };
 int order(const Build& build, const OrderOptions& options);
 
-/// What may follow a command on the command line.
-struct CommandWords {
-  std::string name;
-  Words options;
-  bool takes_methods = false;
+/// An option or an argument of a command, as its help has it.
+struct OptionText {
+  Words names{};          // "-h", "--help"; of an argument its own, "FLOW"
+  std::string value{};    // what follows an option or is an argument, as in "FOLDER"; empty: nothing
+  std::string words{};    // what it is
+  std::string initial{};  // where it is not given; empty: what the words say
+  bool is_argument = false, is_required = false, may_repeat = false;
 };
-/// A script for bash or zsh by which the shell completes commands, options and names of methods.
-std::string completion_script(const std::string& shell, const CommandWords& vnv,
-                              const std::vector<CommandWords>& subcommands);
+
+/// A command, as its help has it.
+struct CommandText {
+  std::string name, what, footer;
+  std::vector<OptionText> options;
+};
+
+/// A script for bash or zsh by which the shell completes commands, options, and what follows them by the names of
+/// their values.
+std::string completion_script(const std::string& shell, const CommandText& vnv,
+                              const std::vector<CommandText>& subcommands);
+
+/// All help texts as a page for man, in roff.
+std::string manual_page(const CommandText& vnv, const std::vector<CommandText>& subcommands, std::string_view version);
 
 /// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot;
 /// something_fails where the pages are there and not green.

@@ -1,13 +1,16 @@
-/// vnv explain: what a case solves, what is claimed of it on whose word, and where its data come from.
+/// vnv explain: what a case solves or a flow is, what is claimed of it on whose word, and where its data come from.
 
-#include "vnv/command/commands.hpp"
+#include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/files/data_folder.hpp"
 #include "vnv/files/tables.hpp"
+#include "vnv/harness/describe.hpp"
 #include "vnv/record/prices.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -97,6 +100,43 @@ void print_data(const Description& one) {
                 4);
 }
 
+/// "the front: 20 times or more, to 0.5 s"
+std::string over_time(const doors::Measured& one) {
+  const auto [first, last, least] = *one.over;
+  if (!std::isfinite(first)) return one.name + ": at whatever times there are";
+  const std::string span = first < last ? fmt::format(", from {:g} to {:g} s", first, last)
+                           : last > 0   ? fmt::format(", to {:g} s", last)
+                                        : "";
+  return fmt::format("{}: {} or more{}", one.name, least == 1 ? "a time" : fmt::format("{} times", least), span);
+}
+
+/// A flow, by which any code is judged, at its published parameters.
+void explain_flow(const std::string& name) {
+  const doors::Flow flow = doors::flow_named(name);
+  Case judged = flow.judged;
+  judged.claims.insert(judged.claims.end(), flow.of_resolved.begin(), flow.of_resolved.end());
+  const Description one = describe(name, judged, data_folder());
+  fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", name, one.title)));
+  print_wrapped(one.description, 0);
+  print_heading("Parameters, as published; --set gives them other values");
+  for (const doors::Parameter& p : flow.parameters)
+    print_wrapped(fmt::format("{} = {:.10g}{}: {}", p.name, p.value, p.unit == "-" ? "" : " " + p.unit, p.words), 2);
+  print_heading("Judged");
+  for (const doors::Exact& exact : flow.exact)
+    print_wrapped(fmt::format("exact {}: {}", exact.field, fmt::join(exact.norms, "; ")), 2);
+  print_wrapped(fmt::format("at {} s, or at the times of your files", fmt::join(one.times, ", ")), 2);
+  for (const doors::Measured& measured : flow.measured)
+    if (measured.over) print_wrapped("over time, " + over_time(measured), 2);
+  print_heading("Claimed of any code");
+  for (std::size_t k = 0; k < one.claims.size(); ++k)
+    print_wrapped(sentence(one.claims[k]) +
+                      (k < flow.judged.claims.size() ? "" : fmt::format(", with {:g} across or more", flow.resolved)),
+                  2);
+  if (!one.tables.empty()) print_heading("Data");
+  for (const std::string& file : one.tables) print_table(file);
+  fmt::print("\nvnv scene {0} says what to compute; vnv judge {0} FILES judges what a code wrote.\n", name);
+}
+
 /// The default among the methods of a case, by what errors cost in it or in the flow that stands for it.
 void print_default(const Description& one) {
   const std::filesystem::path file = std::filesystem::path(one.data_folder) / "work.csv";
@@ -127,7 +167,19 @@ void explain_case(const Description& one, const std::vector<Chosen>& methods, bo
 }  // namespace
 
 int explain(const Build& build, const ExplainOptions& options) {
+  if (build.is_installed()) {
+    for (const std::string& flow : chosen_flows({options.pattern})) explain_flow(flow);
+    return all_holds;
+  }
   const Catalogue catalogue = read_catalogue(build, {options.pattern});
+  const std::vector<std::string> flows = doors::flow_names();
+  if (std::ranges::find(flows, options.pattern) != flows.end() &&
+      std::ranges::find(catalogue.cases, options.pattern, &Description::name) == catalogue.cases.end()) {
+    fmt::print(stderr, "vnv: the case {} is not built; this is the flow by which any code is judged\n",
+               options.pattern);
+    explain_flow(options.pattern);
+    return all_holds;
+  }
   const std::vector<Chosen> methods = choose_all(catalogue, {options.pattern}, "");
   const bool whole = methods.size() == 1;
   const Description* last = nullptr;

@@ -55,6 +55,31 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
   }
 }
 
+/// "exact velocity, pressure; over time: half-axes"
+std::string judged_by(const doors::Flow& flow) {
+  std::vector<std::string> exact, over_time;
+  for (const doors::Exact& one : flow.exact) exact.push_back(one.field);
+  for (const doors::Measured& one : flow.measured)
+    if (one.over) over_time.push_back(one.name);
+  return fmt::format("{}{}{}{}{}", exact.empty() ? "" : "exact ", fmt::join(exact, ", "),
+                     exact.empty() || over_time.empty() ? "" : "; ",
+                     over_time.empty() ? "" : "over time: ", fmt::join(over_time, ", "));
+}
+
+/// What can be done without cases, and by which flows.
+void print_what_is_installed(const std::vector<std::string>& flows) {
+  fmt::print(
+      "No cases of our methods are installed; --build names a build folder that has them. Any code can be judged by\n\n");
+  for (const std::string& name : flows) {
+    const doors::Flow flow = doors::flow_named(name);
+    fmt::print("{:24} {:36} {}\n", name, flow.judged.title, judged_by(flow));
+  }
+  fmt::print(
+      "\n  vnv scene FLOW          what to compute\n  vnv explain FLOW        what is claimed, and by which oracle\n"
+      "  vnv judge FLOW FILES    judges what a code wrote\n"
+      "  vnv run mine.toml       runs a code, judges it and keeps a record, which vnv report turns into a page\n");
+}
+
 }  // namespace
 
 int list(const Build& build, const ListOptions& chosen) {
@@ -62,6 +87,14 @@ int list(const Build& build, const ListOptions& chosen) {
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   print_solvers(solvers);
   if (!solvers.empty() && options.patterns.empty()) return all_holds;
+  if (build.is_installed()) {
+    const std::vector<std::string> flows = chosen_flows(options.patterns);
+    if (options.as_json)
+      print_json({});
+    else if (!options.names_only)
+      print_what_is_installed(flows);
+    return all_holds;
+  }
   const Catalogue catalogue = read_catalogue(build, options.patterns);
   if (!options.names_only) warn_of_not_built(catalogue);
   const std::vector<Chosen> methods = choose(catalogue, options.patterns, options.suite);

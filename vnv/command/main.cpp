@@ -3,6 +3,7 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/files/data_folder.hpp"
+#include "vnv/harness/environment.hpp"
 #include "vnv/programs/command_line.hpp"
 #include "vnv/programs/out_of_memory.hpp"
 
@@ -33,8 +34,19 @@ void add(Session& session, const std::string& name, const std::string& what, con
   command->callback([=, &session] { session.work = [=, &session] { return work(session.build, *options); }; });
 }
 
+/// An option whose value the help, the manual and completion know as that of a folder or a file.
+template <class Value>
+CLI::Option* add_folder(CLI::App& command, const std::string& name, Value& value, const std::string& what) {
+  return command.add_option(name, value, what)->type_name("FOLDER");
+}
+template <class Value>
+CLI::Option* add_file(CLI::App& command, const std::string& name, Value& value, const std::string& what) {
+  return command.add_option(name, value, what)->type_name("FILE");
+}
+
 CLI::Option* add_suite(CLI::App& command, std::string& suite) {
   return command.add_option("--suite", suite, "acceptance, report, nightly, work or validation")
+      ->type_name("SUITE")
       ->check(programs::one_of(suites))
       ->capture_default_str();
 }
@@ -51,9 +63,9 @@ void add_at_once(CLI::App& command, int& at_once) {
 }
 
 void add_results(CLI::App& command, std::string& records, std::string& junit, bool& as_json) {
-  command.add_option("--records", records,
-                     "folder for the record: JSON with every value and verdict, which vnv report turns into pages");
-  command.add_option("--junit", junit, "file for the verdicts as JUnit XML, for continuous integration");
+  add_folder(command, "--records", records,
+             "for the record: JSON with every value and verdict, which vnv report turns into pages");
+  add_file(command, "--junit", junit, "for the verdicts as JUnit XML, for continuous integration");
   command.add_flag("--json", as_json, "print JSON, for other programs");
 }
 
@@ -74,21 +86,24 @@ void declare_run(CLI::App& command, RunOptions& options) {
           "programs to run at once; default: 1; with parallel, one per processor of each host; with slurm, all that "
           "it grants; those judged by run time run alone")
       ->check(programs::whole_numbers(1, 4096));
-  command.add_option("--records", where.records, "folder of records; default: BUILD/records/SUITE");
+  add_folder(command, "--records", where.records, "of records; default: BUILD/records/SUITE");
   command
       .add_option(
           "--engine", where.engine,
           "local: on this machine; parallel: on hosts, by GNU parallel and ssh; slurm: on a cluster, by job arrays. "
           "All machines must see the build folder, the data and the records under the same paths")
+      ->type_name("ENGINE")
       ->check(programs::one_of(engines))
       ->capture_default_str();
-  command.add_option(
-      "--hosts", where.hosts,
-      "hosts for parallel, in the form of its --sshlogin (4/user@host): separated by commas, or a file with one "
-      "per line; default: this machine");
+  command
+      .add_option("--hosts", where.hosts,
+                  "for parallel, in the form of its --sshlogin (4/user@host): separated by commas, or a file with one "
+                  "per line; default: this machine")
+      ->type_name("HOSTS");
   command
       .add_option("--engine-option", where.options,
                   "further option for parallel or sbatch, such as --partition=long; may be repeated")
+      ->type_name("OPTION")
       ->allow_extra_args(false);
   command.add_flag("--again", options.again, "also run methods that would be skipped");
 }
@@ -97,33 +112,32 @@ void declare_report(CLI::App& command, ReportOptions& options) {
   command.add_option("RECORDS", options.records, "folder of records; default: BUILD/records/SUITE");
   command.add_option("SITE", options.site, "folder for the pages, replaced if it exists; default: BUILD/site/SUITE");
   add_suite(command, options.suite);
-  command.add_option("--history", options.history,
-                     "folder of earlier nights, to which these records are added; default: that of the build, if the "
-                     "records are its own");
-  command.add_option("--known-failures", options.known_failures,
-                     "file of claims that are known to fail; default: known_failures.csv in the data folder");
-  command.add_option(
-      "--faults", options.faults,
-      "file with the results of the seeded faults; default: vnv/trials/faults/trials.csv in the sources");
+  add_folder(command, "--history", options.history,
+             "of earlier nights, to which these records are added; default: that of the build, if the records are its "
+             "own");
+  add_file(command, "--known-failures", options.known_failures,
+           "of claims that are known to fail; default: known_failures.csv in the data folder");
+  add_file(command, "--faults", options.faults,
+           "with the results of the seeded faults; default: vnv/trials/faults/trials.csv in the sources");
 }
 
 void declare_export(CLI::App& command, ExportOptions& options) {
   command.add_option("CASE", options.case_name, "case, ours or that of another code, by the name of its page")
       ->required();
-  command.add_option("--records", options.records, "folder of records; default: BUILD/records/SUITE");
-  command.add_option("--folder", options.folder, "folder for the files; default: BUILD/export/CASE");
+  add_folder(command, "--records", options.records, "of records; default: BUILD/records/SUITE");
+  add_folder(command, "--folder", options.folder, "for the files; default: BUILD/export/CASE");
   add_suite(command, options.suite);
 }
 
 void declare_accept(CLI::App& command, AcceptOptions& options) {
   add_patterns(command, options.patterns)->required();
-  command.add_option("--reason", options.reason, "why the new values are right; kept in the file")->required();
+  command.add_option("--reason", options.reason, "why the new values are right; kept in the file")
+      ->type_name("TEXT")
+      ->required();
   add_suite(command, options.suite);
-  command
-      .add_option(
-          "--claims", options.claims,
-          "run nothing and accept no values, only the number of claims that each method makes in this folder of "
-          "records; accepted methods without a record there are removed")
+  add_folder(command, "--claims", options.claims,
+             "run nothing and accept no values, only the number of claims that each method makes in this folder of "
+             "records; accepted methods without a record there are removed")
       ->check(programs::existing_folder());
 }
 
@@ -132,20 +146,23 @@ void declare_gate(CLI::App& command, GateOptions& options) {
   command.add_option("BEFORE", request.before, "what to compare with")->required();
   command.add_option("AFTER", request.after, "what to judge")->required();
   add_suite(command, request.suite);
-  command.add_option("--case", request.cases, "only this case; may be given several times")->allow_extra_args(false);
-  command.add_option("--only", request.only, "only methods whose CASE.METHOD contains this regular expression");
+  command.add_option("--case", request.cases, "only this case; may be given several times")
+      ->type_name("CASE")
+      ->allow_extra_args(false);
+  command.add_option("--only", request.only, "only methods whose CASE.METHOD contains this regular expression")
+      ->type_name("EXPRESSION");
   command
       .add_option("--repeats", request.repeats, "alternating pairs of runs, 6 or more; 0: CPU times are not compared")
       ->check(programs::whole_numbers(0, 1000))
       ->capture_default_str();
   command.add_flag("--all", request.all, "also run programs that are the same in both");
-  command.add_option("--markdown", request.markdown, "file for the findings as Markdown, to be pasted into a review");
-  command.add_option("--json", request.json, "file for all findings as JSON, for other programs");
-  command.add_option("--site", options.site, "folder for pages that show error against run time, before and after");
+  add_file(command, "--markdown", request.markdown, "for the findings as Markdown, to be pasted into a review");
+  add_file(command, "--json", request.json, "for all findings as JSON, for other programs");
+  add_folder(command, "--site", options.site, "for pages that show error against run time, before and after");
 }
 
 void declare_explain(CLI::App& command, ExplainOptions& options) {
-  command.add_option("PATTERN", options.pattern, "case, CASE.METHOD, glob or part of a name")->required();
+  command.add_option("NAME", options.pattern, "case, CASE.METHOD, glob or part of a name, or flow")->required();
 }
 
 void declare_plan(CLI::App& command, PlanOptions& options) {
@@ -163,7 +180,7 @@ void declare_scene(CLI::App& command, SceneOptions& options) {
   command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
       ->check(programs::above_zero());
   command.add_flag("--json", options.as_json, "print JSON, for a solver");
-  command.add_option("--particles", options.particles, "file for the initial particles, as CSV");
+  add_file(command, "--particles", options.particles, "for the initial particles, as CSV");
 }
 
 void declare_judge(CLI::App& command, JudgeOptions& options) {
@@ -173,7 +190,7 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("--set", options.set, "parameter of the flow, in SI units; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--name", options.name, "name of the code that is judged")->capture_default_str();
+  command.add_option("--name", options.name, "of the code that is judged")->type_name("CODE")->capture_default_str();
   command
       .add_option(
           "--field", options.fields,
@@ -188,14 +205,17 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       ->type_name("KIND=UNIT")
       ->allow_extra_args(false);
   command.add_option("--axes", options.axes, "axes of the plane of the flow, in the coordinates of the files")
+      ->type_name("AXES")
       ->check(programs::one_of({"xy", "xz", "yx", "yz", "zx", "zy"}));
   command.add_option("--origin", options.origin, "origin of the flow, in the coordinates of the files [m]")
       ->expected(2)
       ->check(programs::numbers());
-  command.add_option(
-      "--only", options.only,
-      "rows that are fluid, by the values of an array: NAME=VALUE, NAME>VALUE or NAME<VALUE; default: those that an "
-      "array of names calls fluid or water, else all");
+  command
+      .add_option(
+          "--only", options.only,
+          "rows that are fluid, by the values of an array: NAME=VALUE, NAME>VALUE or NAME<VALUE; default: those "
+          "that an array of names calls fluid or water, else all")
+      ->type_name("ROWS");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
   command.add_option("--time", options.time, "time of files without a time [s]")->check(programs::zero_or_above());
   command.add_option("--time-step", options.time_step, "time between consecutive indices of files without a time [s]")
@@ -237,39 +257,67 @@ void declare_order(CLI::App& command, OrderOptions& options) {
       ->check(programs::numbers());
 }
 
-CommandWords words_of(const CLI::App& command) {
-  CommandWords words{command.get_name(), {}, command.get_option_no_throw("PATTERN") != nullptr};
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) words.options.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) words.options.push_back("-" + name);
-  }
-  if (command.get_option_no_throw("SHELL")) words.options.insert(words.options.end(), {"bash", "zsh"});
-  return words;
+OptionText text_of(const CLI::Option& option) {
+  OptionText text{.value = option.get_type_name(),
+                  .words = option.get_description(),
+                  .initial = option.get_default_str(),
+                  .is_argument = option.get_positional(),
+                  .is_required = option.get_required(),
+                  .may_repeat = option.get_items_expected_max() > 1 && option.get_type_size_max() == 1};
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  if (text.is_argument) text.names = {text.value = option.get_name(true)};
+  return text;
 }
 
-int print_completion(const CLI::App& app, const std::string& shell) {
-  std::vector<CommandWords> subcommands;
+CommandText text_of(const CLI::App& command) {
+  CommandText text{command.get_name(), command.get_description(), command.get_footer(), {}};
+  for (const CLI::Option* option : command.get_options()) text.options.push_back(text_of(*option));
+  return text;
+}
+
+std::vector<CommandText> texts_of_subcommands(const CLI::App& app) {
+  std::vector<CommandText> texts;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    subcommands.push_back(words_of(*command));
-  fmt::print("{}", completion_script(shell, words_of(app), subcommands));
-  return all_holds;
+    texts.push_back(text_of(*command));
+  return texts;
+}
+
+void add_manual(Session& session) {
+  CLI::App* command = session.app.add_subcommand("manual", "Prints these help texts as a page for man.");
+  command->footer("Example:\n  vnv manual | man -l -");
+  command->callback([&session] {
+    session.work = [&session] {
+      fmt::print("{}", manual_page(text_of(session.app), texts_of_subcommands(session.app), project_version()));
+      return all_holds;
+    };
+  });
 }
 
 void add_completion(Session& session) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = session.app.add_subcommand(
-      "completion", "Prints a script that lets a shell complete commands, options and methods.");
+      "completion", "Prints a script that lets a shell complete commands, options, methods, flows and files.");
   command->footer("Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)");
   command->add_option("SHELL", *shell, "bash or zsh")->required()->check(programs::one_of({"bash", "zsh"}));
-  command->callback([=, &session] { session.work = [=, &session] { return print_completion(session.app, *shell); }; });
+  command->callback([=, &session] {
+    session.work = [=, &session] {
+      fmt::print("{}", completion_script(*shell, text_of(session.app), texts_of_subcommands(session.app)));
+      return all_holds;
+    };
+  });
 }
 
 void add_subcommands(Session& session) {
   add(session, "list", "Lists cases, methods and levels, and which suites run them.",
-      "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json", list, declare_list);
+      "An installed copy, which has no cases, lists the flows by which any code can be judged.\n"
+      "Examples:\n  vnv list\n  vnv list 'dam_*.mpm' --suite nightly\n  vnv list couette --json",
+      list, declare_list);
   add(session, "run", "Runs methods and judges them by their claims.",
       "A method is skipped if the folder of records has a record of the same program, data and suite.\n"
       "On other machines it may take five times as long as last time, and is run again if its machine fails.\n"
+      "What runs, what is left and how long that takes by the last records stands on stderr: on a terminal in one line,\n"
+      "in a log from time to time.\n"
       "Examples:\n  vnv run couette.mpm\n  vnv run 'invariance_*' --suite nightly -j 2\n  vnv run --again --records mine\n"
       "  vnv run mine.toml\n  vnv run --suite nightly --engine parallel --hosts a,4/b\n"
       "  vnv run --suite nightly --engine slurm --engine-option=--partition=long",
@@ -300,12 +348,14 @@ void add_subcommands(Session& session) {
       "  vnv gate nights/monday nights/tuesday --json gate.json",
       run_gate, declare_gate);
   add(session, "explain",
-      "Explains what a case solves, what is claimed and on whose authority, and where its data come from.",
-      "A single method is explained with its claims and levels.\n"
+      "Explains what a case or a flow is, what is claimed and on whose authority, and where its data come from.",
+      "A single method is explained with its claims and levels. A flow, by which any code is judged, is explained where\n"
+      "no case of its name is built or installed.\n"
       "Examples:\n  vnv explain dam_break\n  vnv explain couette.mpm",
       explain, declare_explain);
   add(session, "plan", "Lists the methods and levels that a suite runs, with their last recorded cost.",
-      "Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json", plan, declare_plan);
+      "Examples:\n  vnv plan --suite nightly -j 8\n  vnv plan 'invariance_*' --json\n  vnv plan mine.toml", plan,
+      declare_plan);
   add(session, "scene", "Prints all that a solver needs to compute a flow, at any parameters.",
       "Examples:\n  vnv scene\n  vnv scene poiseuille --set H=1 --set F=1e-5 --set nu=0.01\n"
       "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
@@ -335,6 +385,16 @@ void add_subcommands(Session& session) {
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
   add_completion(session);
+  add_manual(session);
+  for (CLI::App* command : session.app.get_subcommands([](CLI::App*) { return true; }))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_positional()) option->type_name("");  // its name says what it is
+}
+
+/// "vnv (Touchstone) 0.1.0, revision 5617f2c"
+std::string version_in_words() {
+  return fmt::format("vnv (Touchstone) {}{}", project_version(),
+                     revision() == "unknown" ? "" : fmt::format(", revision {}", revision()));
 }
 
 /// This program lies in BUILD/vnv/, installed in PREFIX/lib/touchstone/vnv/.
@@ -357,9 +417,9 @@ std::optional<int> parse(Session& session, int count, char** arguments) {
   app.require_subcommand(0, 1);  // that there is one is checked last, so that a misspelt one is named
   app.fallthrough();
   session.build.folder = own_build_folder();
-  app.add_option("--build", session.build.folder, "build folder; default: that of this program");
-  app.add_option("--data", session.build.data,
-                 "folder of experiments, papers and baselines; default: that of the sources");
+  app.set_version_flag("--version", version_in_words(), "print version and revision, and exit");
+  add_folder(app, "--build", session.build.folder, "where programs are; default: that of this program");
+  add_folder(app, "--data", session.build.data, "of experiments, papers and baselines; default: that of the sources");
   add_subcommands(session);
   static_assert(bad_usage == programs::bad_usage);
   if (const std::optional<int> status = programs::read_command_line(app, count, arguments)) return status;

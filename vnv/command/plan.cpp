@@ -1,11 +1,13 @@
 /// vnv plan: the tasks of a suite with what they cost last time.
 
-#include "vnv/command/commands.hpp"
-#include "vnv/command/tasks.hpp"
+#include "vnv/command/solvers.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
 
 namespace touchstone::vnv::command {
 namespace {
@@ -40,10 +42,26 @@ void print_for_people(const std::vector<Task>& tasks, int at_once) {
 
 }  // namespace
 
-int plan(const Build& build, const PlanOptions& options) {
-  const Catalogue catalogue = read_catalogue(build, options.patterns);
-  const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
-  const std::vector<Task> tasks = tasks_of(methods, options.suite, build.records(options.suite));
+int plan(const Build& build, const PlanOptions& chosen) {
+  PlanOptions options = chosen;
+  const std::filesystem::path records = build.records(options.suite);
+  std::vector<Task> tasks;
+  const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
+  for (const doors::Solver& solver : solvers) std::ranges::move(tasks_of(solver, records), std::back_inserter(tasks));
+  const bool are_solvers_all = !solvers.empty() && options.patterns.empty();
+  if (!are_solvers_all && build.is_installed() && options.patterns.empty()) {
+    if (!options.as_json)
+      fmt::print(
+          "No cases of our methods are installed, so no suite has tasks here; --build names a build folder that has "
+          "them.\n\n  vnv plan mine.toml      the runs of your code, with their last recorded cost\n"
+          "  vnv list                the flows by which any code can be judged\n");
+    return all_holds;
+  }
+  if (!are_solvers_all) {
+    const Catalogue catalogue = read_catalogue(build, options.patterns);
+    const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
+    std::ranges::move(tasks_of(methods, options.suite, records), std::back_inserter(tasks));
+  }
   if (options.as_json)
     print_json(tasks, options.suite);
   else

@@ -155,13 +155,15 @@ int run(const Build& build, const RunOptions& chosen) {
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   if (options.where.records.empty()) options.where.records = build.records(options.suite);
   options.where.records = fs::absolute(options.where.records);
+  Catalogue catalogue;
+  std::vector<Chosen> methods;
+  if (solvers.empty() || !options.patterns.empty()) {
+    catalogue = read_catalogue(build, options.patterns);
+    methods = choose_all(catalogue, options.patterns, options.suite);
+  }
   files::make_folder(options.where.records / "logs");
   Sum sum;
-  if (solvers.empty() || !options.patterns.empty()) {
-    const Catalogue catalogue = read_catalogue(build, options.patterns);
-    const std::vector<Chosen> methods = choose_all(catalogue, options.patterns, options.suite);
-    Judging(build, options, sum).judge(methods);
-  }
+  Judging(build, options, sum).judge(methods);
   for (const doors::Solver& solver : solvers) run_solver(solver, options, sum);
   return conclude(sum);
 }

@@ -2,7 +2,7 @@
 
 #include "vnv/command/inputs.hpp"
 #include "vnv/command/outcome.hpp"
-#include "vnv/command/tasks.hpp"
+#include "vnv/command/patterns.hpp"
 #include "vnv/command/terminal.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +20,35 @@ std::vector<doors::Solver> take_solvers(Patterns& patterns) {
     if (pattern.ends_with(".toml")) solvers.push_back(doors::read_solver(pattern));
   std::erase_if(patterns, [](const std::string& pattern) { return pattern.ends_with(".toml"); });
   return solvers;
+}
+
+std::vector<std::string> chosen_flows(const Patterns& patterns) {
+  const std::vector<std::string> all = doors::flow_names();
+  if (patterns.empty()) return all;
+  std::vector<std::string> chosen;
+  for (const std::string& pattern : patterns) {
+    const std::vector<std::string> found = matches(pattern, all);
+    if (found.empty())
+      throw std::invalid_argument(fmt::format("no flow fits '{}', and no cases are installed; expected one of: {}",
+                                              pattern, fmt::join(all, ", ")));
+    chosen.insert(chosen.end(), found.begin(), found.end());
+  }
+  return chosen;
+}
+
+std::vector<Task> tasks_of(const doors::Solver& solver, const fs::path& records) {
+  const std::map<std::string, double> costs = costs_of_levels(record_file(records, solver.case_and_method()));
+  std::vector<Task> tasks;
+  for (const double spacing : solver.spacings) {
+    const std::string level = level_name(solver.flow, spacing);
+    const auto cost = costs.find(level);
+    tasks.push_back({.name = solver.case_and_method(),
+                     .level = level,
+                     .spacing = spacing,
+                     .until = solver.times.back(),
+                     .cpu = cost == costs.end() ? std::nullopt : std::optional(cost->second)});
+  }
+  return tasks;
 }
 
 void print_solvers(const std::vector<doors::Solver>& solvers) {

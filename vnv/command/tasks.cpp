@@ -7,17 +7,13 @@
 #include <cmath>
 
 namespace touchstone::vnv::command {
-namespace {
-
-std::map<std::string, double> costs_of_levels(const std::filesystem::path& file) {
+std::map<std::string, double> costs_of_levels(const std::filesystem::path& record) {
   std::map<std::string, double> costs;
-  if (!std::filesystem::exists(file)) return costs;
-  for (const RunSummary& run : read_record(file).runs)
-    costs[run.level] += run.cost.cpu * static_cast<double>(run.cost.repeats);
+  if (!std::filesystem::exists(record)) return costs;
+  for (const RunSummary& run : read_record(record).runs)
+    if (std::isfinite(run.cost.cpu)) costs[run.level] += run.cost.cpu * static_cast<double>(run.cost.repeats);
   return costs;
 }
-
-}  // namespace
 
 std::vector<Task> tasks_of(const std::vector<Chosen>& methods, const std::string& suite,
                            const std::filesystem::path& records) {

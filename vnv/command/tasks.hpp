@@ -33,6 +33,9 @@ struct LastCost {
 };
 /// Nothing where there is no record, or none that can be read.
 std::optional<LastCost> last_cost(const std::filesystem::path& record);
+/// The CPU time [s] of each of its levels with all repeats, by name; none where there is no record. Throws
+/// std::runtime_error for one that cannot be read.
+std::map<std::string, double> costs_of_levels(const std::filesystem::path& record);
 /// The wall time [s] of each of its levels, by name; none where there is no such record.
 std::map<std::string, double> last_times(const std::filesystem::path& record);
 

@@ -3,6 +3,7 @@
 #
 #   bin/vnv -> lib/touchstone/vnv/vnv      lib/touchstone/reports, lib/touchstone/data
 #   share/touchstone/{client,python,examples,IS_MY_SOLVER_RIGHT.md,README.md,LICENSE,LICENSE-MIT}
+#   share/man/man1/vnv.1, share/{bash-completion/completions/vnv,zsh/vendor-completions/_vnv}, made of the help texts
 #   include/touchstone -> share/touchstone/client/touchstone      share/cmake/Touchstone: find_package(Touchstone)
 install(TARGETS vnv_command DESTINATION lib/touchstone/vnv)
 install(TARGETS touchstone_report DESTINATION lib/touchstone/reports)
@@ -11,6 +12,10 @@ file(MAKE_DIRECTORY ${links})
 file(CREATE_LINK ../lib/touchstone/vnv/vnv ${links}/vnv SYMBOLIC)
 file(CREATE_LINK ../share/touchstone/client/touchstone ${links}/touchstone SYMBOLIC)
 install(FILES ${links}/vnv DESTINATION bin)
+set(texts ${PROJECT_BINARY_DIR}/vnv/texts)
+install(FILES ${texts}/vnv.1 DESTINATION share/man/man1)
+install(FILES ${texts}/vnv.bash DESTINATION share/bash-completion/completions RENAME vnv)
+install(FILES ${texts}/vnv.zsh DESTINATION share/zsh/vendor-completions RENAME _vnv)
 install(FILES ${links}/touchstone DESTINATION include)
 install(DIRECTORY data/ DESTINATION lib/touchstone/data PATTERN README.md EXCLUDE PATTERN baselines EXCLUDE PATTERN claims EXCLUDE)  # the last two are of our methods
 
