@@ -131,12 +131,16 @@ class Browser:
 
 LINKS = "[...document.querySelectorAll('[href],[src]')].map(e => e.getAttribute('href') ?? e.getAttribute('src'))"
 IDS = "[...document.querySelectorAll('[id]')].map(e => e.id)"
-UNSHOWN = "[...document.images].filter(i => !i.complete || i.naturalWidth === 0).map(i => i.getAttribute('src'))"
+# Images that are loaded when they come into view are asked for at once.
+UNSHOWN = r"""Promise.all([...document.images].map(image => {
+  image.loading = 'eager';
+  return image.decode().then(() => null, () => image.getAttribute('src'));
+})).then(all => all.filter(src => src !== null))"""
 WIDTH = "document.documentElement.scrollWidth"
 HEIGHT = "document.documentElement.scrollHeight"
 # Clicks each heading of the first table that may be sorted, twice, and compares the order with that of the cells' keys.
 SORTS = r"""(() => {
-  const table = document.querySelector('table:not(.matrix *)');
+  const table = document.querySelector('table:not(.matrix *, .flows *)');
   if (!table) return 'none';
   for (const heading of table.tHead.rows[0].cells)
     for (const expected of ['ascending', 'descending']) {

@@ -182,6 +182,30 @@ WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Poin
   return diagram;
 }
 
+Work work_in(const CaseRecords& records, const WorkDiagram& declared, Resource resource) {
+  const double time = telling_time(records, declared.quantity);
+  const std::string machine = usual_machine(records, declared, time, resource);
+  const Points points = points_of(records, declared, time, resource, machine);
+  return {told(declared, time, resource, points), time, points, machine};
+}
+
+/// What most methods have measured of a kind, of equal ones the first.
+std::optional<vnv::Quantity> usual_quantity(const CaseRecords& records, vnv::Kind kind) {
+  std::vector<std::pair<vnv::Quantity, long>> counts;  // with how many methods have it
+  for (const vnv::Record& record : records.records) {
+    std::vector<vnv::Quantity> own;
+    for (const vnv::Value& value : record.values)
+      if (value.quantity.kind == kind && std::ranges::find(own, value.quantity) == own.end()) own.push_back(value.quantity);
+    for (const vnv::Quantity& quantity : own) {
+      auto known = std::ranges::find(counts, quantity, &std::pair<vnv::Quantity, long>::first);
+      if (known == counts.end()) known = counts.insert(counts.end(), {quantity, 0});
+      ++known->second;
+    }
+  }
+  if (counts.empty()) return std::nullopt;
+  return std::ranges::max_element(counts, {}, &std::pair<vnv::Quantity, long>::second)->first;
+}
+
 vnv::Curve curve(const WorkDiagram& diagram, std::string label, Role role, const Points& points) {
   vnv::Curve drawn{diagram.id, std::move(label), role, {}, {}, role == Role::guide || role == Role::best};
   for (const WorkPoint& point : points) {
@@ -342,14 +366,11 @@ std::string cost_ratio(const Comparison& pair, double target) {
 
 void add_work_precision(CaseRecords& records) {
   for (const WorkDiagram& declared : each_once(records, &vnv::Record::diagrams)) {
-    const double time = telling_time(records, declared.quantity);
     bool has_points = false;
     for (const Resource resource : {Resource::gpu, Resource::core, Resource::cpu}) {
-      const std::string machine = usual_machine(records, declared, time, resource);
-      const Points points = points_of(records, declared, time, resource, machine);
+      const auto [diagram, time, points, machine] = work_in(records, declared, resource);
       if (points.empty() && (has_points || resource != Resource::cpu)) continue;
       has_points = true;
-      const WorkDiagram diagram = told(declared, time, resource, points);
       auto& first = records.records.front();
       first.figures.push_back(figure(records, diagram, resource, points, machine));
       add_curves(records, diagram, points);
@@ -358,6 +379,15 @@ void add_work_precision(CaseRecords& records) {
       if (auto ratios = cost_ratios(diagram, points); !ratios.rows.empty()) first.tables.push_back(std::move(ratios));
     }
   }
+}
+
+std::optional<Work> work_of(const CaseRecords& records) {
+  for (const WorkDiagram& declared : each_once(records, &vnv::Record::diagrams))
+    if (Work work = work_in(records, declared, Resource::cpu); std::isfinite(work.time) || !work.points.empty()) return work;
+  for (const vnv::Kind kind : {vnv::Kind::norm, vnv::Kind::error})
+    if (const auto quantity = usual_quantity(records, kind))
+      return work_in(records, {.quantity = *quantity, .targets = {}}, Resource::cpu);
+  return std::nullopt;
 }
 
 vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const Points& points) {

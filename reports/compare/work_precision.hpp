@@ -15,6 +15,17 @@ namespace touchstone::reports {
 /// several machines ran the methods, the one that ran most is compared; those of others are measured elsewhere.
 void add_work_precision(CaseRecords& records);
 
+/// A work-precision diagram with all that a page shows of it.
+struct Work {
+  vnv::WorkDiagram diagram;
+  double time;                       // s  of the errors
+  std::vector<vnv::WorkPoint> points;
+  std::string machine;               // that ran what was not measured elsewhere
+};
+/// The first that a case declares, against CPU time, or else one of the first norm or other error that most of its
+/// methods measured; nothing where none is measured. Its own id is empty where no page draws it.
+std::optional<Work> work_of(const CaseRecords& records);
+
 /// CPU time of SPH over that of the cheapest MPM, once at equal particle number, the way of Sun et al., and once at
 /// equal error. Without rows if there is nothing of the one or the other.
 vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const std::vector<vnv::WorkPoint>& points);

@@ -46,6 +46,15 @@ Plots plots_of_all(const CaseRecords& records) {
   return plots;
 }
 
+std::string first_image(const CaseRecords& records) {
+  const auto figures = each_once(records, &vnv::Record::figures);
+  for (const auto& figure : figures)
+    if (has(records, &vnv::Record::clouds, figure.id)) return figure.id + ".png";
+  for (const auto& figure : figures)
+    if (has(records, &vnv::Record::curves, figure.id)) return figure.id + ".svg";
+  return "";
+}
+
 Plots plots_of_orders(const CaseRecords& records) {
   Plots plots;
   for (const auto& comparison : order_comparisons(records))

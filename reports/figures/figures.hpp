@@ -29,6 +29,9 @@ using Plots = std::vector<std::pair<vnv::Figure, Plot>>;
 Plots plots_of_all(const CaseRecords& records);
 Plots plots_of_orders(const CaseRecords& records);
 
+/// The image of the first figure with clouds, or else of the first with curves, by its name; empty without any.
+std::string first_image(const CaseRecords& records);
+
 /// The first.
 std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder);
 

@@ -57,8 +57,7 @@ std::string undrawn_html(const DrawnFigure& drawn, const CaseRecords& records) {
 
 std::string figure_html(const DrawnFigure& drawn, const CaseRecords& records) {
   return fmt::format(
-      "<figure id=\"{0}\">\n<div class=\"scroll\" tabindex=\"0\"><img src=\"{1}\" alt=\"{2}\" width=\"{3}\" "
-      "height=\"{4}\"></div>\n"
+      "<figure id=\"{0}\">\n<a href=\"{1}\"><img src=\"{1}\" alt=\"{2}\" width=\"{3}\" height=\"{4}\"></a>\n"
       "<figcaption><b>{2}.</b> {5}{6} <span class=\"files\"><a href=\"{0}.csv\">data</a> "
       "<a href=\"{0}.gp\">gnuplot script</a></span></figcaption>\n</figure>\n",
       drawn.figure.id, drawn.image, escape(drawn.figure.title), drawn.width, drawn.height,
@@ -68,13 +67,12 @@ std::string figure_html(const DrawnFigure& drawn, const CaseRecords& records) {
 std::string figures_html(const CaseRecords& records, const std::vector<DrawnFigure>& figures) {
   std::string html;
   for (const auto& drawn : figures) html += figure_html(drawn, records);
-  // Another code is judged where its user asks for it: then a figure of its flow may have nothing to show, and no
-  // fault.
-  const bool all_are_others = std::ranges::all_of(records.records, &vnv::Record::another_code);
+  // A suite may not run as far as a figure, and another code is judged at the times that its user asks for: no fault,
+  // unless something fails.
+  const bool fails = tally(verdicts_of(records)).fails > 0;
   for (const auto& declared : each_once(records, &vnv::Record::figures)) {
     if (std::ranges::none_of(figures, [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; }))
-      html += fmt::format("<p class=\"{}\">{} the figure “{}”.</p>\n", all_are_others ? "quiet" : "nan",
-                          all_are_others ? "Nothing was judged at the time of" : "No record brings data for",
+      html += fmt::format("<p class=\"{}\">Nothing was run that the figure “{}” shows.</p>\n", fails ? "nan" : "quiet",
                           escape(declared.title));
   }
   return html;

@@ -24,7 +24,7 @@ std::string test_html(const FaultTest& test) {
       std::isnan(test.margin)
           ? ""
           : fmt::format(" <small class=\"{}\">{}</small>", test.noticed ? "fails" : "holds", in_percent(test.margin));
-  return fmt::format("<span title=\"{}\">{}{}</span> ", escape(test.sentence), escape(test.name), percentage);
+  return fmt::format("<span title=\"{}\">{}{}</span> ", escape(test.sentence), breakable(test.name), percentage);
 }
 
 /// The tests that noticed, or those that did not: what is farthest beyond its limit, or closest to it, first.

@@ -201,7 +201,7 @@ std::string multiples(const std::vector<const Series*>& drawn, const History& hi
 
 HtmlRow night_row(std::size_t number, const Night& night) {
   Tally sum;
-  for (const auto& verdict : night.verdicts) sum.add(verdict.outcome);
+  for (const auto& verdict : night.verdicts) sum.add(verdict.outcome, verdict.author);
   double cpu = 0;  // s
   for (const auto& run : night.runs)
     if (!std::isnan(run.cpu)) cpu += run.cpu;  // else it is unknown or of another resource

@@ -1,62 +1,168 @@
 #include "reports/pages/index.hpp"
 
+#include "reports/compare/standings.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
 #include "reports/pages/work_page.hpp"
 #include "reports/text/notation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 namespace touchstone::reports {
 namespace {
 
 std::string counts(const Tally& t) {
   if (t.fails > 0) return fmt::format("{} of {} {}", t.fails, t.total(), t.fails == 1 ? "fails" : "fail");
-  if (t.inconclusive > 0) return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
-  return fmt::format("{} of {} {}", t.holds, t.total(), t.holds == 1 ? "holds" : "hold");
+  return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
 }
 
-// A method of a case and how many of its claims hold, "mpm 34/34".
-std::string method_entry(const vnv::Record& record) {
-  const Tally sum = tally(record.verdicts);
-  return fmt::format("<span>{} <small class=\"{}\">{}/{}</small></span> ", escape(record.method), word(sum.worst()),
-                     sum.holds, sum.total());
-}
-
-/// Whether all that fails in a case is known to.
-bool is_excused(const Tally& sum, const std::string& name, const NightStatus& status) {
-  const auto is_its = [&](const vnv::Verdict& v) { return v.case_name == name; };
-  return sum.fails > 0 && std::ranges::none_of(status.unknown, is_its);
-}
-
-HtmlCell counts_cell(const Tally& sum, const std::string& name, const NightStatus& status) {
+/// What a method is called in a flow, and the class of its colour.
+HtmlCell stands(const Standing& one, const NightStatus& status) {
+  const Tally sum = tally(one.record->verdicts);
+  const auto is_its = [&](const vnv::Verdict& v) {
+    return v.case_name == one.record->case_name && v.method == one.record->method;
+  };
   if (sum.total() == 0) return {"no claim", word(sum.worst())};
-  if (is_excused(sum, name, status)) return {counts(sum) + ", known", "known"};
-  return {counts(sum), word(sum.worst())};
+  if (sum.fails > 0 && std::ranges::none_of(status.unknown, is_its)) return {counts(sum) + ", known", "known"};
+  if (sum.worst() != vnv::Outcome::holds) return {counts(sum), word(sum.worst())};
+  if (one.right_by.empty()) return {"as last accepted", "accepted"};
+  return {one.converges() ? "converges" : "agrees", "holds"};
 }
 
-std::string table_of_cases(const std::vector<CaseRecords>& cases, const NightStatus& status) {
-  HtmlTable table{"Cases.",
-                  "The smallest margin is the fraction of its limit that is left to the claim closest to it; beside "
-                  "each method, how many of its claims hold.",
-                  {"case", "claims", "smallest margin", "methods"}};
-  for (const auto& records : cases) {
-    const Tally sum = tally(verdicts_of(records));
-    std::string methods;
-    for (const auto& record : records.records) methods += method_entry(record);
-    const bool has_margin = sum.fails > 0 || !std::isnan(sum.worst_margin);
-    table.rows.push_back(
-        {words_cell(fmt::format("<a href=\"{}/index.html\">{}</a>", records.name, escape(records.title()))),
-         counts_cell(sum, records.name, status), has_margin ? margin_bar(sum.worst_margin) : "",
-         words_cell("<div class=\"methods\">" + methods + "</div>")});
+/// "as last accepted, wrong by 51 % at 0.1 s", or "converges: theory, literature".
+HtmlCell stands_at_length(const Standing& one, const NightStatus& status) {
+  HtmlCell cell = stands(one, status);
+  if (cell.kind == "accepted" && one.at_end)
+    cell.html += fmt::format(", wrong by {} at {}\u202fs", rounded(std::abs(one.at_end->value), one.at_end->quantity.unit),
+                             printed(one.at_end->time));
+  if (cell.kind == "holds") {
+    std::set<std::string> authors;
+    for (const vnv::Verdict& v : one.right_by) authors.insert(v.author.substr(0, v.author.find(':')));
+    cell.html += fmt::format(" <small>{}</small>", fmt::join(authors, ", "));
   }
-  return to_html(table);
+  return cell;
+}
+
+HtmlCell best_if(bool is_best, const std::string& html) {
+  return is_best ? HtmlCell("<b>" + html + "</b>", "number best") : HtmlCell(html, "number");
+}
+
+HtmlCell order_cell(const Standing& one) {
+  if (!one.order || std::isnan(one.order->order)) return {"–", "number none"};
+  return {with_interval(one.order->order, one.order->half_width), "number " + word(one.order->trend)};
+}
+
+/// A picture of a case and its name.
+std::string case_link(const CaseRecords& records) {
+  const std::string image = first_image(records);
+  const std::string thumb =
+      image.empty() ? "" : fmt::format("<img src=\"{}/{}\" alt=\"\" loading=\"lazy\">", records.name, image);
+  return fmt::format("<a href=\"{}/index.html\">{}{}</a>", records.name, thumb, escape(records.title()));
+}
+
+/// Rows of a flow in which an error is measured, a method each, the first with the flow.
+std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all, const NightStatus& status) {
+  const vnv::WorkDiagram& diagram = all.work->diagram;
+  std::vector<HtmlRow> rows;
+  for (const Standing& one : all.methods) {
+    const Tally sum = tally(one.record->verdicts);
+    HtmlRow row{breakable(one.record->method),
+                best_if(one.is_most_accurate,
+                        std::isnan(one.error) ? "–" : rounded(one.error, diagram.quantity.unit)),
+                order_cell(one),
+                best_if(one.is_cheapest, !one.cost.is_reached() ? "–"
+                                                                : (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s")),
+                stands_at_length(one, status),
+                {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"}};
+    row[4].kind += " words";
+    if (rows.empty()) {
+      const std::string target =
+          std::isnan(diagram.ranked_by) ? "" : fmt::format("; CPU time to {}", valued(diagram.ranked_by, diagram.quantity.unit));
+      row.insert(row.begin(), {case_link(records) +
+                                   fmt::format("<br><small>{}, {}\u202fs{}</small>", typeset(diagram.quantity.name),
+                                               printed(all.work->time), target),
+                               "flow", all.methods.size()});
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// A case in which no error is measured.
+HtmlRow other_row(const CaseRecords& records, const Standings& all, const NightStatus& status) {
+  std::string methods;
+  for (const Standing& one : all.methods)
+    methods += fmt::format("<span>{} <small class=\"{}\">{}</small></span> ", escape(one.record->method),
+                           stands(one, status).kind, tally(one.record->verdicts).total());
+  const Tally sum = tally(verdicts_of(records));
+  return {HtmlCell(case_link(records), "flow"), {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"},
+          words_cell("<div class=\"methods\">" + methods + "</div>")};
+}
+
+std::string tables_of_methods(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
+                              const NightStatus& status) {
+  HtmlTable flows{"Which method for which error.",
+                  "The smallest error of each method, its observed order with its 95\u202f% interval, and the CPU time of "
+                  "one core to the error that stands with the flow; the best of a flow is bold. Claims by theory / by "
+                  "literature / that values are as last accepted.",
+                  {"flow", "method", "error", "order", "CPU time", "verdict", "claims"},
+                  {},
+                  "flows"};
+  HtmlTable others{"Other claims.",
+                   "Stability, invariance, cost: where no error is measured. Claims as above; beside each method, how many.",
+                   {"case", "claims", "methods"},
+                   {},
+                   "flows"};
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    if (standings[c].work)
+      std::ranges::move(flow_rows(cases[c], standings[c], status), std::back_inserter(flows.rows));
+    else
+      others.rows.push_back(other_row(cases[c], standings[c], status));
+  return to_html(flows) + to_html(others);
+}
+
+/// How many methods are what, and what that means.
+std::string legend(const std::vector<Standings>& standings, const NightStatus& status) {
+  std::map<std::string, long> counts;
+  for (const Standings& all : standings)
+    for (const Standing& one : all.methods) ++counts[stands(one, status).kind];
+  std::string html;
+  for (const auto& [kind, words, meaning] :
+       {std::tuple("holds", "converge or agree", "a claim of theory or literature on the error, or on its order, holds"),
+        {"accepted", "as last accepted", "no other limit than the last accepted value: as wrong as it was"},
+        {"inconclusive", "inconclusive", "cannot be decided, which is no pass"},
+        {"known", "known to fail", "listed with a reason, until a date"},
+        {"fails", "fail", "some claim does not hold"}})
+    if (const long count = counts[kind]; count > 0 || std::string_view(kind) == "fails")
+      html += fmt::format("<li class=\"{}\"><b>{} {}</b> {}</li>\n", count > 0 ? kind : "none", printed(count), words, meaning);
+  return fmt::format("<ul class=\"legend\">\n{}</ul>\n", html);
+}
+
+/// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most runs.
+std::string work_figure(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings) {
+  const auto merit = [&](std::size_t c) {
+    const bool is_drawn = standings[c].work && !standings[c].work->diagram.id.empty();
+    return std::tuple(is_drawn, cases[c].name.starts_with("poiseuille"), is_drawn ? standings[c].work->points.size() : 0);
+  };
+  std::vector<std::size_t> all(cases.size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::size_t best = *std::ranges::max_element(all, {}, merit);
+  if (!std::get<0>(merit(best))) return "";
+  const vnv::WorkDiagram& diagram = standings[best].work->diagram;
+  return fmt::format(
+      "<figure>\n<a href=\"{0}/index.html#{1}\"><img src=\"{0}/{1}.svg\" alt=\"{2}: error against run time\"></a>\n"
+      "<figcaption><b>{2}.</b> {3}</figcaption>\n</figure>\n",
+      cases[best].name, diagram.id, escape(cases[best].title()), typeset(diagram.caption));
 }
 
 // Records made in the same place stand in one line.
@@ -151,15 +257,17 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
                        const std::optional<FaultTrials>& faults) {
   const auto verdicts = verdicts_of(cases);
   const Tally sum = tally(verdicts);
+  std::vector<Standings> standings;
+  for (const CaseRecords& records : cases) standings.push_back(standings_of(records));
   const std::string body = fmt::format(
       "<main>\n<header>\n<h1>Touchstone</h1>\n<p class=\"sum {}\">{}{}</p>\n{}{}</header>\n"
-      "<p>Verification and validation of particle methods for fluid flow. Each claim says how far a solver may be from an "
-      "exact solution, an experiment, a published result or its own earlier answer, and who set that limit. A value that is "
-      "not a number never holds, and what cannot be decided is called inconclusive, not passed.</p>\n{}{}{}"
+      "<p>Particle methods for fluid flow, compared with exact solutions, experiments and published results.</p>\n"
+      "{}{}{}{}"
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, status), sentence(sum), known_words(status), status_html(status),
-      list_of(vnv::Outcome::inconclusive, verdicts), table_of_cases(cases, status),
+      list_of(vnv::Outcome::inconclusive, verdicts), legend(standings, status) + work_figure(cases, standings),
+      tables_of_methods(cases, standings, status),
       verdicts_link + orders_link(cases) + work_link(cases) + (has_trend ? trend_link : "") + faults_link(faults),
       environment(cases));
   return html_page("Touchstone", "", body);

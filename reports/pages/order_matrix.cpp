@@ -38,11 +38,6 @@ std::set<std::string> methods_in(const std::vector<Flow>& flows) {
   return methods;
 }
 
-/// Two digits are all that a time, a floor or an interpolated error is worth.
-std::string rounded(double value, const std::string& unit) {
-  return valued(std::stod(fmt::format("{:.2g}", value)), unit);
-}
-
 /// Why a cell has no order, as the notes below the table say.
 struct Reason {
   char letter;

@@ -25,7 +25,7 @@ function sortBy(heading) {
   body.append(...filled.map((r) => r.row), ...blank.map((r) => r.row));
 }
 
-for (const heading of document.querySelectorAll("table:not(.matrix *) th")) {
+for (const heading of document.querySelectorAll("table:not(.matrix *, .flows *) th")) {
   heading.tabIndex = 0;
   heading.title = "sort";
   heading.addEventListener("click", () => sortBy(heading));

@@ -13,9 +13,6 @@ namespace {
 const std::vector<std::string> claim_columns{"outcome",  "method", "level", "spacing [mm]", "quantity",
                                              "time [s]", "value",  "limit", "margin",       "limit set by"};
 
-/// May break after an underscore.
-std::string name_html(const std::string& name) { return replaced(escape(name), "_", "_<wbr>"); }
-
 /// What a comparison is of and, where its error was diagnosed, what explains that.
 std::string quantity_html(const vnv::Record& record, const vnv::Verdict& v) {
   const vnv::Diagnosis* found = vnv::diagnosis_of(v, record);
@@ -25,20 +22,20 @@ std::string quantity_html(const vnv::Record& record, const vnv::Verdict& v) {
 
 HtmlRow verdict_row(const vnv::Record& record, const vnv::Verdict& v) {
   const std::string unit = v.unit.empty() ? "" : "\u202f" + typeset(v.unit);
-  return {outcome_cell(v.outcome),
-          name_html(v.method),
+  return {outcome_cell(v),
+          breakable(v.method),
           level_cell(v.level),
           number_or_blank_cell(v.spacing * 1e3),
           words_cell(quantity_html(record, v)),
           number_or_blank_cell(v.time),
           HtmlCell(valued(v.value, v.unit), "number"),
-          HtmlCell(printed_limit(v.lower, v.upper) + unit, "number limit"),
+          HtmlCell(replaced(replaced(printed_limit(v.lower, v.upper) + unit, " ", "\u00a0"), ",\u00a0", ", "), "number limit"),
           HtmlCell(has_margin(v) ? margin_bar(v.margin) : "", "number"),
           words_cell(escape(v.author))};
 }
 
 std::string claims_html(const CaseRecords& records, const std::string& title, const std::string& text) {
-  HtmlTable table{title, text, claim_columns};
+  HtmlTable table{title, text, claim_columns, {}, "claims"};
   for_each(records, &vnv::Record::verdicts,
            [&](const auto& record, const auto& verdict) { table.rows.push_back(verdict_row(record, verdict)); });
   return to_html(table);
@@ -56,10 +53,20 @@ std::string sentence(const Tally& t) {
   if (t.fails > 0) text += fmt::format(", {} {}", t.fails, t.fails == 1 ? "fails" : "fail");
   if (t.inconclusive > 0)
     text += fmt::format(", {} {} inconclusive", t.inconclusive, t.inconclusive == 1 ? "is" : "are");
-  return text + ".";
+  std::string authors;
+  if (t.theory > 0) authors = fmt::format(" Theory set the limits of {}", printed(long{t.theory}));
+  if (t.literature > 0)
+    authors += fmt::format("{} {}", authors.empty() ? " Literature set the limits of" : ", literature of", printed(long{t.literature}));
+  if (t.baseline > 0)
+    authors += fmt::format("{} {} {} no more than that values are as last accepted", authors.empty() ? "" : ";",
+                           printed(long{t.baseline}), t.baseline == 1 ? "says" : "say");
+  return text + "." + authors + ".";
 }
 
-HtmlCell outcome_cell(vnv::Outcome outcome) { return {word(outcome), word(outcome)}; }
+HtmlCell outcome_cell(const vnv::Verdict& v) {
+  if (v.outcome == vnv::Outcome::holds && v.author.starts_with("baseline")) return {"as accepted", "accepted"};
+  return {word(v.outcome), word(v.outcome)};
+}
 
 std::string margin_bar(double margin) {
   const double filled = std::isfinite(margin) ? std::min(1.0, std::abs(margin)) : 1;
@@ -91,7 +98,7 @@ std::string diagnosis_table(const CaseRecords& records) {
         fitted += fmt::format("{}{} {}\u202f{}", fitted.empty() ? "" : ", ", escape(c.cause),
                               replaced(vnv::in_digits_of_interval(c.value, c.half_width), "-", "−"), escape(c.unit));
       table.rows.push_back(
-          {name_html(record.method), level_cell(found.level), escape(found.field), number_cell(found.error),
+          {breakable(record.method), level_cell(found.level), escape(found.field), number_cell(found.error),
            words_cell(fitted + (one.named ? "" : " <small>does not suffice</small>")), number_cell(100 * one.share)});
     }
   });
@@ -106,7 +113,7 @@ std::string verdicts_page(const std::vector<CaseRecords>& cases) {
     // A browser lays out what is near the window alone, and takes this height for the rest.
     tables +=
         fmt::format("<section style=\"contain-intrinsic-size:auto {}rem\">\n{}</section>\n", 4 + 3 * rows,
-                    claims_html(records, fmt::format("<a href=\"{}/index.html\">{}</a>.", name, name_html(name)), ""));
+                    claims_html(records, fmt::format("<a href=\"{}/index.html\">{}</a>.", name, breakable(name)), ""));
   }
   const Tally sum = tally(verdicts_of(cases));
   return html_page_beside_index(

@@ -9,11 +9,12 @@
 
 namespace touchstone::reports {
 
-/// "12 of 15 claims hold, 2 fail, 1 is inconclusive."
+/// "12 of 15 claims hold, 2 fail, 1 is inconclusive. Theory set the limits of 5; 10 say no more than that values are as
+/// last accepted."
 std::string sentence(const Tally& tally);
 
-/// A cell with the outcome as a word and a colour.
-HtmlCell outcome_cell(vnv::Outcome outcome);
+/// A cell with the outcome as a word and a colour. A baseline that holds does not say that a method is right.
+HtmlCell outcome_cell(const vnv::Verdict& verdict);
 
 /// "23 %" with a bar of that fraction of the limit; negative and the other colour if the claim fails.
 std::string margin_bar(double margin);

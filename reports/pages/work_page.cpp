@@ -25,8 +25,7 @@ HtmlRow cost_row(const std::string& flow, double target, const std::string& unit
   const Price& best = methods.front();
   HtmlRow row{words_cell(flow), {valued(target, unit), "number"}};
   if (!(best.cpu > 0)) {
-    row.push_back(words_cell(fmt::format("none; {} {}", escape(best.method),
-                                         valued(std::stod(fmt::format("{:.2g}", best.smallest)), unit))));
+    row.push_back(words_cell(fmt::format("none; {} {}", escape(best.method), rounded(best.smallest, unit))));
     row.resize(row.size() + 3);
     return row;
   }

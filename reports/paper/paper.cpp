@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace touchstone::reports {
@@ -111,15 +112,33 @@ std::string bib_of(const std::vector<Reference>& references) {
   return text;
 }
 
+/// Writes one more file. A name that is taken already is refused: one of two contents would be lost.
+void put(Paper& paper, const fs::path& file, const std::string& text) {
+  if (std::ranges::find(paper.files, file) != paper.files.end())
+    throw std::runtime_error(fmt::format("{}: written twice, expected one content of each name", file.string()));
+  files::write_whole(file, text);
+  paper.files.push_back(file);
+}
+
+/// A figure that has the name of a table gets another beside it: cost.csv is the table, figure_cost.csv the figure.
+void name_apart(CaseRecords& records, const std::set<std::string>& tables) {
+  const auto rename = [&](std::string& figure) {
+    if (tables.contains(figure)) figure = "figure_" + figure;
+  };
+  for (vnv::Record& record : records.records) {
+    for (vnv::Figure& one : record.figures) rename(one.id);
+    for (vnv::Curve& one : record.curves) rename(one.figure);
+    for (vnv::Cloud& one : record.clouds) rename(one.figure);
+  }
+}
+
 /// Scripts and data of all figures, then the PDF of each. The first that fails speaks for all.
 void draw_figures(const CaseRecords& records, const fs::path& folder, Paper& paper) {
   std::vector<fs::path> scripts;
   for (const auto& plots : {plots_of_all(records), plots_of_orders(records)})
     for (const auto& [figure, plot] : plots) {
-      for (const auto& [ending, text] : {std::pair(".gp", &plot.script), std::pair(".csv", &plot.data)}) {
-        files::write_whole(folder / (figure.id + ending), *text);
-        paper.files.push_back(folder / (figure.id + ending));
-      }
+      put(paper, folder / (figure.id + ".gp"), plot.script);
+      put(paper, folder / (figure.id + ".csv"), plot.data);
       scripts.push_back(folder / (figure.id + ".gp"));
     }
   for (const fs::path& script : scripts) {
@@ -138,19 +157,21 @@ void draw_figures(const CaseRecords& records, const fs::path& folder, Paper& pap
 
 Paper write_paper(const fs::path& records, const std::string& case_name, const fs::path& references,
                   const fs::path& folder) {
-  const CaseRecords judged = case_named(case_name, records);
+  CaseRecords judged = case_named(case_name, records);
   const std::vector<Reference> cited = references_of(judged, read_references(references));
   const Versions versions = versions_of(judged);
   fs::create_directories(folder);
   Paper paper;
+  std::set<std::string> tables;
   for (const auto& [name, text] :
        {std::pair("verdicts.tex", tex_of_verdicts(judged, cited)), std::pair("verdicts.csv", verdicts_csv({judged})),
         std::pair("values.csv", values_csv({judged})), std::pair("orders.csv", orders_csv({judged})),
         std::pair("cost.csv", cost_csv({judged})), std::pair("versions.tex", tex_of(versions)),
         std::pair("versions.csv", csv_of(versions)), std::pair("references.bib", bib_of(cited))}) {
-    files::write_whole(folder / name, text);
-    paper.files.push_back(folder / name);
+    put(paper, folder / name, text);
+    tables.insert(fs::path(name).stem());
   }
+  name_apart(judged, tables);
   draw_figures(judged, folder, paper);
   return paper;
 }

@@ -131,6 +131,18 @@ TEST_F(Export, DrawsEachFigureAsPdfBesideItsScriptAndData) {
   EXPECT_FALSE(text("profile.csv").empty());
 }
 
+TEST_F(Export, GivesEachNameToOneContentWhereAFigureHasThatOfATable) {
+  vnv::Record record = sample_record();
+  record.figures[0].id = record.curves[0].figure = record.curves[1].figure = "cost";
+  vnv::write(record, records / "a.json");
+  Paper all = written();
+  EXPECT_TRUE(text("cost.csv").starts_with("case,method,level,")) << text("cost.csv");
+  EXPECT_TRUE(text("figure_cost.csv").starts_with("curve,y [mm]")) << text("figure_cost.csv");
+  EXPECT_EQ(text("figure_cost.pdf").substr(0, 5), "%PDF-");
+  std::ranges::sort(all.files);
+  EXPECT_EQ(std::ranges::adjacent_find(all.files), all.files.end());
+}
+
 TEST_F(Export, IsCompiledByLaTeXWithinTheWidthOfItsText) {
   const auto works = [](const std::string& command) {
     return std::system((command + " >/dev/null 2>&1").c_str()) == 0;

@@ -102,15 +102,16 @@ bool fails_at(const vnv::Record& record, const std::string& level) {
       record.verdicts, [&](const vnv::Verdict& v) { return v.outcome == vnv::Outcome::fails && v.level == level; });
 }
 
-void Tally::add(vnv::Outcome outcome) {
+void Tally::add(vnv::Outcome outcome, const std::string& author) {
   ++(outcome == vnv::Outcome::holds ? holds : outcome == vnv::Outcome::fails ? fails : inconclusive);
+  ++(author.starts_with("theory") ? theory : author.starts_with("literature") ? literature : baseline);
 }
 
 Tally tally(const std::vector<vnv::Verdict>& verdicts) {
   Tally sum;
   std::vector<double> margins;
   for (const auto& verdict : verdicts) {
-    sum.add(verdict.outcome);
+    sum.add(verdict.outcome, verdict.author);
     if (has_margin(verdict)) margins.push_back(verdict.margin);
   }
   const bool known = std::none_of(margins.begin(), margins.end(), [](double m) { return std::isnan(m); });

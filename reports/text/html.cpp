@@ -12,14 +12,16 @@ namespace {
 std::string row_html(const HtmlRow& cells, std::string_view tag) {
   std::string html;
   for (const auto& cell : cells)
-    html += fmt::format("<{0}{1}>{2}</{0}>", tag, cell.kind.empty() ? "" : " class=\"" + cell.kind + "\"", cell.html);
+    html += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, cell.kind.empty() ? "" : " class=\"" + cell.kind + "\"",
+                        cell.rows == 1 ? "" : fmt::format(" rowspan=\"{}\"", cell.rows), cell.html);
   return fmt::format("<tr>{}</tr>\n", html);
 }
 
 HtmlRow head(const HtmlTable& table) {
   HtmlRow cells;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool is_of_numbers = std::ranges::any_of(table.rows, [&](const HtmlRow& row) { return row[i].is_number(); });
+    const bool is_of_numbers = std::ranges::any_of(
+        table.rows, [&](const HtmlRow& row) { return row.size() == table.columns.size() && row[i].is_number(); });
     cells.emplace_back(table.columns[i], is_of_numbers ? "number" : "");
   }
   return cells;
@@ -55,6 +57,11 @@ std::string typeset(std::string_view text) {
   return with_symbols(escape(text), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
 }
 
+std::string breakable(std::string_view name) {
+  static const std::regex within(R"(([._])(?=.)|([a-z])(?=[A-Z]))");
+  return std::regex_replace(escape(name), within, "$1$2<wbr>");
+}
+
 std::string paragraphs(std::string_view text) {
   static const std::regex blank_lines(R"(\n([ \t\r]*\n)+)");
   const std::string whole = boost::algorithm::trim_copy(std::string(text));
@@ -70,10 +77,10 @@ std::string to_html(const HtmlTable& table) {
   std::string body;
   for (const auto& cells : table.rows) body += row_html(cells, "td");
   return fmt::format(
-      "<div class=\"table\">\n<p class=\"caption\"><b>{}</b> {}</p>\n"
+      "<div class=\"table{}\">\n<p class=\"caption\"><b>{}</b> {}</p>\n"
       "<div class=\"scroll\" "
       "tabindex=\"0\">\n<table>\n<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n</div>\n",
-      table.title, table.caption, row_html(head(table), "th"), body);
+      table.kind.empty() ? "" : " " + table.kind, table.title, table.caption, row_html(head(table), "th"), body);
 }
 
 std::string html_page(std::string_view title, std::string_view root, std::string_view body) {

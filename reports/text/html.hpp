@@ -22,6 +22,9 @@ std::string escape(std::string_view text);
 /// Escaped, with symbols as in print.
 std::string typeset(std::string_view text);
 
+/// An escaped name that may break after a dot or an underscore, and before a capital within.
+std::string breakable(std::string_view name);
+
 /// Escaped paragraphs; blank lines part them.
 std::string paragraphs(std::string_view text);
 
@@ -31,10 +34,11 @@ std::string html_list(std::string_view kind, const std::string& items);
 /// A cell of a table: finished HTML and the class by which the style sheet knows it.
 struct HtmlCell {
   std::string html;
-  std::string kind;  // "number", "holds", ...; empty for text on one line
+  std::string kind;      // "number", "holds", ...; empty for text on one line
+  std::size_t rows = 1;  // over which it reaches; those below begin with the next column
 
-  HtmlCell(std::string its_html = "", std::string its_kind = "")
-      : html(std::move(its_html)), kind(std::move(its_kind)) {}
+  HtmlCell(std::string its_html = "", std::string its_kind = "", std::size_t its_rows = 1)
+      : html(std::move(its_html)), kind(std::move(its_kind)), rows(its_rows) {}
   bool is_number() const { return kind.starts_with("number"); }
   bool operator==(const HtmlCell&) const = default;
 };
@@ -48,6 +52,7 @@ struct HtmlTable {
   std::string title, caption;        // finished HTML
   std::vector<std::string> columns;  // finished HTML; a heading is aligned as the numbers below it
   std::vector<HtmlRow> rows{};
+  std::string kind{};  // "claims", by which the style sheet knows it; empty for most
 };
 /// Empty for a table without rows.
 std::string to_html(const HtmlTable& table);

@@ -59,6 +59,10 @@ std::string valued(double value, const std::string& unit) {
   return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
 }
 
+std::string rounded(double value, const std::string& unit) {
+  return valued(std::stod(fmt::format("{:.2g}", value)), unit);
+}
+
 std::string in_percent(double fraction) {
   return std::isfinite(fraction) ? printed(std::round(fraction * 100)) + "\u202f%" : printed(fraction);
 }

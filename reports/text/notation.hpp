@@ -21,6 +21,9 @@ std::string printed(double value, int digits = 4);
 /// "1.59 %": as in print, with its unit.
 std::string valued(double value, const std::string& unit);
 
+/// The same with two digits, all that a time, a floor or an interpolated error is worth.
+std::string rounded(double value, const std::string& unit);
+
 /// "23 %" of a fraction of 0.23.
 std::string in_percent(double fraction);
 
