@@ -17,7 +17,8 @@ bool is_measured(const vnv::Value& value, const Work& work) {
 std::optional<vnv::Value> error_at_end(const vnv::Record& record, const Work& work) {
   std::optional<vnv::Value> last;
   for (const vnv::Value& value : record.values)
-    if (is_measured(value, work) && (!last || std::tuple(value.time, -value.spacing) >= std::tuple(last->time, -last->spacing)))
+    if (is_measured(value, work) &&
+        (!last || std::tuple(value.time, -value.spacing) >= std::tuple(last->time, -last->spacing)))
       last = value;
   return last;
 }
@@ -27,7 +28,8 @@ double smallest_error(const vnv::Record& record, const Work& work) {
   for (const vnv::WorkPoint& point : vnv::of_series(work.points, record.method))
     if (point.error > 0) least = std::min(least, point.error);
   for (const vnv::Value& value : record.values)  // also of files that were judged, which have no run time
-    if (is_measured(value, work) && vnv::same_time(value.time, work.time)) least = std::min(least, std::abs(value.value));
+    if (is_measured(value, work) && vnv::same_time(value.time, work.time))
+      least = std::min(least, std::abs(value.value));
   return std::isfinite(least) ? least : vnv::not_a_number;
 }
 
@@ -66,7 +68,9 @@ bool says_right(const vnv::Verdict& v) {
   }
 }
 
-bool Standing::converges() const { return std::ranges::find(right_by, vnv::Kind::order, &vnv::Verdict::kind) != right_by.end(); }
+bool Standing::converges() const {
+  return std::ranges::find(right_by, vnv::Kind::order, &vnv::Verdict::kind) != right_by.end();
+}
 
 Standings standings_of(const CaseRecords& records) {
   Standings all{work_of(records), {}};
@@ -85,7 +89,8 @@ Standings standings_of(const CaseRecords& records) {
   const auto error = [](const Standing& s) { return s.error; };
   const auto cpu = [](const Standing& s) { return s.cost.cpu; };
   const auto or_last = [](double value) { return std::isnan(value) ? INFINITY : value; };
-  std::ranges::stable_sort(all.methods, {}, [&](const Standing& s) { return std::pair(or_last(cpu(s)), or_last(error(s))); });
+  std::ranges::stable_sort(all.methods, {},
+                           [&](const Standing& s) { return std::pair(or_last(cpu(s)), or_last(error(s))); });
   mark_best(all.methods, error, &Standing::is_most_accurate);
   mark_best(all.methods, cpu, &Standing::is_cheapest);
   return all;

@@ -1,6 +1,6 @@
 #pragma once
-/// How the methods of a flow stand beside each other: how far off each is, how fast its errors fall, what an error costs,
-/// and on whose word it is called right.
+/// How the methods of a flow stand beside each other: how far off each is, how fast its errors fall, what an error
+/// costs, and on whose word it is called right.
 
 #include "reports/compare/work_precision.hpp"
 
@@ -9,8 +9,8 @@
 
 namespace touchstone::reports {
 
-/// Whether a claim of theory or literature says that an error is small, or that it falls as the spacing does. A baseline
-/// never does: what is 51 % off stays so as accepted.
+/// Whether a claim of theory or literature says that an error is small, or that it falls as the spacing does. A
+/// baseline never does: what is 51 % off stays so as accepted.
 bool says_right(const vnv::Verdict& verdict);
 
 struct Standing {

@@ -195,7 +195,8 @@ std::optional<vnv::Quantity> usual_quantity(const CaseRecords& records, vnv::Kin
   for (const vnv::Record& record : records.records) {
     std::vector<vnv::Quantity> own;
     for (const vnv::Value& value : record.values)
-      if (value.quantity.kind == kind && std::ranges::find(own, value.quantity) == own.end()) own.push_back(value.quantity);
+      if (value.quantity.kind == kind && std::ranges::find(own, value.quantity) == own.end())
+        own.push_back(value.quantity);
     for (const vnv::Quantity& quantity : own) {
       auto known = std::ranges::find(counts, quantity, &std::pair<vnv::Quantity, long>::first);
       if (known == counts.end()) known = counts.insert(counts.end(), {quantity, 0});
@@ -383,10 +384,11 @@ void add_work_precision(CaseRecords& records) {
 
 std::optional<Work> work_of(const CaseRecords& records) {
   for (const WorkDiagram& declared : each_once(records, &vnv::Record::diagrams))
-    if (Work work = work_in(records, declared, Resource::cpu); std::isfinite(work.time) || !work.points.empty()) return work;
+    if (Work work = work_in(records, declared, Resource::cpu); std::isfinite(work.time) || !work.points.empty())
+      return work;
   for (const vnv::Kind kind : {vnv::Kind::norm, vnv::Kind::error})
-    if (const auto quantity = usual_quantity(records, kind))
-      return work_in(records, {.quantity = *quantity, .targets = {}}, Resource::cpu);
+    if (auto quantity = usual_quantity(records, kind))
+      return work_in(records, {{}, {}, {}, std::move(*quantity), {}}, Resource::cpu);
   return std::nullopt;
 }
 

@@ -18,9 +18,9 @@ void add_work_precision(CaseRecords& records);
 /// A work-precision diagram with all that a page shows of it.
 struct Work {
   vnv::WorkDiagram diagram;
-  double time;                       // s  of the errors
+  double time;  // s  of the errors
   std::vector<vnv::WorkPoint> points;
-  std::string machine;               // that ran what was not measured elsewhere
+  std::string machine;  // that ran what was not measured elsewhere
 };
 /// The first that a case declares, against CPU time, or else one of the first norm or other error that most of its
 /// methods measured; nothing where none is measured. Its own id is empty where no page draws it.

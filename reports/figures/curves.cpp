@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace touchstone::reports {
@@ -25,6 +26,7 @@ struct CurveSeries {
   std::string family;
   std::size_t colour = 0, member = 0;
   bool is_grey = false;
+  std::string seen{};  // of points that others would cover: '1' for each that is drawn; empty where all are
 };
 
 // What is published takes colours from the end of the palette, and where a method of ours has its colour, none.
@@ -46,7 +48,9 @@ LineStyle style_of(const CurveSeries& s) {
     case Role::ours:
       break;
   }
-  return style_of_method(s.colour, s.member);
+  LineStyle style = style_of_method(s.colour, s.member);
+  if (!s.seen.empty()) style = {style.colour, pick(filled_marks, s.colour), "1", 2, 0.75};
+  return style;
 }
 
 std::vector<CurveSeries> find_series(const vnv::Figure& figure, const CaseRecords& records) {
@@ -96,9 +100,11 @@ long drawable_points(const vnv::Curve& curve, const vnv::Figure& figure) {
   return count;
 }
 
-std::string with_clause(const vnv::Curve& curve, const LineStyle& l) {
+std::string with_clause(const CurveSeries& series) {
+  const vnv::Curve& curve = *series.curve;
+  const LineStyle l = style_of(series);
   const bool is_line = curve.role == Role::exact || curve.role == Role::guide || curve.x.size() > few_points;
-  const double size = curve.x.size() < many_points ? l.size : 0.6 * l.size;
+  const double size = curve.x.size() < many_points || !series.seen.empty() ? l.size : 0.6 * l.size;
   const std::string line = fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", l.dash, l.width, l.colour);
   const std::string points = fmt::format("pointtype {} pointsize {:.3g}", l.mark, size);
   if (curve.points) return fmt::format("points {} linewidth {} linecolor rgb '{}'", points, l.width * 0.6, l.colour);
@@ -108,10 +114,12 @@ std::string with_clause(const vnv::Curve& curve, const LineStyle& l) {
 // `first` is the row of the data at which the curve starts.
 std::string element(const CurveSeries& series, const vnv::Figure& figure, std::size_t first) {
   const vnv::Curve& curve = *series.curve;
-  const std::string with = with_clause(curve, style_of(series)), label = shortened(curve.label);
+  const std::string with = with_clause(series), label = shortened(curve.label);
   if (drawable_points(curve, figure) == 0)
     return fmt::format("NaN with {} title {}", with, gnuplot_string(label + " (no finite value)"));
-  return fmt::format("{}2:3 with {} title {}", data_rows(figure.id, first, curve.x.size()), with,
+  const std::string y =
+      series.seen.empty() ? "3" : fmt::format("('{}'[int($0)+1:int($0)+1] eq '1' ? $3 : NaN)", series.seen);
+  return fmt::format("{}2:{} with {} title {}", data_rows(figure.id, first, curve.x.size()), y, with,
                      gnuplot_string(label));
 }
 
@@ -137,8 +145,46 @@ Extent extent_of(const std::vector<CurveSeries>& all, const vnv::Axis& axis, std
   return extent;
 }
 
-std::string script(const std::vector<CurveSeries>& all, const vnv::Figure& figure, const Frame& frame) {
+/// Where a value stands on an axis that is so many pixels long.
+long pixel(double value, const vnv::Axis& axis, const std::pair<double, double>& range, double length) {
+  const auto along = [&](double v) { return axis.logarithmic ? std::log10(v) : v; };
+  return std::lround(length * (along(value) - along(range.first)) / (along(range.second) - along(range.first)));
+}
+
+/// Of marks of several methods that would cover each other one is drawn, of the method that has had fewest, so that
+/// each method is seen. What stands apart by more than a line is wide is always drawn.
+void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Extent& x, const Extent& y) {
+  constexpr long near_x = 10, near_y = 2;  // px
+  std::vector<CurveSeries*> marks;
+  std::size_t longest = 0;
+  for (CurveSeries& s : all)
+    if (s.curve->points && s.curve->role == Role::ours) {
+      marks.push_back(&s);
+      longest = std::max(longest, s.curve->x.size());
+    }
+  if (marks.size() < 2) return;
+  for (CurveSeries* s : marks) s->seen = std::string(s->curve->x.size(), '0');
+  std::set<std::pair<long, long>> covered;
+  const auto count = [](const CurveSeries* s) { return std::ranges::count(s->seen, '1'); };
+  for (std::size_t i = 0; i < longest; ++i) {
+    std::ranges::stable_sort(marks, {}, count);
+    for (CurveSeries* s : marks) {
+      if (i >= s->curve->x.size()) continue;
+      const double across = s->curve->x[i] * figure.x.scale, up = s->curve->y[i] * figure.y.scale;
+      if (!is_drawable(across, figure.x) || !is_drawable(up, figure.y)) continue;
+      const long px = pixel(across, figure.x, x.range(), Frame::width),
+                 py = pixel(up, figure.y, y.range(), plot_height);
+      if (covered.contains({px, py})) continue;
+      s->seen[i] = '1';
+      for (long dx = -near_x; dx <= near_x; ++dx)
+        for (long dy = -near_y; dy <= near_y; ++dy) covered.insert({px + dx, py + dy});
+    }
+  }
+}
+
+std::string script(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Frame& frame) {
   const Extent x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
+  choose_seen(all, figure, x, y);
   return frame.commands(figure, x, y) + plot_command(all, figure) + "set output\n";
 }
 
@@ -154,11 +200,14 @@ std::string data(const std::vector<CurveSeries>& all, const vnv::Figure& figure)
 }  // namespace
 
 Plot plot_curves(const vnv::Figure& figure, const CaseRecords& records) {
-  const std::vector<CurveSeries> all = series_of(figure, records);
+  std::vector<CurveSeries> all = series_of(figure, records);
   const Frame frame(plot_height, labels_of(all));
   Plot plot{figure.id + ".svg", Frame::width, frame.height(), script(all, figure, frame), data(all, figure)};
-  for (const auto& series : all)
-    plot.undrawn += static_cast<long>(series.curve->x.size()) - drawable_points(*series.curve, figure);
+  for (const auto& series : all) {
+    const long drawable = drawable_points(*series.curve, figure);
+    plot.undrawn += static_cast<long>(series.curve->x.size()) - drawable;
+    if (!series.seen.empty()) plot.covered += drawable - std::ranges::count(series.seen, '1');
+  }
   return plot;
 }
 

@@ -35,7 +35,7 @@ DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesys
   files::write_whole(folder / (figure.id + ".gp"), plot.script);
   files::write_whole(folder / (figure.id + ".csv"), plot.data);
   run_gnuplot(folder / plot.image);
-  return {figure, plot.image, plot.width, plot.height, plot.undrawn};
+  return {figure, plot.image, plot.width, plot.height, plot.undrawn, plot.covered};
 }
 
 Plots plots_of_all(const CaseRecords& records) {

@@ -15,6 +15,7 @@ struct DrawnFigure {
   std::string image;
   int width, height;  // as shown, in pixels
   long undrawn;       // points that could not be shown
+  long covered;       // points that others would cover
 };
 
 /// Throws as `run_gnuplot` and `save` do; then the image is not there.

@@ -60,6 +60,26 @@ TEST(Curves, ThatArePublishedAreGreyWhereMethodsHaveAllColours) {
   EXPECT_EQ(colour_before("title 'Ghia'", profile_of(records).script), "rgb '#5A5A5A'");
 }
 
+TEST(Curves, OfPointsThatCoincideAreSeenInTurnAndThatStandApartAlways) {
+  std::vector<vnv::Record> records{sample_record("mpm"), sample_record("sph")};
+  for (vnv::Record& record : records) record.curves[0].points = true;
+  records[1].curves[0].y[2] = 0.0005;
+  const Plot plot = profile_of(records);
+  EXPECT_TRUE(contains(plot.script, "2:('101'[int($0)+1:int($0)+1] eq '1' ? $3 : NaN)")) << plot.script;
+  EXPECT_TRUE(contains(plot.script, "2:('011'[int($0)+1:int($0)+1] eq '1' ? $3 : NaN)")) << plot.script;
+  EXPECT_EQ(plot.covered, 2);
+  EXPECT_TRUE(contains(plot.data, "\nsph,0,0\n")) << "what is not drawn is still there";
+  const ScratchFolder folder;
+  EXPECT_EQ(draw(records[0].figures[0], {"poiseuille", records}, folder.path()).covered, 2);
+}
+
+TEST(Curves, OfPointsOfOneMethodAreAllDrawn) {
+  vnv::Record record = sample_record();
+  record.curves[0].points = true;
+  record.curves[0].x = {0, 0, 0};
+  EXPECT_TRUE(contains(profile_of({record}).script, "every ::0::2 using 2:3 with points"));
+}
+
 TEST(Curves, AreWrittenInTheUnitOfTheAxis) {
   const Plot plot = profile_of({sample_record()});
   EXPECT_TRUE(plot.data.starts_with("curve,y [mm],v_x [mm/s]\n")) << plot.data;

@@ -13,6 +13,7 @@ struct Plot {
   int width = 0, height = 0;  // as shown on the page, in pixels
   std::string script, data;   // of profile.gp and profile.csv
   long undrawn = 0;           // points that no axis can show: not a number, or not positive on a logarithmic axis
+  long covered = 0;           // points that are not drawn since one of another method would cover them
 };
 
 /// All curves of the case that name the figure; those of equal label are drawn once.

@@ -46,11 +46,14 @@ std::string head(const CaseRecords& records) {
 
 // Points of runs that diverged as declared are no fault.
 std::string undrawn_html(const DrawnFigure& drawn, const CaseRecords& records) {
-  if (drawn.undrawn == 0) return "";
+  const std::string covered =
+      drawn.covered > 0 ? " Of marks that would cover each other one is drawn, of each method in turn." : "";
+  if (drawn.undrawn == 0) return covered;
   const bool is_declared = std::ranges::any_of(records.records, [](const vnv::Record& record) {
     return std::ranges::any_of(record.runs, [&](const auto& r) { return !r.finished && !fails_at(record, r.level); });
   });
-  return fmt::format(" <span class=\"{}\">{} not drawn, since no axis can show a value that is not finite{}.</span>",
+  return covered +
+         fmt::format(" <span class=\"{}\">{} not drawn, since no axis can show a value that is not finite{}.</span>",
                      is_declared ? "quiet" : "nan", counted(drawn.undrawn, "point"),
                      is_declared ? ", as a diverged run leaves" : "");
 }

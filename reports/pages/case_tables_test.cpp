@@ -141,7 +141,7 @@ TEST(TableOfClaims, HasValueLimitAndMarginOfEach) {
                                                    {"quantity", "L2 vx"},
                                                    {"time [s]", "0.75"},
                                                    {"value", "1.5\u202f%"},
-                                                   {"limit", "≤ 1.59\u202f%"},
+                                                   {"limit", "≤\u00a01.59\u202f%"},
                                                    {"margin", "25\u202f%"},
                                                    {"limit set by", "literature: Sun et al., table 3"}}));
 }

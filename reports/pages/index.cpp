@@ -26,15 +26,20 @@ std::string counts(const Tally& t) {
   return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
 }
 
+/// What keeps records of a case, which `is_its` knows by their claims, from being good; nothing where all claims hold.
+std::optional<HtmlCell> flaw(const Tally& sum, const NightStatus& status, const auto& is_its) {
+  if (sum.total() == 0) return HtmlCell("no claim", word(sum.worst()));
+  if (sum.fails > 0 && std::ranges::none_of(status.unknown, is_its)) return HtmlCell(counts(sum) + ", known", "known");
+  if (sum.worst() != vnv::Outcome::holds) return HtmlCell(counts(sum), word(sum.worst()));
+  return std::nullopt;
+}
+
 /// What a method is called in a flow, and the class of its colour.
 HtmlCell stands(const Standing& one, const NightStatus& status) {
-  const Tally sum = tally(one.record->verdicts);
   const auto is_its = [&](const vnv::Verdict& v) {
     return v.case_name == one.record->case_name && v.method == one.record->method;
   };
-  if (sum.total() == 0) return {"no claim", word(sum.worst())};
-  if (sum.fails > 0 && std::ranges::none_of(status.unknown, is_its)) return {counts(sum) + ", known", "known"};
-  if (sum.worst() != vnv::Outcome::holds) return {counts(sum), word(sum.worst())};
+  if (auto found = flaw(tally(one.record->verdicts), status, is_its)) return *found;
   if (one.right_by.empty()) return {"as last accepted", "accepted"};
   return {one.converges() ? "converges" : "agrees", "holds"};
 }
@@ -43,8 +48,9 @@ HtmlCell stands(const Standing& one, const NightStatus& status) {
 HtmlCell stands_at_length(const Standing& one, const NightStatus& status) {
   HtmlCell cell = stands(one, status);
   if (cell.kind == "accepted" && one.at_end)
-    cell.html += fmt::format(", wrong by {} at {}\u202fs", rounded(std::abs(one.at_end->value), one.at_end->quantity.unit),
-                             printed(one.at_end->time));
+    cell.html +=
+        fmt::format(", wrong by {} at {}\u202fs", rounded(std::abs(one.at_end->value), one.at_end->quantity.unit),
+                    printed(one.at_end->time));
   if (cell.kind == "holds") {
     std::set<std::string> authors;
     for (const vnv::Verdict& v : one.right_by) authors.insert(v.author.substr(0, v.author.find(':')));
@@ -54,7 +60,7 @@ HtmlCell stands_at_length(const Standing& one, const NightStatus& status) {
 }
 
 HtmlCell best_if(bool is_best, const std::string& html) {
-  return is_best ? HtmlCell("<b>" + html + "</b>", "number best") : HtmlCell(html, "number");
+  return is_best ? HtmlCell("<b>" + html + "</b>", "number") : HtmlCell(html, "number");
 }
 
 HtmlCell order_cell(const Standing& one) {
@@ -70,28 +76,35 @@ std::string case_link(const CaseRecords& records) {
   return fmt::format("<a href=\"{}/index.html\">{}{}</a>", records.name, thumb, escape(records.title()));
 }
 
+/// "2 / 0 / 16": claims by theory, literature and baselines.
+HtmlCell authors_cell(const Tally& sum) {
+  return {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"};
+}
+
 /// Rows of a flow in which an error is measured, a method each, the first with the flow.
 std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all, const NightStatus& status) {
   const vnv::WorkDiagram& diagram = all.work->diagram;
   std::vector<HtmlRow> rows;
   for (const Standing& one : all.methods) {
     const Tally sum = tally(one.record->verdicts);
-    HtmlRow row{breakable(one.record->method),
-                best_if(one.is_most_accurate,
-                        std::isnan(one.error) ? "–" : rounded(one.error, diagram.quantity.unit)),
-                order_cell(one),
-                best_if(one.is_cheapest, !one.cost.is_reached() ? "–"
-                                                                : (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s")),
-                stands_at_length(one, status),
-                {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"}};
+    HtmlRow row{
+        breakable(one.record->method),
+        best_if(one.is_most_accurate, std::isnan(one.error) ? "–" : rounded(one.error, diagram.quantity.unit)),
+        order_cell(one),
+        best_if(one.is_cheapest,
+                !one.cost.is_reached() ? "–" : (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s")),
+        stands_at_length(one, status),
+        authors_cell(sum)};
     row[4].kind += " words";
     if (rows.empty()) {
       const std::string target =
-          std::isnan(diagram.ranked_by) ? "" : fmt::format("; CPU time to {}", valued(diagram.ranked_by, diagram.quantity.unit));
-      row.insert(row.begin(), {case_link(records) +
-                                   fmt::format("<br><small>{}, {}\u202fs{}</small>", typeset(diagram.quantity.name),
-                                               printed(all.work->time), target),
-                               "flow", all.methods.size()});
+          std::isnan(diagram.ranked_by)
+              ? ""
+              : fmt::format("; CPU time to {}", valued(diagram.ranked_by, diagram.quantity.unit));
+      row.insert(row.begin(),
+                 {case_link(records) + fmt::format("<br><small>{}, {}\u202fs{}</small>", typeset(diagram.quantity.name),
+                                                   printed(all.work->time), target),
+                  "flow", all.methods.size()});
     }
     rows.push_back(std::move(row));
   }
@@ -102,25 +115,30 @@ std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all,
 HtmlRow other_row(const CaseRecords& records, const Standings& all, const NightStatus& status) {
   std::string methods;
   for (const Standing& one : all.methods)
-    methods += fmt::format("<span>{} <small class=\"{}\">{}</small></span> ", escape(one.record->method),
-                           stands(one, status).kind, tally(one.record->verdicts).total());
+    methods += fmt::format("<span class=\"{}\">{}</span> ", stands(one, status).kind, escape(one.record->method));
+  const auto right = std::ranges::count_if(all.methods, [](const Standing& one) { return !one.right_by.empty(); });
   const Tally sum = tally(verdicts_of(records));
-  return {HtmlCell(case_link(records), "flow"), {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"},
-          words_cell("<div class=\"methods\">" + methods + "</div>")};
+  const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == records.name; });
+  return {HtmlCell(case_link(records), "flow"),
+          found        ? *found
+          : right == 0 ? HtmlCell("as last accepted", "accepted")
+                       : HtmlCell(fmt::format("{} of {} agree", right, all.methods.size()), "holds"),
+          words_cell("<div class=\"methods\">" + methods + "</div>"), authors_cell(sum)};
 }
 
 std::string tables_of_methods(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
                               const NightStatus& status) {
-  HtmlTable flows{"Which method for which error.",
-                  "The smallest error of each method, its observed order with its 95\u202f% interval, and the CPU time of "
-                  "one core to the error that stands with the flow; the best of a flow is bold. Claims by theory / by "
-                  "literature / that values are as last accepted.",
-                  {"flow", "method", "error", "order", "CPU time", "verdict", "claims"},
-                  {},
-                  "flows"};
+  HtmlTable flows{
+      "Which method for which error.",
+      "The smallest error of each method, its observed order with its 95\u202f% interval, and the CPU time of "
+      "one core to the error that stands with the flow; the best of a flow is bold. Claims by theory / by "
+      "literature / that values are as last accepted.",
+      {"flow", "method", "error", "order", "CPU time", "verdict", "claims"},
+      {},
+      "flows"};
   HtmlTable others{"Other claims.",
-                   "Stability, invariance, cost: where no error is measured. Claims as above; beside each method, how many.",
-                   {"case", "claims", "methods"},
+                   "Stability, invariance, cost: where no error is measured.",
+                   {"case", "verdict", "methods", "claims"},
                    {},
                    "flows"};
   for (std::size_t c = 0; c < cases.size(); ++c)
@@ -138,21 +156,25 @@ std::string legend(const std::vector<Standings>& standings, const NightStatus& s
     for (const Standing& one : all.methods) ++counts[stands(one, status).kind];
   std::string html;
   for (const auto& [kind, words, meaning] :
-       {std::tuple("holds", "converge or agree", "a claim of theory or literature on the error, or on its order, holds"),
+       {std::tuple("holds", "converge or agree",
+                   "a claim of theory or literature on the error, or on its order, holds"),
         {"accepted", "as last accepted", "no other limit than the last accepted value: as wrong as it was"},
         {"inconclusive", "inconclusive", "cannot be decided, which is no pass"},
         {"known", "known to fail", "listed with a reason, until a date"},
         {"fails", "fail", "some claim does not hold"}})
     if (const long count = counts[kind]; count > 0 || std::string_view(kind) == "fails")
-      html += fmt::format("<li class=\"{}\"><b>{} {}</b> {}</li>\n", count > 0 ? kind : "none", printed(count), words, meaning);
+      html += fmt::format("<li class=\"{}\"><b>{} {}</b> {}</li>\n", count > 0 ? kind : "none", printed(count), words,
+                          meaning);
   return fmt::format("<ul class=\"legend\">\n{}</ul>\n", html);
 }
 
-/// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most runs.
+/// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most
+/// runs.
 std::string work_figure(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings) {
   const auto merit = [&](std::size_t c) {
     const bool is_drawn = standings[c].work && !standings[c].work->diagram.id.empty();
-    return std::tuple(is_drawn, cases[c].name.starts_with("poiseuille"), is_drawn ? standings[c].work->points.size() : 0);
+    return std::tuple(is_drawn, cases[c].name.starts_with("poiseuille"),
+                      is_drawn ? standings[c].work->points.size() : 0);
   };
   std::vector<std::size_t> all(cases.size());
   std::iota(all.begin(), all.end(), 0);
@@ -266,7 +288,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, status), sentence(sum), known_words(status), status_html(status),
-      list_of(vnv::Outcome::inconclusive, verdicts), legend(standings, status) + work_figure(cases, standings),
+      list_of(vnv::Outcome::inconclusive, verdicts),
+      "<div class=\"front\">\n" + work_figure(cases, standings) + legend(standings, status) + "</div>\n",
       tables_of_methods(cases, standings, status),
       verdicts_link + orders_link(cases) + work_link(cases) + (has_trend ? trend_link : "") + faults_link(faults),
       environment(cases));

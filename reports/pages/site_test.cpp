@@ -67,6 +67,28 @@ TEST_F(Site, SaysFirstWhatFails) {
   }
 }
 
+TEST_F(Site, TellsAMethodThatTheoryOrLiteratureCallsRightFromOneThatIsAsWrongAsAccepted) {
+  vnv::Record agrees = sample_record("mpm"), accepted = sample_record("sph");
+  agrees.verdicts[0].kind = vnv::Kind::norm;
+  accepted.verdicts[0].method = "sph";
+  accepted.verdicts[0].author = "baseline: as measured";
+  accepted.values = {{"S1", 1e-3, 0.5, {"L2 v_x", "%", vnv::Kind::norm}, 51.42}};
+  put(agrees);
+  put(accepted);
+  make_site(records, site);
+  const std::string html = page("index.html");
+  EXPECT_TRUE(contains(
+      html,
+      "2 of 2 claims hold. Literature set the limits of 1; 1 says no more than that values are as last accepted."));
+  EXPECT_TRUE(contains(html, "<td class=\"holds words\">agrees <small>literature</small></td>")) << html;
+  EXPECT_TRUE(contains(html, "<td class=\"accepted words\">as last accepted, wrong by 51\u202f% at 0.5\u202fs</td>"))
+      << html;
+  EXPECT_TRUE(contains(html, "<li class=\"holds\"><b>1 converge or agree</b>"));
+  EXPECT_TRUE(contains(html, "<li class=\"accepted\"><b>1 as last accepted</b>"));
+  EXPECT_TRUE(contains(html, "<img src=\"poiseuille/profile.svg\"")) << "of the case";
+  EXPECT_TRUE(contains(page("verdicts.html"), "<td class=\"accepted\">as accepted</td>"));
+}
+
 TEST_F(Site, CallsEachVerdictWhatItIs) {
   vnv::Record record = sample_record();
   record.verdicts.push_back(sample_verdict(vnv::Outcome::fails, -0.3));
@@ -189,6 +211,8 @@ TEST_F(Site, SaysWhichMethodIsCheapestToEachErrorAndByHowMuch) {
                             "2 CPU s to 1 %, the next, sph, 3 times as much"})
     EXPECT_TRUE(contains(html, words)) << words << html;
   EXPECT_TRUE(contains(page("index.html"), "href=\"work.html\""));
+  EXPECT_TRUE(contains(page("index.html"), "<a href=\"poiseuille/index.html#work\"><img src=\"poiseuille/work.svg\""));
+  EXPECT_FALSE(page("poiseuille/work.svg").empty());
   EXPECT_TRUE(contains(page("work.csv"), "\npoiseuille,L2 v_x [%],0.1,1,sph,no,50,0.1\n")) << page("work.csv");
 }
 

@@ -29,7 +29,8 @@ HtmlRow verdict_row(const vnv::Record& record, const vnv::Verdict& v) {
           words_cell(quantity_html(record, v)),
           number_or_blank_cell(v.time),
           HtmlCell(valued(v.value, v.unit), "number"),
-          HtmlCell(replaced(replaced(printed_limit(v.lower, v.upper) + unit, " ", "\u00a0"), ",\u00a0", ", "), "number limit"),
+          HtmlCell(replaced(replaced(printed_limit(v.lower, v.upper) + unit, " ", "\u00a0"), ",\u00a0", ", "),
+                   "number limit"),
           HtmlCell(has_margin(v) ? margin_bar(v.margin) : "", "number"),
           words_cell(escape(v.author))};
 }
@@ -56,7 +57,8 @@ std::string sentence(const Tally& t) {
   std::string authors;
   if (t.theory > 0) authors = fmt::format(" Theory set the limits of {}", printed(long{t.theory}));
   if (t.literature > 0)
-    authors += fmt::format("{} {}", authors.empty() ? " Literature set the limits of" : ", literature of", printed(long{t.literature}));
+    authors += fmt::format("{} {}", authors.empty() ? " Literature set the limits of" : ", literature of",
+                           printed(long{t.literature}));
   if (t.baseline > 0)
     authors += fmt::format("{} {} {} no more than that values are as last accepted", authors.empty() ? "" : ";",
                            printed(long{t.baseline}), t.baseline == 1 ? "says" : "say");

@@ -109,13 +109,7 @@ void Tally::add(vnv::Outcome outcome, const std::string& author) {
 
 Tally tally(const std::vector<vnv::Verdict>& verdicts) {
   Tally sum;
-  std::vector<double> margins;
-  for (const auto& verdict : verdicts) {
-    sum.add(verdict.outcome, verdict.author);
-    if (has_margin(verdict)) margins.push_back(verdict.margin);
-  }
-  const bool known = std::none_of(margins.begin(), margins.end(), [](double m) { return std::isnan(m); });
-  if (known && !margins.empty()) sum.worst_margin = *std::min_element(margins.begin(), margins.end());
+  for (const auto& verdict : verdicts) sum.add(verdict.outcome, verdict.author);
   return sum;
 }
 

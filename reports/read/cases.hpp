@@ -54,7 +54,6 @@ bool fails_at(const vnv::Record& record, const std::string& level);
 struct Tally {
   int holds = 0, fails = 0, inconclusive = 0;
   int theory = 0, literature = 0, baseline = 0;  // who set the limits of all of these
-  double worst_margin = vnv::not_a_number;  // not a number if none has one, or a failure has none
 
   void add(vnv::Outcome outcome, const std::string& author);
   int total() const { return holds + fails + inconclusive; }

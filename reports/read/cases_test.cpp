@@ -106,18 +106,21 @@ TEST(Tally, CountsEveryOutcome) {
   EXPECT_EQ(sum.holds, 1);
   EXPECT_EQ(sum.fails, 1);
   EXPECT_EQ(sum.inconclusive, 1);
-  EXPECT_EQ(sum.worst_margin, -0.2);
   EXPECT_EQ(sum.worst(), Outcome::fails);
 }
 
-TEST(Tally, LeavesOutTheMarginOfWhatIsMetToTheDigit) {
-  EXPECT_EQ(tally({sample_verdict(Outcome::holds, 0), sample_verdict(Outcome::holds, 0.5)}).worst_margin, 0.5);
-  EXPECT_TRUE(std::isnan(tally({sample_verdict(Outcome::holds, 0)}).worst_margin));
+TEST(Tally, CountsWhoSetTheLimits) {
+  vnv::Verdict theory = sample_verdict(Outcome::holds, 0.5), baseline = sample_verdict(Outcome::fails, -1);
+  theory.author = "theory: of second order";
+  baseline.author = "baseline: as measured";
+  const Tally sum = tally({theory, baseline, baseline, sample_verdict(Outcome::inconclusive, 0)});
+  EXPECT_EQ(std::tuple(sum.theory, sum.literature, sum.baseline), std::tuple(1, 1, 2));
 }
 
-TEST(Tally, HasNoMarginIfOneFailureHasNone) {
-  EXPECT_TRUE(std::isnan(
-      tally({sample_verdict(Outcome::holds, 0.5), sample_verdict(Outcome::fails, vnv::not_a_number)}).worst_margin));
+TEST(Margin, IsNoneOfALimitThatIsMetToTheDigit) {
+  EXPECT_FALSE(has_margin(sample_verdict(Outcome::holds, 0)));
+  EXPECT_TRUE(has_margin(sample_verdict(Outcome::holds, 0.5)));
+  EXPECT_TRUE(has_margin(sample_verdict(Outcome::fails, 0)));
 }
 
 TEST(Tally, OfNothingProvesNothing) { EXPECT_EQ(tally({}).worst(), Outcome::inconclusive); }

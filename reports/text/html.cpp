@@ -58,8 +58,8 @@ std::string typeset(std::string_view text) {
 }
 
 std::string breakable(std::string_view name) {
-  static const std::regex within(R"(([._])(?=.)|([a-z])(?=[A-Z]))");
-  return std::regex_replace(escape(name), within, "$1$2<wbr>");
+  static const std::regex within(R"(_(?=.)|[a-z](?=[A-Z]))");
+  return std::regex_replace(escape(name), within, "$&<wbr>");
 }
 
 std::string paragraphs(std::string_view text) {

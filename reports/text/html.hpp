@@ -22,7 +22,7 @@ std::string escape(std::string_view text);
 /// Escaped, with symbols as in print.
 std::string typeset(std::string_view text);
 
-/// An escaped name that may break after a dot or an underscore, and before a capital within.
+/// An escaped name that may break after an underscore and before a capital.
 std::string breakable(std::string_view name);
 
 /// Escaped paragraphs; blank lines part them.

@@ -24,6 +24,11 @@ TEST(Html, EscapesAlsoWhereItTypesets) { EXPECT_EQ(typeset("v_x < 1"), "<i>v</i>
 
 TEST(Html, ReplacesEveryOccurrenceOnce) { EXPECT_EQ(replaced("a'b''", "'", "''"), "a''b''''"); }
 
+TEST(Html, ANameMayBreakBetweenItsWords) {
+  EXPECT_EQ(breakable("unit.A.SticksToBoth<"), "unit.A.Sticks<wbr>To<wbr>Both&lt;");
+  EXPECT_EQ(breakable("mpm_reset_"), "mpm_<wbr>reset_");
+}
+
 TEST(Html, BlankLinesPartParagraphs) {
   EXPECT_EQ(paragraphs("one\nline\n\n \nother"), "<p>one\nline</p>\n<p>other</p>\n");
   EXPECT_EQ(paragraphs("\n"), "");
@@ -33,6 +38,21 @@ TEST(Html, ATableKeepsEveryCellAndAlignsAHeadingAsItsNumbers) {
   const std::string html = to_html({"Norms.", "", {"level", "L2"}, {{HtmlCell("M1"), HtmlCell("3.34", "number")}}});
   EXPECT_NE(html.find("<th>level</th><th class=\"number\">L2</th>"), std::string::npos) << html;
   EXPECT_NE(html.find("<td>M1</td><td class=\"number\">3.34</td>"), std::string::npos) << html;
+}
+
+TEST(Html, ACellMayReachOverRows) {
+  const std::string html = to_html({"Flows.",
+                                    "",
+                                    {"flow", "error"},
+                                    {{HtmlCell("Couette", "flow", 2), {"1", "number"}}, {{"2", "number"}}},
+                                    "flows"});
+  EXPECT_NE(
+      html.find(
+          "<tr><td class=\"flow\" rowspan=\"2\">Couette</td><td class=\"number\">1</td></tr>\n<tr><td class=\"number\">2</td></tr>"),
+      std::string::npos)
+      << html;
+  EXPECT_NE(html.find("<th>flow</th><th class=\"number\">error</th>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<div class=\"table flows\">"), std::string::npos) << html;
 }
 
 TEST(Html, ATableWithoutRowsIsNone) { EXPECT_EQ(to_html({"Norms.", "", {"level"}}), ""); }
