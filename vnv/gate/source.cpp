@@ -1,10 +1,13 @@
 #include "vnv/gate/source.hpp"
 
 #include "vnv/files/whole_file.hpp"
+#include "vnv/programs/progress.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -87,6 +90,14 @@ std::string commit_of(const std::string& name) {
   return captured.ending.succeeded() ? captured.output.substr(0, captured.output.find('\n')) : "";
 }
 
+/// "12 of 275 steps, about 4 min left", by the last line that Ninja wrote; that line itself if it counts no steps.
+std::string steps_in(const std::string& line, std::chrono::duration<double> taken) {
+  long done = 0, all = 0;
+  if (std::sscanf(line.c_str(), "[%ld/%ld]", &done, &all) != 2 || done <= 0) return line;
+  const double left = taken.count() / static_cast<double>(done) * static_cast<double>(all - done);
+  return fmt::format("{} of {} steps, about {} left", done, all, programs::duration_in_words(left));
+}
+
 }  // namespace
 
 std::string configured(const fs::path& folder, const std::string& name) {
@@ -139,7 +150,12 @@ void Revisions::check_out(const std::string& commit) const {
 
 void Revisions::run(const programs::Words& words, const std::string& what) const {
   const fs::path output = scratch_ / "output";
-  if (!programs::run_into(output, words).succeeded())
+  const auto start = std::chrono::steady_clock::now();
+  programs::Progress line("gate");
+  const auto words_of_line = [&] {
+    return steps_in(programs::last_lines(output, 1), std::chrono::steady_clock::now() - start);
+  };
+  if (!programs::run_into(output, words, [&] { line.show(words_of_line); }).succeeded())
     throw BadInput(fmt::format("{}: cannot be {}:\n{}", source().string(), what, programs::last_lines(output, 20)));
 }
 
