@@ -1,5 +1,6 @@
 #include "reports/compare/standings.hpp"
 
+#include "vnv/record/end_of_run.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <algorithm>
@@ -54,18 +55,12 @@ void mark_best(std::vector<Standing>& methods, auto value, bool Standing::*is_be
 
 }  // namespace
 
-bool says_right(const vnv::Verdict& v) {
+bool says_right(const vnv::Verdict& v, const std::optional<Work>& work) {
   if (v.author.starts_with("baseline")) return false;
-  switch (v.kind) {
-    case vnv::Kind::order:
-      return v.lower > 0 && v.trend != vnv::Trend::stalled && v.trend != vnv::Trend::diverging;
-    case vnv::Kind::norm:
-    case vnv::Kind::error:
-    case vnv::Kind::deviation:
-      return v.upper.has_value();
-    default:
-      return false;
-  }
+  if (!work) return v.quantity != vnv::end_time_reached && v.kind != vnv::Kind::count;
+  if (v.kind == vnv::Kind::order)
+    return v.lower > 0 && v.trend != vnv::Trend::stalled && v.trend != vnv::Trend::diverging;
+  return v.upper && (v.kind == vnv::Kind::norm || v.quantity == work->diagram.quantity.name);
 }
 
 bool Standing::converges() const {
@@ -74,10 +69,12 @@ bool Standing::converges() const {
 
 Standings standings_of(const CaseRecords& records) {
   Standings all{work_of(records), {}};
+  if (all.work && std::isnan(all.work->diagram.ranked_by) && !all.work->diagram.targets.empty())
+    all.work->diagram.ranked_by = all.work->diagram.targets.back();
   for (const vnv::Record& record : records.records) {
     Standing one{.record = &record};
     for (const vnv::Verdict& v : record.verdicts)
-      if (v.outcome == vnv::Outcome::holds && says_right(v)) one.right_by.push_back(v);
+      if (v.outcome == vnv::Outcome::holds && says_right(v, all.work)) one.right_by.push_back(v);
     if (all.work) {
       one.error = smallest_error(record, *all.work);
       one.at_end = error_at_end(record, *all.work);

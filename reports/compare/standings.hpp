@@ -9,9 +9,10 @@
 
 namespace touchstone::reports {
 
-/// Whether a claim of theory or literature says that an error is small, or that it falls as the spacing does. A
-/// baseline never does: what is 51 % off stays so as accepted.
-bool says_right(const vnv::Verdict& verdict);
+/// Whether a claim of theory or literature says that a method is right in a flow: that its error is small, or falls as
+/// the spacing does; where no error is measured, whatever it says of more than that runs reach their end. A baseline
+/// never does: what is 51 % off stays so as accepted.
+bool says_right(const vnv::Verdict& verdict, const std::optional<Work>& work);
 
 struct Standing {
   const vnv::Record* record;
@@ -26,8 +27,8 @@ struct Standing {
   bool converges() const;
 };
 
-/// The methods of a flow: the cheapest to the error by which it is ranked first, then those that do not reach it, by
-/// their errors.
+/// The methods of a flow: the cheapest to the error by which it is ranked, else to the smallest that is asked for,
+/// first; then those that do not reach it, by their errors.
 struct Standings {
   std::optional<Work> work;  // without, no error is measured, and methods stand as in the records
   std::vector<Standing> methods;

@@ -32,22 +32,31 @@ vnv::Record with_errors(const std::string& method, double factor) {
   return record;
 }
 
+const std::optional<Work> of_l2 = Work{{"work", "", "", l2, {}}, 1, {}, ""};
+
 TEST(Standing, IsCalledRightByTheoryOrLiteratureOfItsErrorOnly) {
-  EXPECT_TRUE(says_right(claim("theory: of second order", vnv::Kind::order)));
-  EXPECT_TRUE(says_right(claim("literature: table 3", vnv::Kind::norm)));
-  EXPECT_FALSE(says_right(claim("baseline: as measured", vnv::Kind::norm)));
-  EXPECT_FALSE(says_right(claim("theory: a stable method reaches the end", vnv::Kind::value)));
-  EXPECT_FALSE(says_right(claim("theory: water does not cross walls", vnv::Kind::count)));
+  EXPECT_TRUE(says_right(claim("theory: of second order", vnv::Kind::order), of_l2));
+  EXPECT_TRUE(says_right(claim("literature: table 3", vnv::Kind::norm), of_l2));
+  EXPECT_FALSE(says_right(claim("baseline: as measured", vnv::Kind::norm), of_l2));
+  vnv::Verdict other = claim("theory: gravity is the only source of energy", vnv::Kind::invariant);
+  other.quantity = "rise of the energy";
+  EXPECT_FALSE(says_right(other, of_l2));
+  EXPECT_TRUE(says_right(other, std::nullopt)) << "where no error is measured";
+  other.author = "baseline: as measured";
+  EXPECT_FALSE(says_right(other, std::nullopt));
 }
 
-TEST(Standing, IsNotCalledRightByAClaimThatItStallsOrIsWrong) {
+TEST(Standing, IsNotCalledRightByAClaimThatItStallsOrIsWrongOrEnds) {
   vnv::Verdict stalls = claim("theory: the lattice is elastic", vnv::Kind::order);
   stalls.trend = vnv::Trend::stalled;
-  EXPECT_FALSE(says_right(stalls));
+  EXPECT_FALSE(says_right(stalls, of_l2));
   vnv::Verdict wrong = claim("theory: the impulse of the wall is missing", vnv::Kind::norm);
   wrong.lower = 5;
   wrong.upper = std::nullopt;
-  EXPECT_FALSE(says_right(wrong));
+  EXPECT_FALSE(says_right(wrong, of_l2));
+  vnv::Verdict ends = claim("theory: a stable method reaches the end time", vnv::Kind::value);
+  ends.quantity = "end time reached";
+  EXPECT_FALSE(says_right(ends, std::nullopt));
 }
 
 TEST(Standing, TakesNoClaimThatFails) {
@@ -89,6 +98,16 @@ TEST(Standings, KnowHowWrongAMethodIsAtItsEnd) {
   const Standings all = standings_of({"poiseuille", {record}});
   EXPECT_EQ(all.methods[0].at_end->value, 51);
   EXPECT_EQ(all.methods[0].at_end->time, 2);
+}
+
+TEST(Standings, TakeNoErrorsOfRunsThatDifferInSomethingElseThanTheirSpacing) {
+  vnv::Record record = sample_record("mpm");
+  record.values = {{"plain", 1e-3, 1, l2, 0.5}};
+  EXPECT_TRUE(standings_of({"invariance", {record}}).work);
+  record.values.push_back({"mirrored", 1e-3, 1, l2, 0.5});
+  EXPECT_FALSE(standings_of({"invariance", {record}}).work);
+  record.values = {{"stiff", 1e-3, vnv::not_a_number, l2, 0.5}};
+  EXPECT_FALSE(standings_of({"extreme", {record}}).work) << "at no time";
 }
 
 TEST(Standings, WithoutAnErrorHaveNone) {

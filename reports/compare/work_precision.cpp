@@ -189,22 +189,24 @@ Work work_in(const CaseRecords& records, const WorkDiagram& declared, Resource r
   return {told(declared, time, resource, points), time, points, machine};
 }
 
-/// What most methods have measured of a kind, of equal ones the first.
+/// What most methods have measured of a kind, of equal ones the first. What was measured twice at one spacing is of
+/// runs that differ in something else, and at no time of none to compare.
 std::optional<vnv::Quantity> usual_quantity(const CaseRecords& records, vnv::Kind kind) {
-  std::vector<std::pair<vnv::Quantity, long>> counts;  // with how many methods have it
-  for (const vnv::Record& record : records.records) {
-    std::vector<vnv::Quantity> own;
-    for (const vnv::Value& value : record.values)
-      if (value.quantity.kind == kind && std::ranges::find(own, value.quantity) == own.end())
-        own.push_back(value.quantity);
-    for (const vnv::Quantity& quantity : own) {
-      auto known = std::ranges::find(counts, quantity, &std::pair<vnv::Quantity, long>::first);
-      if (known == counts.end()) known = counts.insert(counts.end(), {quantity, 0});
-      ++known->second;
-    }
-  }
-  if (counts.empty()) return std::nullopt;
-  return std::ranges::max_element(counts, {}, &std::pair<vnv::Quantity, long>::second)->first;
+  std::vector<std::pair<vnv::Quantity, std::set<std::string>>> measured;  // by which methods
+  std::set<std::tuple<std::string, std::string, double, double>> places;
+  std::set<std::string> unfit;
+  for_each(records, &vnv::Record::values, [&](const vnv::Record& record, const vnv::Value& value) {
+    if (value.quantity.kind != kind) return;
+    const std::string heading = value.quantity.heading();
+    if (!std::isfinite(value.time) || !places.emplace(record.method, heading, value.time, value.spacing).second)
+      unfit.insert(heading);
+    auto known = std::ranges::find(measured, value.quantity, [](const auto& one) { return one.first; });
+    if (known == measured.end()) known = measured.insert(measured.end(), {value.quantity, {}});
+    known->second.insert(record.method);
+  });
+  std::erase_if(measured, [&](const auto& one) { return unfit.contains(one.first.heading()); });
+  if (measured.empty()) return std::nullopt;
+  return std::ranges::max_element(measured, {}, [](const auto& one) { return one.second.size(); })->first;
 }
 
 vnv::Curve curve(const WorkDiagram& diagram, std::string label, Role role, const Points& points) {

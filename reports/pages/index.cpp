@@ -6,6 +6,7 @@
 #include "reports/pages/verdicts.hpp"
 #include "reports/pages/work_page.hpp"
 #include "reports/text/notation.hpp"
+#include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <tuple>
 
@@ -44,13 +46,18 @@ HtmlCell stands(const Standing& one, const NightStatus& status) {
   return {one.converges() ? "converges" : "agrees", "holds"};
 }
 
-/// "as last accepted, wrong by 51 % at 0.1 s", or "converges: theory, literature".
-HtmlCell stands_at_length(const Standing& one, const NightStatus& status) {
+constexpr double far_off = 10;  // %
+
+bool is_far_off(const vnv::Value& error) { return error.quantity.unit == "%" && std::abs(error.value) >= far_off; }
+
+/// "as last accepted, wrong by 51 %", with the time where it is not that of the flow; "converges theory".
+HtmlCell stands_at_length(const Standing& one, double time, const NightStatus& status) {
   HtmlCell cell = stands(one, status);
-  if (cell.kind == "accepted" && one.at_end)
-    cell.html +=
-        fmt::format(", wrong by {} at {}\u202fs", rounded(std::abs(one.at_end->value), one.at_end->quantity.unit),
-                    printed(one.at_end->time));
+  if (cell.kind == "accepted" && one.at_end) {
+    const std::string wrong = "wrong by " + rounded(std::abs(one.at_end->value), one.at_end->quantity.unit);
+    cell.html += ", " + (is_far_off(*one.at_end) ? "<b>" + wrong + "</b>" : wrong);
+    if (!vnv::same_time(one.at_end->time, time)) cell.html += fmt::format(" at {}\u202fs", printed(one.at_end->time));
+  }
   if (cell.kind == "holds") {
     std::set<std::string> authors;
     for (const vnv::Verdict& v : one.right_by) authors.insert(v.author.substr(0, v.author.find(':')));
@@ -88,12 +95,12 @@ std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all,
   for (const Standing& one : all.methods) {
     const Tally sum = tally(one.record->verdicts);
     HtmlRow row{
-        breakable(one.record->method),
+        escape(one.record->method),
         best_if(one.is_most_accurate, std::isnan(one.error) ? "–" : rounded(one.error, diagram.quantity.unit)),
         order_cell(one),
         best_if(one.is_cheapest,
                 !one.cost.is_reached() ? "–" : (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s")),
-        stands_at_length(one, status),
+        stands_at_length(one, all.work->time, status),
         authors_cell(sum)};
     row[4].kind += " words";
     if (rows.empty()) {
@@ -149,6 +156,27 @@ std::string tables_of_methods(const std::vector<CaseRecords>& cases, const std::
   return to_html(flows) + to_html(others);
 }
 
+/// The accepted methods that are farthest off, among errors in per cent.
+std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
+                       const NightStatus& status) {
+  constexpr std::size_t most = 8;
+  std::vector<std::pair<double, std::string>> found;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    for (const Standing& one : standings[c].methods)
+      if (one.at_end && is_far_off(*one.at_end) && stands(one, status).kind == "accepted")
+        found.emplace_back(
+            std::abs(one.at_end->value),
+            fmt::format("<li>{} {} in <a href=\"{}/index.html\">{}</a></li>\n", escape(one.record->method),
+                        rounded(std::abs(one.at_end->value), "%"), cases[c].name, escape(cases[c].title())));
+  std::ranges::stable_sort(found, std::greater(), &std::pair<double, std::string>::first);
+  std::string items;
+  for (const auto& [error, item] : found | std::views::take(most)) items += item;
+  if (items.empty()) return "";
+  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {} methods{}</p>\n", much,
+                     found.size(), found.size() > most ? ", the farthest" : "") +
+         html_list("declared", items);
+}
+
 /// How many methods are what, and what that means.
 std::string legend(const std::vector<Standings>& standings, const NightStatus& status) {
   std::map<std::string, long> counts;
@@ -157,15 +185,15 @@ std::string legend(const std::vector<Standings>& standings, const NightStatus& s
   std::string html;
   for (const auto& [kind, words, meaning] :
        {std::tuple("holds", "converge or agree",
-                   "a claim of theory or literature on the error, or on its order, holds"),
-        {"accepted", "as last accepted", "no other limit than the last accepted value: as wrong as it was"},
+                   "claims of theory or literature hold, of the error or its order where an error is measured"),
+        {"accepted", "as last accepted", "nobody else says that they are right: as wrong as before"},
         {"inconclusive", "inconclusive", "cannot be decided, which is no pass"},
         {"known", "known to fail", "listed with a reason, until a date"},
         {"fails", "fail", "some claim does not hold"}})
     if (const long count = counts[kind]; count > 0 || std::string_view(kind) == "fails")
       html += fmt::format("<li class=\"{}\"><b>{} {}</b> {}</li>\n", count > 0 ? kind : "none", printed(count), words,
                           meaning);
-  return fmt::format("<ul class=\"legend\">\n{}</ul>\n", html);
+  return fmt::format("<p class=\"quiet\">Methods, each in each flow:</p>\n<ul class=\"legend\">\n{}</ul>\n", html);
 }
 
 /// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most
@@ -289,7 +317,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, status), sentence(sum), known_words(status), status_html(status),
       list_of(vnv::Outcome::inconclusive, verdicts),
-      "<div class=\"front\">\n" + work_figure(cases, standings) + legend(standings, status) + "</div>\n",
+      "<div class=\"front\">\n" + work_figure(cases, standings) + "<div>\n" + legend(standings, status) +
+          most_wrong(cases, standings, status) + "</div>\n</div>\n",
       tables_of_methods(cases, standings, status),
       verdicts_link + orders_link(cases) + work_link(cases) + (has_trend ? trend_link : "") + faults_link(faults),
       environment(cases));

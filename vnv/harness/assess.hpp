@@ -4,6 +4,7 @@
 #include "vnv/case.hpp"
 #include "vnv/judge/baselines.hpp"
 #include "vnv/record/accepted_claims.hpp"
+#include "vnv/record/end_of_run.hpp"
 
 namespace touchstone::vnv {
 
@@ -22,9 +23,6 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
 /// The same of runs that are there already.
 Record assess(const std::string& case_name, const Case& declared, const Results& results,
               const std::optional<Baselines>& baselines);
-
-/// The quantity of the claim that a run ends where it was meant to: 1, or 0 if it did not.
-inline constexpr std::string_view end_time_reached = "end time reached";
 
 /// Whether anything was claimed of a method but that its runs end.
 bool claims_more_than_ends(const Record& record);
