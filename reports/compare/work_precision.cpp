@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <set>
 #include <tuple>
@@ -154,7 +155,7 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
     diagram.targets.clear();
     for (double power = std::pow(10, std::ceil(std::log10(reach.largest))); 5 * power >= smallest; power /= 10)
       for (const double step : steps)
-        if (const double target = std::stod(fmt::format("{:.1g}", step * power));
+        if (const double target = std::strtod(fmt::format("{:.1g}", step * power).c_str(), nullptr);
             target >= smallest && target <= reach.largest)
           diagram.targets.push_back(target);
     if (diagram.targets.size() >= 3) break;

@@ -172,7 +172,7 @@ std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<
   std::string items;
   for (const auto& [error, item] : found | std::views::take(most)) items += item;
   if (items.empty()) return "";
-  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {} methods{}</p>\n", much,
+  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {} methods{}</p>\n", far_off,
                      found.size(), found.size() > most ? ", the farthest" : "") +
          html_list("declared", items);
 }

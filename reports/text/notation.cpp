@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace touchstone::reports {
 namespace {
@@ -60,7 +61,7 @@ std::string valued(double value, const std::string& unit) {
 }
 
 std::string rounded(double value, const std::string& unit) {
-  return valued(std::stod(fmt::format("{:.2g}", value)), unit);
+  return valued(std::strtod(fmt::format("{:.2g}", value).c_str(), nullptr), unit);  // also of subnormal numbers
 }
 
 std::string in_percent(double fraction) {

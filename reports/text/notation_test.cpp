@@ -40,6 +40,12 @@ TEST(Numbers, StandBesideTheirUnit) {
   EXPECT_EQ(valued(2, ""), "2");
 }
 
+TEST(Numbers, AreRoundedToTwoDigitsHoweverSmall) {
+  EXPECT_EQ(rounded(51.423, "%"), "51\u202f%");
+  EXPECT_EQ(rounded(1234, "s"), "1200\u202fs");
+  EXPECT_EQ(rounded(5e-324, ""), "4.941\u202f×\u202f10<sup>−324</sup>");
+}
+
 TEST(Limits, AreReadAsTheyWereClaimed) {
   EXPECT_EQ(limit({}, 0.07), "<= 0.07");
   EXPECT_EQ(limit(0.8, {}), ">= 0.8");
