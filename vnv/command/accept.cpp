@@ -140,9 +140,10 @@ int accept(const Build& build, const AcceptOptions& chosen) {
   long refused = 0;
   programs::Work work;
   for (const Chosen& one : methods)
-    work.expect(one.name(), last_cost(record_file(build.records(options.suite), one.name()))
-                                .value_or(LastCost{.wall = one.method->relative_cost})
-                                .wall);
+    if (const auto last = last_cost(record_file(build.records(options.suite), one.name())))
+      work.expect(one.name(), last->wall);
+    else
+      work.guess(one.name(), one.method->relative_cost);
   programs::Progress line("vnv accept");
   for (const Chosen& one : methods) {
     work.begin(one.name());

@@ -33,7 +33,11 @@ double expected(const Job& job) { return job.last ? job.last->wall : job.relativ
 
 Work work_of(const std::vector<Job>& jobs) {
   Work work;
-  for (const Job& job : jobs) work.expect(job.name, expected(job), job.alone);
+  for (const Job& job : jobs)
+    if (job.last)
+      work.expect(job.name, job.last->wall, job.alone);
+    else
+      work.guess(job.name, job.relative_cost, job.alone);
   return work;
 }
 

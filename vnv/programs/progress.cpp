@@ -43,6 +43,12 @@ std::string duration_in_words(double time) {
 void Work::expect(const std::string& part, std::optional<double> expected, bool alone) {
   parts_[part].expected = expected;
   parts_[part].alone = alone;
+  parts_[part].guessed = false;
+}
+
+void Work::guess(const std::string& part, double seconds, bool alone) {
+  expect(part, seconds, alone);
+  parts_[part].guessed = true;
 }
 
 void Work::begin(const std::string& part, Clock::time_point now) {
@@ -90,8 +96,10 @@ std::string Work::sentence(Clock::time_point now) const {
   const auto unknown =
       std::ranges::count_if(parts_, [](const auto& one) { return !one.second.has_ended && !one.second.expected; });
   std::string text = fmt::format("{} of {} done", ended, parts_.size());
+  const bool is_guess =
+      std::ranges::any_of(parts_, [](const auto& one) { return !one.second.has_ended && one.second.guessed; });
   const std::optional<double> time = left(now);
-  if (time) text += fmt::format(", about {} left", duration_in_words(*time));
+  if (time) text += fmt::format(", {} {} left", is_guess ? "perhaps" : "about", duration_in_words(*time));
   if (unknown > 0) text += fmt::format("{} {} of unknown cost", time ? " and" : ",", unknown);
   if (running_.empty() && ended < std::ssize(parts_)) return text + "; none runs yet";
   for (std::size_t k = 0; k < running_.size(); ++k)

@@ -26,6 +26,8 @@ class Work {
   /// A part that has not begun, and what it is expected to take [s], as a rule what it took last; again, with what is
   /// known by now.
   void expect(const std::string& part, std::optional<double> expected, bool alone = false);
+  /// The same of one that never ran here: no more than a guess [s].
+  void guess(const std::string& part, double seconds, bool alone = false);
   void begin(const std::string& part, Clock::time_point now = Clock::now());
   void end(const std::string& part, Clock::time_point now = Clock::now());
 
@@ -33,13 +35,14 @@ class Work {
   /// any part that is left, and where none runs.
   std::optional<double> left(Clock::time_point now = Clock::now()) const;
 
-  /// "3 of 12 done, about 4 min left and 2 of unknown cost; now couette.mpm 3 s, poiseuille.sph 12 s"
+  /// "3 of 12 done, about 4 min left and 2 of unknown cost; now couette.mpm 3 s, poiseuille.sph 12 s"; "perhaps" in
+  /// place of "about" where any of that is a guess.
   std::string sentence(Clock::time_point now = Clock::now()) const;
 
  private:
   struct Part {
     std::optional<double> expected{};  // s
-    bool alone = false;
+    bool alone = false, guessed = false;
     std::optional<Clock::time_point> began{};
     bool has_ended = false;
   };

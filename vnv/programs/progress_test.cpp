@@ -79,6 +79,17 @@ TEST(WorkThatIsLeft, IsToldByOtherMeasuresOnceAPartHasEnded) {
   EXPECT_EQ(files.sentence(start + seconds(2)), "1 of 2 done, about 6 s left; now b 0 s");
 }
 
+TEST(WorkThatIsLeft, IsCalledAGuessWhileAnyOfItIs) {
+  Work work;
+  work.expect("a", 10);
+  work.guess("b", 20);
+  work.begin("b", start);
+  EXPECT_EQ(work.sentence(start), "0 of 2 done, perhaps 30 s left; now b 0 s");
+  work.end("b", start + seconds(20));
+  work.begin("a", start + seconds(20));
+  EXPECT_EQ(work.sentence(start + seconds(20)), "1 of 2 done, about 10 s left; now a 0 s");
+}
+
 TEST(WorkThatIsLeft, IsToldWithWhatRunsAndWhatNobodyKnows) {
   Work work;
   work.expect("a.mpm", 10);
