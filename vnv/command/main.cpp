@@ -367,9 +367,10 @@ void add_subcommands(Session& session) {
       "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
       "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
       "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
-      "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid pysph_100.npz\n"
-      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz\n"
-      "  vnv judge stokes_second plate.h5 --diagnose",
+      "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid --at-most 1 "
+      "pysph_100.npz\n"
+      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz --at-most 1\n"
+      "  vnv judge stokes_second plate.h5 --at-most 1 --diagnose",
       judge, declare_judge);
   add(session, "prepare", "Makes a folder for each resolution of a solver, to be run elsewhere.",
       "Each holds scene.json, particles.csv and run.sh; when all have been run, vnv collect judges their output.\n"

@@ -1,0 +1,79 @@
+"""How each command of the texts is run, in this order, and what it says that it would not say by chance."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Known:
+    command: str  # as printed; `vnv` stands for build/vnv/vnv, too, and each that is printed is run
+    says: str  # regular expression that fits somewhere in what it prints, and what `then` prints
+    status: int = 0
+    then: str = ""  # what is run after it in the same shell, to look at what it left
+    first: str = ""  # what is run before it, in another
+    needs: str = ""  # a program without which it is not run
+    folder: str = "project"
+    also: str = ""  # words that are added, for what would take the whole night else
+
+
+HOLD = r"(\d+) of \1 methods hold, (\d+) of \2 claims\s*$"
+FORGET = "rm -rf build/records"  # or else what has been judged is skipped
+
+
+def half(command, says, **more):
+    """In a build folder of which two cases are built."""
+    return Known(command, says, folder="half", **more)
+
+
+BY_DAY = [
+    Known("vnv --help", r"Usage: vnv .*\n(.*\n)*  explain +Explains"),
+    Known("vnv list", r"dam_break\b"),
+    Known("vnv list 'dam_*' --suite nightly", r"dam_break +mpm"),
+    Known("vnv list 'dam_*.mpm' --suite nightly", r"dam_break +mpm"),
+    Known("vnv list couette --json", '"case": ?"couette"'),
+    Known("vnv plan --suite nightly -j 8", "dam_break.mpm"),
+    Known("vnv plan 'invariance_*' --json", '"cpu": ?null'),
+    Known("vnv explain dam_break.mpm", r"Martin & Moyce"),
+    Known("vnv explain dam_break", "Martin & Moyce"),
+    Known("vnv explain poiseuille.mpm", r"Morris, Fox & Zhu"),
+    Known("vnv explain couette.mpm", "Morris, Fox & Zhu"),
+    Known("source <(vnv completion bash)", "^poiseuille.mpm_reset$",
+          then="COMP_WORDS=(vnv run poiseuille.mpm_res) COMP_CWORD=2; complete -p vnv && _vnv && printf '%s\\n' \"${COMPREPLY[@]}\""),
+    Known("source <(vnv completion zsh)", "_vnv", then="typeset -f _vnv && echo ${_comps[vnv]}", needs="zsh"),
+    Known("vnv/trials/faults/try.py --check --build build", "faults"),
+    Known("vnv scene", r"taylor_green"),
+    Known("vnv scene poiseuille --set H=1 --set F=1e-5 --set nu=0.01", r"H = 1 m (.*\n)*body force: \(1e-05, 0\)"),
+    Known("vnv scene taylor_green --spacing 0.02 --json --particles start.csv", r'"flow": ?"taylor_green"(.*\n)*2501 start.csv', then="wc -l start.csv"),
+    Known("vnv judge --help", "Usage: vnv judge"),
+    Known("vnv judge poiseuille --set H=1 --set F=1e-5 --set nu=0.01 out_40.vtp out_80.vtp out_160.vtp", r"observed order of L2 .*: 2\.0(.*\n)*1 of 1 claims hold"),
+    Known("vnv judge poiseuille out.pvd --at-most 1", "VTP(.*\n)*2 of 2 claims hold"),
+    Known("vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm", r"x, y in mm(.*\n)*observed order of L2 .*: 2\.0(.*\n)*1 of 1 claims hold"),
+    Known("vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid --at-most 1 pysph_100.npz",
+          "NPZ of PySPH, 1000 particles at 20 s(.*\n)*1 of 1 claims hold"),
+    Known("vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz --at-most 1", r"1600 cells at 0\.1 s(.*\n)*1 of 1 claims hold"),
+    Known("vnv judge stokes_second plate.h5 --at-most 1 --diagnose", r"HDF5, 800 particles(.*\n)*.*FAILS; the flow is that of a fluid 5\.\d ± [\d.]+ % too viscous", 1),
+    Known("vnv order errors.csv", r"observed order 2\.00"),
+    Known("vnv order errors.csv --surely-above 1.5", "all orders are above 1.5"),
+    Known("vnv order drag.csv --values", r"extrapolated to 1\.99999"),
+    Known("vnv run mine.toml", r"holds stokes_first\.mine: 6 of 6 claims hold"),
+    Known("vnv export stokes_first", r"verdicts\.tex", then="ls build/export/stokes_first"),
+    Known('vnv prepare mine.toml runs && for run in runs/*/run.sh; do sbatch "$run"; done', r"(Submitted batch job \d+\n){3}"),
+    Known("vnv collect mine.toml runs --records build/records/acceptance", r"6 of 6 claims hold"),
+    Known("vnv gate old.toml new.toml", r"worse", 1),
+    Known("vnv gate nights/monday nights/tuesday --json gate.json", r'worse(.*\n)*.*"differences"', 1, then="cat gate.json",
+          first="vnv run old.toml --records nights/monday; vnv run new.toml --records nights/tuesday"),
+    Known("vnv export poiseuille", r"verdicts\.tex", then="ls build/export/poiseuille", first="vnv run poiseuille.mpm_least_squares"),
+    Known("vnv export poiseuille --records mine --folder paper/poiseuille", r"verdicts\.tex", then="ls paper/poiseuille", first="cp -r build/records/acceptance mine"),
+    Known("vnv report my_records my_site --history my_nights", r"my_site/index\.html(.*\n)*.*\.jsonl?", then="ls my_nights",
+          first="cp -r build/records/acceptance my_records"),
+    Known("build/vnv/stokes_first", r"stokes_first\.\w+ .*: HOLDS"),
+    Known("stokes_first --method mpm --suite acceptance --records build/records", r"stokes_first\.mpm\.json", then="ls build/records"),
+    half("vnv run --suite nightly -j 4", HOLD, first=FORGET),
+    half("vnv report --suite nightly", r"build/site/nightly/index\.html"),
+    half("touchstone_report build/records/nightly build/site/nightly --history nights", r"build/site/nightly/index\.html"),
+    half("vnv run 'invariance_*' --suite nightly -j 2", HOLD, first=FORGET),
+    half("vnv run --suite nightly --engine parallel --hosts a,4/b", HOLD + r"(\n.*)*ssh a\n(.*\n)*ssh b", first=FORGET, then='sort "$ASKED"'),
+    half("vnv run --suite nightly --engine slurm --engine-option=--partition=long", HOLD + r"(\n.*)*sbatch .*--array=.*--partition=long", first=FORGET, then='cat "$ASKED"'),
+    half("vnv run --engine slurm", HOLD + r"(\n.*)*sbatch .*--array=", first=FORGET, then='cat "$ASKED"'),
+    half("vnv run --again --records mine", HOLD),
+    half("vnv gate ../main/build build --markdown review.md", r"same or better", then="cat review.md"),
+]

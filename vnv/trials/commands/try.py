@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Each command that README, CONTRIBUTING, IS_MY_SOLVER_RIGHT and the examples of --help print, run as it is printed.
+
+They are run in folders that look like the project beside its programs, which are those of BUILD, with the files that they
+name; what would log in or queue elsewhere is run here. BUILD and the sources are only read. A command that nothing here runs,
+and one here that no text prints, is a failure, too. A command is a line. Exit status: 0 all do what they should; 1 one does
+not; 3 bad input.
+
+Example: vnv/trials/commands/try.py build
+"""
+
+import contextlib
+import os
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import time
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+
+import files  # noqa: E402
+import known  # noqa: E402
+import texts  # noqa: E402
+from shared import BadInput, Failure, Parser, Trials, exit_with, require, run  # noqa: E402
+
+ROOT = texts.ROOT
+HALF = ("invariance_cavity", "invariance_patch")  # nights of seconds
+LONGEST = 7200  # s
+OF_OTHERS = ("CTEST_", "DASHBOARD_", "TOUCHSTONE_", "RC_PARAMS", "GIT_", "CI")  # would change what a command does
+
+
+def copied(build, here, cases):
+    """A folder that looks like the project built there, in part if so."""
+    (here / "build/vnv").mkdir(parents=True)
+    (here / "build/reports").mkdir()
+    for file in ROOT.iterdir():
+        if not file.name.startswith((".git", "build")) and file.name != "data":
+            (here / file.name).symlink_to(file)
+    shutil.copytree(ROOT / "data", here / "data")
+    (here / "build/data").symlink_to(here / "data")  # where programs look first
+    for file in [build / "reports/touchstone_report", *(build / "vnv").iterdir()]:
+        is_case = file.with_name(f"{file.name}_tests.cmake").is_file()
+        is_wanted = not is_case or cases is None or file.name in cases
+        if file.is_file() and not file.name.endswith(("_test", ".a", ".so")) and is_wanted:
+            with contextlib.suppress(OSError):  # else on another file system
+                os.link(file, here / "build" / file.relative_to(build))
+                continue
+            shutil.copy(file, here / "build" / file.relative_to(build))
+    cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+    cache = re.sub("^(TOUCHSTONE_HISTORY:.*=).*", rf"\1{build}/history", cache, flags=re.MULTILINE).replace(str(build), str(here / "build"))
+    (here / "build/CMakeCache.txt").write_text(re.sub("^(CMAKE_HOME_DIRECTORY:.*=).*", rf"\1{here}", cache, flags=re.MULTILINE), encoding="utf-8")
+
+
+def surroundings(scratch):
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(OF_OTHERS)}
+    return {**environment, "ASKED": str(scratch / "asked"), "PYTHONDONTWRITEBYTECODE": "1", "LANG": "C.UTF-8",
+            "PATH": os.pathsep.join(("build/vnv", "build/reports", str(FOLDER / "standins"), os.environ["PATH"]))}
+
+
+def printed_as(entry, printed):
+    """All forms in which the texts print it."""
+    return [command for command in printed if re.sub(r"(^|(?<= ))build/vnv/vnv ", "vnv ", command) == entry.command]
+
+
+def try_one(entry, command, scratch):
+    """What it says is what it should say, and so is how it ends."""
+    began, here, around = time.monotonic(), scratch / entry.folder, surroundings(scratch)
+    (scratch / "asked").write_text("", encoding="utf-8")
+    if entry.needs and not shutil.which(entry.needs):
+        return f"not run: no {entry.needs}"
+    if entry.first:
+        before = run(["bash", "-ec", entry.first], LONGEST, cwd=here, env=around, stdin=-3)
+    script = f"{command}{entry.also}\nstatus=$?\n{entry.then}\nexit $status\n"
+    done = run(["zsh" if entry.needs == "zsh" else "bash", "-c", script], LONGEST, cwd=here, env=around, stdin=-3)
+    said = done.stdout
+    require(done.returncode == entry.status, f"ended with status {done.returncode}, expected {entry.status}; it said: {said[-1000:]!r}")
+    require(re.search(entry.says, said, re.MULTILINE), f"expected it to say '{entry.says}'; it said: {said[-3000:]!r}")
+    return f"{time.monotonic() - began:.1f} s"
+
+
+def by_day(build, scratch):
+    copied(build, scratch / "project", None)
+    copied(build, scratch / "half", HALF)
+    copied(build, scratch / "main", HALF)
+    baselines = scratch / "main/data/baselines" / f"{HALF[0]}.csv"
+    baselines.write_text(baselines.read_text(encoding="utf-8") + "# other data: the case is run\n", encoding="utf-8")
+    files.write_all(build / "vnv/vnv", build / "vnv/poiseuille", ROOT / "vnv/doors/examples", scratch / "project")
+
+
+def main(arguments):
+    parser = Parser(__doc__)
+    parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder")
+    parser.add_argument("--only", default="", help="regular expression of commands")
+    options = parser.parse_args(arguments)
+    build = options.build.resolve()
+    if not os.access(build / "vnv/vnv", os.X_OK):
+        raise BadInput(f"{build}: no program vnv/vnv, expected a build folder")
+    printed = texts.printed(build / "vnv/vnv", build / "vnv/stokes_first", build / "reports/touchstone_report")
+    trials = Trials()
+    with tempfile.TemporaryDirectory(prefix="commands ") as folder:
+        scratch = pathlib.Path(folder)
+        by_day(build, scratch)
+        for entry in known.BY_DAY:
+            for command in printed_as(entry, printed):
+                if re.search(options.only, command):
+                    trials.attempt(command, lambda: try_one(entry, command, scratch))
+    print(f"{trials.count} commands, {trials.failed} failed")
+    return 1 if trials.failed else 0
+
+
+if __name__ == "__main__":
+    exit_with(main)
