@@ -5,6 +5,8 @@ import csv
 import json
 import math
 import pickle
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -185,10 +187,13 @@ def write_all(vnv, case, examples, folder):
     write_csv(folder / "drag.csv", {"h": [1 / n for n in integrals], "drag": list(integrals.values())})
     subprocess.run([case, "--method", "mpm_least_squares", "--spacing", "2.5e-5", "--until", "0.1", "--vtp", folder], check=True, capture_output=True)
     (folder / "poiseuille.mpm_least_squares.custom.pvd").rename(folder / "out.pvd")
-    solver, program = ((examples / "program" / name).read_text(encoding="utf-8") for name in ("differences.toml", "solve.py"))
-    for name in ("mine", "old", "new"):
-        program_of = "thicker.py" if name == "new" else "solve.py"
-        (folder / f"{name}.toml").write_text('name = "mine"\n' + solver.replace("solve.py", program_of), encoding="utf-8")
-    (folder / "solve.py").write_text(program, encoding="utf-8")
-    (folder / "thicker.py").write_text(program.replace("nu = ", "nu = 1.02 * "), encoding="utf-8")
+    for name, thicker in (("old", 1), ("new", 1.02)):  # of a program that takes no time, else its cost is compared for a minute
+        for across in (20, 40, 80):
+            along = channel(vnv, folder, "stokes_first", across, 0.01, thicker)
+            write_csv(folder / f"{name}_{across}.csv", {"x": along["x"], "y": along["y"], "v_x": along["v_x"], "v_y": [0] * len(along["x"])})
+        solver = (examples / "program/differences.toml").read_text(encoding="utf-8").replace("[40, 80, 160]", "[20, 40, 80]")
+        solver = "name = \"mine\"\n" + re.sub("^command = .*", f'command = ["cp", "{{here}}/{name}_{{across}}.csv", "profile.csv"]', solver, flags=re.MULTILINE)
+        (folder / f"{name}.toml").write_text(solver, encoding="utf-8")
+    shutil.copy(examples / "program/differences.toml", folder / "mine.toml")
+    shutil.copy(examples / "program/solve.py", folder)
     (folder / "start.csv").unlink()

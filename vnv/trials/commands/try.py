@@ -14,6 +14,7 @@ import os
 import pathlib
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import time
@@ -27,7 +28,7 @@ import texts  # noqa: E402
 from shared import BadInput, Failure, Parser, Trials, exit_with, require, run  # noqa: E402
 
 ROOT = texts.ROOT
-HALF = ("invariance_cavity", "invariance_patch")  # nights of seconds
+TWO = ("invariance_cavity", "invariance_patch")  # nights of seconds
 LONGEST = 7200  # s
 OF_OTHERS = ("CTEST_", "DASHBOARD_", "TOUCHSTONE_", "RC_PARAMS", "GIT_", "CI")  # would change what a command does
 
@@ -49,6 +50,9 @@ def copied(build, here, cases):
                 os.link(file, here / "build" / file.relative_to(build))
                 continue
             shutil.copy(file, here / "build" / file.relative_to(build))
+    built = [name for name in (build / "vnv/cases.txt").read_text(encoding="utf-8").split() if (here / "build/vnv" / name).is_file()]
+    (here / "build/vnv/cases.txt").unlink()
+    (here / "build/vnv/cases.txt").write_text("\n".join(built) + "\n", encoding="utf-8")
     cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
     cache = re.sub("^(TOUCHSTONE_HISTORY:.*=).*", rf"\1{build}/history", cache, flags=re.MULTILINE).replace(str(build), str(here / "build"))
     (here / "build/CMakeCache.txt").write_text(re.sub("^(CMAKE_HOME_DIRECTORY:.*=).*", rf"\1{here}", cache, flags=re.MULTILINE), encoding="utf-8")
@@ -72,9 +76,10 @@ def try_one(entry, command, scratch):
     if entry.needs and not shutil.which(entry.needs):
         return f"not run: no {entry.needs}"
     if entry.first:
-        before = run(["bash", "-ec", entry.first], LONGEST, cwd=here, env=around, stdin=-3)
+        before = run(["bash", "-c", entry.first], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
+        require(before.returncode == 0, f"'{entry.first}' ended with status {before.returncode}; it said: {before.stdout[-1000:]!r}")
     script = f"{command}{entry.also}\nstatus=$?\n{entry.then}\nexit $status\n"
-    done = run(["zsh" if entry.needs == "zsh" else "bash", "-c", script], LONGEST, cwd=here, env=around, stdin=-3)
+    done = run(["zsh" if entry.needs == "zsh" else "bash", "-c", script], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
     said = done.stdout
     require(done.returncode == entry.status, f"ended with status {done.returncode}, expected {entry.status}; it said: {said[-1000:]!r}")
     require(re.search(entry.says, said, re.MULTILINE), f"expected it to say '{entry.says}'; it said: {said[-3000:]!r}")
@@ -83,10 +88,8 @@ def try_one(entry, command, scratch):
 
 def by_day(build, scratch):
     copied(build, scratch / "project", None)
-    copied(build, scratch / "half", HALF)
-    copied(build, scratch / "main", HALF)
-    baselines = scratch / "main/data/baselines" / f"{HALF[0]}.csv"
-    baselines.write_text(baselines.read_text(encoding="utf-8") + "# other data: the case is run\n", encoding="utf-8")
+    copied(build, scratch / "two", TWO)
+    copied(build, scratch / "main", TWO)
     files.write_all(build / "vnv/vnv", build / "vnv/poiseuille", ROOT / "vnv/doors/examples", scratch / "project")
 
 
