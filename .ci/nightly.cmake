@@ -6,7 +6,9 @@
 # HISTORY        folder of the summaries of all nights; history/ in BUILD. Outside of it they outlive the build
 # ENGINE         local, parallel or slurm: `vnv run` makes the suite by it, with ENGINE_OPTIONS (--hosts;a,b), and skips what this
 #                revision has done; none: ctest does, here, from nothing
-# LABEL          regular expression of the labels to run; units, the nightly suite and README's lines on bare machines
+# METHODS        those of the suite that ENGINE makes, as `vnv run` takes them (couette;dam_break.mpm); all
+# LABEL          regular expression of the labels to run; units, the nightly suite, README's lines on bare machines, and all commands
+#                that the texts print, which take two hours
 # DROP_SITE      host of a CDash server that gets the results; none: nothing leaves this machine
 # DROP_LOCATION  where on it, /submit.php?project=Touchstone
 # DROP_METHOD    https, or http for one within reach
@@ -23,7 +25,7 @@ endfunction()
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH CTEST_SOURCE_DIRECTORY)
 set_unless_named(BUILD ${CTEST_SOURCE_DIRECTORY}/build)
 set_unless_named(HISTORY ${BUILD}/history)
-set_unless_named(LABEL "^(unit|nightly|bare)$")
+set_unless_named(LABEL "^(unit|nightly|bare|commands)$")
 set_unless_named(DROP_LOCATION "/submit.php?project=Touchstone")
 set_unless_named(DROP_METHOD https)
 get_filename_component(CTEST_BINARY_DIRECTORY ${BUILD} ABSOLUTE)
@@ -52,13 +54,15 @@ if(NOT failed)
     ctest_build(TARGET ${target} APPEND RETURN_VALUE built)
     note("build of ${target}" ${built})
   endforeach()
-  set(ENV{TOUCHSTONE_WHOLE_SUITE} 1)  # the pages miss an accepted method that has no record
+  if(NOT METHODS)
+    set(ENV{TOUCHSTONE_WHOLE_SUITE} 1)  # the pages miss an accepted method that has no record
+  endif()
   if(NOT ENGINE)
     ctest_test(INCLUDE_LABEL "${LABEL}" PARALLEL_LEVEL 2 RETURN_VALUE tested)
     note(tests ${tested})
   else()
-    ctest_test(INCLUDE_LABEL "^(unit|bare)$" PARALLEL_LEVEL 2 RETURN_VALUE tested)
-    note("unit tests" ${tested})
+    ctest_test(INCLUDE_LABEL "${LABEL}" EXCLUDE_LABEL "^nightly$" PARALLEL_LEVEL 2 RETURN_VALUE tested)
+    note(tests ${tested})
     set(vnv ${CTEST_BINARY_DIRECTORY}/vnv/vnv)
     set(records ${CTEST_BINARY_DIRECTORY}/records/nightly)
     execute_process(COMMAND ${vnv} list --names --suite nightly OUTPUT_VARIABLE methods COMMAND_ERROR_IS_FATAL ANY)
@@ -70,7 +74,7 @@ if(NOT failed)
         file(REMOVE ${records}/${record})
       endif()
     endforeach()
-    execute_process(COMMAND ${vnv} run --suite nightly --engine ${ENGINE} ${ENGINE_OPTIONS} RESULT_VARIABLE ran)
+    execute_process(COMMAND ${vnv} run ${METHODS} --suite nightly --engine ${ENGINE} ${ENGINE_OPTIONS} RESULT_VARIABLE ran)
     note("suite by ${ENGINE}" ${ran})
     ctest_test(INCLUDE "^nightly[.](pages|browser)$" EXCLUDE_FIXTURE_SETUP nightly_records APPEND RETURN_VALUE shown)
     note(pages ${shown})

@@ -13,6 +13,7 @@ class Known:
     needs: str = ""  # a program without which it is not run
     folder: str = "project"
     also: str = ""  # words that are added, for what would take the whole night else
+    change: str = ""  # a file below vnv/trials that says what the last commit of the clone changes
 
 
 HOLD = r"(\d+) of \1 methods hold, (\d+) of \2 claims\s*$"
@@ -76,4 +77,51 @@ BY_DAY = [
     of_two("vnv run --engine slurm", HOLD + r"(\n.*)*sbatch .*--array=", first=FORGET, then='cat "$ASKED"'),
     of_two("vnv run --again --records mine", HOLD),
     of_two("vnv gate ../main/build build --markdown review.md", r"programs of 2 cases the same", then="cat review.md"),
+]
+
+UNITS = r"100% tests passed"
+ACCEPTED = r"^couette.mpm: \d+ baselines changed$"
+OLD = "echo {},old,1,0,0 >>data/claims/couette.csv"
+
+
+def in_clone(command, says, **more):
+    """In a clone of the sources, from nothing on."""
+    return Known(command, says, folder="clone", **more)
+
+
+BY_NIGHT = [
+    in_clone("cmake --preset release", "Build files have been written to"),
+    in_clone("cmake --build build --target vnv_command", "Linking CXX executable vnv/vnv"),
+    in_clone("cmake --build build --target poiseuille", "Linking CXX executable vnv/poiseuille"),
+    in_clone("vnv run poiseuille -j 2", HOLD),
+    in_clone("vnv run poiseuille", HOLD, first=FORGET),
+    in_clone("cmake --build build --target check_headers", "vnv_headers"),
+    in_clone("ctest -S .ci/nightly.cmake -V -DHISTORY=FOLDER", r"acceptance\.pages(.*\n)*100% tests passed", also=" '-DLABEL=^acceptance$'"),
+    in_clone("ctest --test-dir build -L unit", UNITS),
+    in_clone("vnv run couette.mpm", HOLD, first=FORGET),
+    Known("ctest -R '^poiseuille.mpm$'", UNITS, folder="clone/build"),
+    Known("ctest -L unit", UNITS, folder="clone/build"),
+    in_clone("build/vnv/touchstone_bench", "plain_sph/dam/S4"),
+    in_clone('RC_PARAMS="seed=7 max_success=2000" build/vnv/vnv_judge_test', r"OK, passed 2000 tests(.*\n)*\[  PASSED  \]"),
+    in_clone('ctest -S .ci/nightly.cmake -V -DENGINE=slurm "-DENGINE_OPTIONS=--engine-option=--partition=long"',
+             r"3 of 3 methods hold(.*\n)*nightly\.pages(.*\n)*sbatch .*--partition=long", also=" '-DLABEL=^none$' -DMETHODS=invariance_cavity", then='cat "$ASKED"'),
+    in_clone('vnv accept couette.mpm --reason "why the new values are right"', ACCEPTED + r"(.*\n)*# reason: why the new", then="head -5 data/baselines/couette.csv"),
+    in_clone('vnv accept couette.mpm --reason "the wall moves with the fluid now: second order"', ACCEPTED),
+    in_clone('vnv accept couette.old --suite nightly --claims build/records/nightly --reason "why there are fewer"', r"^couette.old: 1 claims, gone$",
+             first=OLD.format("nightly")),
+    in_clone('vnv accept couette.old --claims build/records/acceptance --reason "one method fewer"', r"^couette.old: 1 claims, gone$", first=OLD.format("acceptance")),
+    in_clone('REASON="why the new values are right" cmake --build build --target accept_baselines', "55 baselines", then="grep -l 'reason: why the new' data/baselines/*.csv | wc -l"),
+    in_clone("cmake --preset portable && cmake --build build-portable --target vnv_command touchstone_report", "Linking CXX executable reports/touchstone_report"),
+    in_clone("cmake --preset portable", "build-portable"),
+    in_clone("cpack --config build-portable/CPackConfig.cmake", r"\.deb generated", then="dpkg-deb --contents *.deb", needs="dpkg-shlibdeps"),
+    in_clone("cmake --workflow --preset sanitize", UNITS),
+]
+MORE_VISCOUS, SLOWER, RENAMED = "losses/more_viscous.fault", "losses/slower_by_a_tenth.fault", "faults/harmless/local_renamed.fault"
+GATES = [  # of the last two commits of a clone
+    in_clone("vnv gate HEAD~1 HEAD", "^same or better: ", change=RENAMED, also=" --case couette"),
+    in_clone("vnv gate HEAD~1 HEAD", r"^couette\.mpm .*L2 .*: worse: ", status=1, change=MORE_VISCOUS, also=" --case couette"),
+    in_clone("vnv gate HEAD~1 HEAD", r"^couette\.mpm: user CPU time .*: worse: ", status=1, change=SLOWER, also=" --case couette"),
+    in_clone("vnv gate HEAD~1 HEAD --case poiseuille --case couette", "^same or better: ", change=RENAMED),
+    in_clone("vnv gate HEAD~1 HEAD --markdown review.md", r"same or better(.*\n)*\*\*same or better\*\*", change=RENAMED, then="cat review.md"),
+    in_clone("vnv gate HEAD~1 HEAD", "^same or better: ", change=RENAMED),
 ]

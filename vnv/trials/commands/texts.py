@@ -23,6 +23,12 @@ def of_page(page):
             yield words
 
 
+def of_first_block():
+    """README's lines for a bare machine."""
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
+    return of_page(re.search(r"^```sh\n.*?^```$", page, re.MULTILINE | re.DOTALL)[0])
+
+
 def of_help(said):
     """Examples follow each other, indented, with what they are for; or one stands in the line; below them sentences name tests."""
     for one, several in re.findall(r"^Examples?:(.*)\n((?:  .*\n)*)", said, re.MULTILINE):

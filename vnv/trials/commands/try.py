@@ -20,10 +20,11 @@ import tempfile
 import time
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent))
+sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parent / "faults")]
 
 import files  # noqa: E402
 import known  # noqa: E402
+import seeded  # noqa: E402
 import texts  # noqa: E402
 from shared import BadInput, Failure, Parser, Trials, exit_with, require, run  # noqa: E402
 
@@ -69,12 +70,22 @@ def printed_as(entry, printed):
     return [command for command in printed if re.sub(r"(^|(?<= ))build/vnv/vnv ", "vnv ", command) == entry.command]
 
 
+def printed_by(build):
+    programs = [build / name for name in ("vnv/vnv", "vnv/stokes_first", "reports/touchstone_report")]
+    for program in programs:
+        if not os.access(program, os.X_OK):
+            raise BadInput(f"{program}: not there, expected it to be built")
+    return texts.printed(*programs)
+
+
 def try_one(entry, command, scratch):
     """What it says is what it should say, and so is how it ends."""
     began, here, around = time.monotonic(), scratch / entry.folder, surroundings(scratch)
     (scratch / "asked").write_text("", encoding="utf-8")
     if entry.needs and not shutil.which(entry.needs):
         return f"not run: no {entry.needs}"
+    if entry.change:
+        commit(entry.change, here)
     if entry.first:
         before = run(["bash", "-c", entry.first], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
         require(before.returncode == 0, f"'{entry.first}' ended with status {before.returncode}; it said: {before.stdout[-1000:]!r}")
@@ -93,23 +104,66 @@ def by_day(build, scratch):
     files.write_all(build / "vnv/vnv", build / "vnv/poiseuille", ROOT / "vnv/doors/examples", scratch / "project")
 
 
+def git(clone, *words):
+    done = run(["git", "-C", clone, "-c", "user.name=Trial", "-c", "user.email=trial@example.org", *words])
+    require(done.returncode == 0, f"git {' '.join(map(str, words))}: {done.stdout.strip()}")
+
+
+def by_night(_, scratch):
+    git(ROOT, "clone", "-q", ROOT, scratch / "clone")
+
+
+def of_gates(build, scratch):
+    by_night(build, scratch)
+    git(scratch / "clone", "tag", "before")
+    (scratch / "clone/build/vnv").mkdir(parents=True)
+    shutil.copy(build / "vnv/vnv", scratch / "clone/build/vnv")
+
+
+def commit(change, clone):
+    """The clone's last commit makes this change and nothing else."""
+    git(clone, "reset", "-q", "--hard", "before")
+    for file, (_, after) in seeded.changed(seeded.read(FOLDER.parent / change), clone).items():
+        (clone / file).write_text(after, encoding="utf-8")
+    git(clone, "commit", "-q", "-a", "-m", change)
+
+
+PARTS = {"day": (known.BY_DAY, by_day), "night": (known.BY_NIGHT, by_night), "gates": (known.GATES, of_gates)}
+
+
+def unknown(printed):
+    """What is printed and not run, and what is run and not printed."""
+    entries = [entry for entries, _ in PARTS.values() for entry in entries]
+    on_bare_machines = [part for line in texts.of_first_block() for part in (line, *line.split(" && "))]  # .ci/bare takes them from there
+    run_here = {command for entry in entries for command in printed_as(entry, printed)}
+    for command, where in printed.items():
+        if command not in run_here and command not in on_bare_machines and not any(texts.begins(command, other) for other in run_here):
+            yield f"{where}: '{command}': nothing runs it; expected it in vnv/trials/commands/known.py"
+    for entry in entries:
+        if not printed_as(entry, printed):
+            yield f"vnv/trials/commands/known.py: '{entry.command}': no text prints it"
+
+
 def main(arguments):
     parser = Parser(__doc__)
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder")
+    parser.add_argument("--part", choices=PARTS, default="day", help="day: what takes seconds; night: what builds, in a clone; gates: of revisions of a clone")
     parser.add_argument("--only", default="", help="regular expression of commands")
     options = parser.parse_args(arguments)
     build = options.build.resolve()
-    if not os.access(build / "vnv/vnv", os.X_OK):
-        raise BadInput(f"{build}: no program vnv/vnv, expected a build folder")
-    printed = texts.printed(build / "vnv/vnv", build / "vnv/stokes_first", build / "reports/touchstone_report")
+    printed = printed_by(build)
+    entries, prepare = PARTS[options.part]
     trials = Trials()
+    for line in unknown(printed):
+        trials.failed += 1
+        print(f"FAILED {line}")
     with tempfile.TemporaryDirectory(prefix="commands ") as folder:
         scratch = pathlib.Path(folder)
-        by_day(build, scratch)
-        for entry in known.BY_DAY:
+        prepare(build, scratch)
+        for entry in entries:
             for command in printed_as(entry, printed):
-                if re.search(options.only, command):
-                    trials.attempt(command, lambda: try_one(entry, command, scratch))
+                if re.search(options.only, f"{command}{entry.also}"):
+                    trials.attempt(command + entry.also, lambda: try_one(entry, command, scratch))
     print(f"{trials.count} commands, {trials.failed} failed")
     return 1 if trials.failed else 0
 
