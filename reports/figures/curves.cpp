@@ -151,25 +151,21 @@ long pixel(double value, const vnv::Axis& axis, const std::pair<double, double>&
   return std::lround(length * (along(value) - along(range.first)) / (along(range.second) - along(range.first)));
 }
 
-/// Of marks of several methods that would cover each other one is drawn, of the method that has had fewest, so that
-/// each method is seen. What stands apart by more than a line is wide is always drawn.
-void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Extent& x, const Extent& y) {
+/// Of marks that would cover each other one is drawn, of the curve that has had fewest, so that each is seen. What
+/// stands apart by more than a line is wide is always drawn.
+void choose_seen(std::vector<CurveSeries*> marks, const vnv::Figure& figure, const Extent& x, const Extent& y) {
   constexpr long near_x = 10, near_y = 2;  // px
-  std::vector<CurveSeries*> marks;
   std::size_t longest = 0;
-  for (CurveSeries& s : all)
-    if (s.curve->points && s.curve->role == Role::ours) {
-      marks.push_back(&s);
-      longest = std::max(longest, s.curve->x.size());
-    }
-  if (marks.size() < 2) return;
-  for (CurveSeries* s : marks) s->seen = std::string(s->curve->x.size(), '0');
+  for (CurveSeries* s : marks) {
+    s->seen = std::string(s->curve->x.size(), '0');
+    longest = std::max(longest, s->seen.size());
+  }
   std::set<std::pair<long, long>> covered;
   const auto count = [](const CurveSeries* s) { return std::ranges::count(s->seen, '1'); };
   for (std::size_t i = 0; i < longest; ++i) {
-    std::ranges::stable_sort(marks, {}, count);
+    if (marks.size() > 1) std::ranges::stable_sort(marks, {}, count);
     for (CurveSeries* s : marks) {
-      if (i >= s->curve->x.size()) continue;
+      if (i >= s->seen.size()) continue;
       const double across = s->curve->x[i] * figure.x.scale, up = s->curve->y[i] * figure.y.scale;
       if (!is_drawable(across, figure.x) || !is_drawable(up, figure.y)) continue;
       const long px = pixel(across, figure.x, x.range(), Frame::width),
@@ -180,6 +176,17 @@ void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const
         for (long dy = -near_y; dy <= near_y; ++dy) covered.insert({px + dx, py + dy});
     }
   }
+}
+
+/// All methods together, and each dense measurement by itself.
+void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Extent& x, const Extent& y) {
+  std::vector<CurveSeries*> ours;
+  for (CurveSeries& s : all) {
+    if (s.curve->points && s.curve->role == Role::ours) ours.push_back(&s);
+    const bool is_measured = s.curve->role == Role::experiment || s.curve->role == Role::published;
+    if (s.curve->points && is_measured && s.curve->x.size() >= many_points) choose_seen({&s}, figure, x, y);
+  }
+  if (ours.size() > 1) choose_seen(ours, figure, x, y);
 }
 
 std::string script(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Frame& frame) {

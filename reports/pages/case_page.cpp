@@ -46,8 +46,7 @@ std::string head(const CaseRecords& records) {
 
 // Points of runs that diverged as declared are no fault.
 std::string undrawn_html(const DrawnFigure& drawn, const CaseRecords& records) {
-  const std::string covered =
-      drawn.covered > 0 ? " Of marks that would cover each other one is drawn, of each method in turn." : "";
+  const std::string covered = drawn.covered > 0 ? " Of marks that would cover each other one is drawn." : "";
   if (drawn.undrawn == 0) return covered;
   const bool is_declared = std::ranges::any_of(records.records, [](const vnv::Record& record) {
     return std::ranges::any_of(record.runs, [&](const auto& r) { return !r.finished && !fails_at(record, r.level); });

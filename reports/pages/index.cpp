@@ -56,7 +56,8 @@ HtmlCell stands_at_length(const Standing& one, double time, const NightStatus& s
   if (cell.kind == "accepted" && one.at_end) {
     const std::string wrong = "wrong by " + rounded(std::abs(one.at_end->value), one.at_end->quantity.unit);
     cell.html += ", " + (is_far_off(*one.at_end) ? "<b>" + wrong + "</b>" : wrong);
-    if (!vnv::same_time(one.at_end->time, time)) cell.html += fmt::format(" at {}\u202fs", printed(one.at_end->time));
+    if (!vnv::same_time(one.at_end->time, time))
+      cell.html += fmt::format(" <small>at {}\u202fs</small>", printed(one.at_end->time));
   }
   if (cell.kind == "holds") {
     std::set<std::string> authors;
@@ -75,12 +76,13 @@ HtmlCell order_cell(const Standing& one) {
   return {with_interval(one.order->order, one.order->half_width), "number " + word(one.order->trend)};
 }
 
-/// A picture of a case and its name.
-std::string case_link(const CaseRecords& records) {
-  const std::string image = first_image(records);
+/// A picture of a case, its name, and beside them what is said of it.
+HtmlCell case_cell(const CaseRecords& records, const std::string& about = "", std::size_t rows = 1) {
+  const std::string link = fmt::format("<a href=\"{}/index.html\">", records.name), image = first_image(records);
   const std::string thumb =
-      image.empty() ? "" : fmt::format("<img src=\"{}/{}\" alt=\"\" loading=\"lazy\">", records.name, image);
-  return fmt::format("<a href=\"{}/index.html\">{}{}</a>", records.name, thumb, escape(records.title()));
+      image.empty() ? ""
+                    : fmt::format("{}<img src=\"{}/{}\" alt=\"\" loading=\"lazy\"></a>", link, records.name, image);
+  return {fmt::format("{}<div>{}{}</a>{}</div>", thumb, link, escape(records.title()), about), "flow", rows};
 }
 
 /// "2 / 0 / 16": claims by theory, literature and baselines.
@@ -108,10 +110,10 @@ std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all,
           std::isnan(diagram.ranked_by)
               ? ""
               : fmt::format("; CPU time to {}", valued(diagram.ranked_by, diagram.quantity.unit));
-      row.insert(row.begin(),
-                 {case_link(records) + fmt::format("<br><small>{}, {}\u202fs{}</small>", typeset(diagram.quantity.name),
-                                                   printed(all.work->time), target),
-                  "flow", all.methods.size()});
+      row.insert(row.begin(), case_cell(records,
+                                        fmt::format("<br><small>{}, {}\u202fs{}</small>",
+                                                    typeset(diagram.quantity.name), printed(all.work->time), target),
+                                        all.methods.size()));
     }
     rows.push_back(std::move(row));
   }
@@ -126,7 +128,7 @@ HtmlRow other_row(const CaseRecords& records, const Standings& all, const NightS
   const auto right = std::ranges::count_if(all.methods, [](const Standing& one) { return !one.right_by.empty(); });
   const Tally sum = tally(verdicts_of(records));
   const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == records.name; });
-  return {HtmlCell(case_link(records), "flow"),
+  return {case_cell(records),
           found        ? *found
           : right == 0 ? HtmlCell("as last accepted", "accepted")
                        : HtmlCell(fmt::format("{} of {} agree", right, all.methods.size()), "holds"),
@@ -173,7 +175,7 @@ std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<
   for (const auto& [error, item] : found | std::views::take(most)) items += item;
   if (items.empty()) return "";
   return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {} methods{}</p>\n", far_off,
-                     found.size(), found.size() > most ? ", the farthest" : "") +
+                     found.size(), found.size() > most ? ", the farthest:" : "") +
          html_list("declared", items);
 }
 
