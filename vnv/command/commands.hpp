@@ -109,6 +109,10 @@ struct OrderOptions {
 };
 int order(const Build& build, const OrderOptions& options);
 
+/// Of what this was built: "0.1.0"; and "5617f2c", with "-dirty" where that was changed, or "unknown".
+std::string_view project_version();
+std::string_view revision();
+
 /// An option or an argument of a command, as its help has it.
 struct OptionText {
   Words names{};          // "-h", "--help"; of an argument its own, "FLOW"

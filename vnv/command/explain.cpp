@@ -2,9 +2,8 @@
 
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
-#include "vnv/files/data_folder.hpp"
+#include "vnv/doors/scene.hpp"
 #include "vnv/files/tables.hpp"
-#include "vnv/harness/describe.hpp"
 #include "vnv/record/prices.hpp"
 
 #include <fmt/format.h>
@@ -113,9 +112,7 @@ std::string over_time(const doors::Measured& one) {
 /// A flow, by which any code is judged, at its published parameters.
 void explain_flow(const std::string& name) {
   const doors::Flow flow = doors::flow_named(name);
-  Case judged = flow.judged;
-  judged.claims.insert(judged.claims.end(), flow.of_resolved.begin(), flow.of_resolved.end());
-  const Description one = describe(name, judged, data_folder());
+  const Description one = doors::describe(flow);
   fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", name, one.title)));
   print_wrapped(one.description, 0);
   print_heading("Parameters, as published; --set gives them other values");

@@ -31,7 +31,7 @@ gate::Contest contest_of(const gate::GateRequest& request) {
                                      before.flow.case_name(), request.after, after.flow.case_name()));
   after.name = before.name;
   const auto run_of = [&](const doors::Solver& solver) {
-    return [solver, suite = suite_named(request.suite)](std::ostream&) {
+    return [solver, suite = suite_named(request.suite)](std::ostream&, const programs::Meanwhile&) {
       const programs::ScratchFolder scratch;
       return std::optional(doors::run_solver(solver, scratch.path(), suite).record);
     };

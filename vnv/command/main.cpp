@@ -3,7 +3,6 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/files/data_folder.hpp"
-#include "vnv/harness/environment.hpp"
 #include "vnv/programs/command_line.hpp"
 #include "vnv/programs/out_of_memory.hpp"
 

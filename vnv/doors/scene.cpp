@@ -1,6 +1,8 @@
 #include "vnv/doors/scene.hpp"
 
 #include "solvers/lattice.hpp"
+#include "vnv/files/data_folder.hpp"
+#include "vnv/harness/describe.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -72,6 +74,12 @@ std::string scene_in_words(const Flow& flow, double spacing) {
     text += fmt::format("output over time: from 0 to {:.10g} s every {:.10g} s or more often\n",
                         flow.judged.times.back(), flow.judged.monitor.interval);
   return text;
+}
+
+Description describe(const Flow& flow) {
+  Case judged = flow.judged;
+  judged.claims.insert(judged.claims.end(), flow.of_resolved.begin(), flow.of_resolved.end());
+  return vnv::describe(flow.name, judged, data_folder());
 }
 
 std::string scene_as_json(const Flow& flow, double spacing) {

@@ -192,7 +192,7 @@ TEST_F(Gate, RefusesTwoRecordsOfOneMethodInAFolder) {
 
 /// A method that takes so long, of a resource, and has so large an error.
 RunOnce runs(double seconds, vnv::Resource resource, double error) {
-  return [=, random = std::mt19937(7)](std::ostream&) mutable {
+  return [=, random = std::mt19937(7)](std::ostream&, const programs::Meanwhile&) mutable {
     vnv::Record record = plain();
     vnv::Cost& cost = record.runs[0].cost;
     cost.resource = resource;

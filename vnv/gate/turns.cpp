@@ -33,6 +33,8 @@ class Ahead {
   void begin(const Contest& contest, bool is_after, long pair) {
     began_ = programs::Work::Clock::now();
     work_.begin(name_of(contest, is_after, pair), began_);
+  }
+  void show() {
     line_.show([&] { return work_.sentence(); });
   }
   void end(const Contest& contest, bool is_after, long pair) {
@@ -60,18 +62,22 @@ class Ahead {
 }  // namespace
 
 RunOnce run_of(const Program& program, const std::string& method, const std::string& suite) {
-  return [=](std::ostream& log) -> std::optional<vnv::Record> {  // that claims fail is no matter here
-    const programs::ScratchFolder scratch;
-    const fs::path output = scratch.path() / "output";
-    const programs::Ending ending = programs::run_into(output, {program.file, "--suite", suite, "--method", method,
-                                                                "--records", scratch.path(), "--data", program.data});
-    const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
-    if (fs::exists(file)) return vnv::read_record(file);
-    log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method, ending.sentence(),
-                       programs::last_lines(output, 3))
-        << std::flush;
-    return std::nullopt;
-  };
+  return
+      [=](std::ostream& log,
+          const programs::Meanwhile& meanwhile) -> std::optional<vnv::Record> {  // that claims fail is no matter here
+        const programs::ScratchFolder scratch;
+        const fs::path output = scratch.path() / "output";
+        const programs::Ending ending = programs::run_into(
+            output,
+            {program.file, "--suite", suite, "--method", method, "--records", scratch.path(), "--data", program.data},
+            meanwhile);
+        const fs::path file = scratch.path() / fmt::format("{}.{}.json", program.case_name, method);
+        if (fs::exists(file)) return vnv::read_record(file);
+        log << fmt::format("gate: {} --method {} {} and no record: {}\n", program.file.string(), method,
+                           ending.sentence(), programs::last_lines(output, 3))
+            << std::flush;
+        return std::nullopt;
+      };
 }
 
 Turns take_turns(const std::vector<Contest>& contests, long pairs, std::ostream& log) {
@@ -82,7 +88,7 @@ Turns take_turns(const std::vector<Contest>& contests, long pairs, std::ostream&
   const auto run = [&](const Contest& contest, bool is_after, long pair) {
     ahead.begin(contest, is_after, pair);
     std::ostringstream said;
-    std::optional<vnv::Record> record = (is_after ? contest.after : contest.before)(said);
+    std::optional<vnv::Record> record = (is_after ? contest.after : contest.before)(said, [&] { ahead.show(); });
     ahead.end(contest, is_after, pair);
     log << said.str() << std::flush;
     if (record) (is_after ? turns.after : turns.before).back().push_back(std::move(*record));

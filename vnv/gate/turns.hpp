@@ -13,7 +13,7 @@
 namespace touchstone::gate {
 
 /// Runs a method once and gives its record; none if nothing was recorded, of which it says why.
-using RunOnce = std::function<std::optional<vnv::Record>(std::ostream& log)>;
+using RunOnce = std::function<std::optional<vnv::Record>(std::ostream& log, const programs::Meanwhile& meanwhile)>;
 
 /// One method of one case, by both programs.
 struct Contest {

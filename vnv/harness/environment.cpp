@@ -37,12 +37,8 @@ std::string host() {
 
 }  // namespace
 
-std::string_view project_version() { return TOUCHSTONE_VERSION; }
-
-std::string_view revision() { return TOUCHSTONE_REVISION; }
-
 void describe_environment(Record& record) {
-  record.revision = revision();
+  record.revision = TOUCHSTONE_REVISION;
   record.compiler = fmt::format("{} {}", TOUCHSTONE_COMPILER, __VERSION__);
   record.flags = TOUCHSTONE_FLAGS;
   record.machine = machine();
