@@ -33,6 +33,8 @@ BY_DAY = [
     Known("vnv list couette --json", '"case": ?"couette"'),
     Known("vnv plan --suite nightly -j 8", "dam_break.mpm"),
     Known("vnv plan 'invariance_*' --json", '"cpu": ?null'),
+    Known("vnv plan mine.toml", r"stokes_first\.mine"),
+    Known("vnv manual | man -l -", r"VNV\(1\)(.*\n)*.*vnv explain", needs="man"),
     Known("vnv explain dam_break.mpm", r"Martin & Moyce"),
     Known("vnv explain dam_break", "Martin & Moyce"),
     Known("vnv explain poiseuille.mpm", r"Morris, Fox & Zhu"),

@@ -36,6 +36,7 @@ OF_OTHERS = ("CTEST_", "DASHBOARD_", "TOUCHSTONE_", "RC_PARAMS", "GIT_", "CI")  
 
 def copied(build, here, cases):
     """A folder that looks like the project built there, in part if so."""
+    shutil.rmtree(here, ignore_errors=True)
     (here / "build/vnv").mkdir(parents=True)
     (here / "build/reports").mkdir()
     for file in ROOT.iterdir():
@@ -110,6 +111,7 @@ def git(clone, *words):
 
 
 def by_night(_, scratch):
+    shutil.rmtree(scratch / "clone", ignore_errors=True)
     git(ROOT, "clone", "-q", ROOT, scratch / "clone")
 
 
@@ -149,6 +151,7 @@ def main(arguments):
     parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder")
     parser.add_argument("--part", choices=PARTS, default="day", help="day: what takes seconds; night: what builds, in a clone; gates: of revisions of a clone")
     parser.add_argument("--only", default="", help="regular expression of commands")
+    parser.add_argument("--scratch", type=pathlib.Path, help="folder to work in, which is kept; else one that is gone afterwards")
     options = parser.parse_args(arguments)
     build = options.build.resolve()
     printed = printed_by(build)
@@ -157,8 +160,11 @@ def main(arguments):
     for line in unknown(printed):
         trials.failed += 1
         print(f"FAILED {line}")
-    with tempfile.TemporaryDirectory(prefix="commands ") as folder:
-        scratch = pathlib.Path(folder)
+    if options.part != "day" and not (ROOT / ".git").exists():
+        print(f"SKIP: {ROOT} is no repository of git, of which a clone could be made")
+        return 0
+    with contextlib.nullcontext(options.scratch) if options.scratch else tempfile.TemporaryDirectory(prefix="commands ") as folder:
+        scratch = pathlib.Path(folder).resolve()
         prepare(build, scratch)
         for entry in entries:
             for command in printed_as(entry, printed):
