@@ -112,7 +112,7 @@ BY_NIGHT = [
     in_clone('vnv accept couette.old --suite nightly --claims build/records/nightly --reason "why there are fewer"', r"^couette.old: 1 claims, gone$",
              first=OLD.format("nightly")),
     in_clone('vnv accept couette.old --claims build/records/acceptance --reason "one method fewer"', r"^couette.old: 1 claims, gone$", first=OLD.format("acceptance")),
-    in_clone('REASON="why the new values are right" cmake --build build --target accept_baselines', "55 baselines", then="grep -l 'reason: why the new' data/baselines/*.csv | wc -l"),
+    in_clone('REASON="why the new values are right" cmake --build build --target accept_baselines', r"^[34]\d$", then="grep -l 'reason: why the new' data/baselines/*.csv | wc -l"),
     in_clone("cmake --preset portable && cmake --build build-portable --target vnv_command touchstone_report", "Linking CXX executable reports/touchstone_report"),
     in_clone("cmake --preset portable", "build-portable"),
     in_clone("cpack --config build-portable/CPackConfig.cmake", r"\.deb generated", then="dpkg-deb --contents *.deb", needs="dpkg-shlibdeps"),
