@@ -19,7 +19,7 @@ double scale(const OscillatingPoiseuille& flow) {
 }
 
 TEST(OscillatingPoiseuille, SolvesItsEquation) {
-  for (const double number : {0.3, 1.0, 5.0}) {
+  for (const double number : {0.03, 0.3, 1.0, 5.0}) {
     const auto flow = at_womersley(number);
     for (const double phase : {0.4, 2.0, 5.0})
       for (const double height : {0.05, 0.3, 0.5}) {
@@ -43,10 +43,13 @@ TEST(OscillatingPoiseuille, SticksToBothPlates) {
 }
 
 TEST(OscillatingPoiseuille, OfASlowForceIsTheParabolaOfTheMoment) {
-  const auto flow = at_womersley(0.3);  // it lags by 5/12 of the square of that
-  for (const double phase : {0.0, 1.0, 3.0})
-    EXPECT_NEAR(flow(flow.H / 2, phase / flow.omega), flow.F * flow.H * flow.H / (8 * flow.nu) * std::cos(phase),
-                0.05 * scale(flow));
+  for (const double number : {0.3, 1e-2, 1e-6}) {  // it lags by 5/12 of the square of that
+    const auto flow = at_womersley(number);
+    for (const double phase : {0.0, 1.0, 3.0})
+      EXPECT_NEAR(flow(flow.H / 2, phase / flow.omega), flow.F * flow.H * flow.H / (8 * flow.nu) * std::cos(phase),
+                  (0.5 * number * number + 1e-14) * scale(flow))
+          << number;
+  }
 }
 
 TEST(OscillatingPoiseuille, OfAFastForceIsAPlugThatLagsAQuarter) {
@@ -58,7 +61,6 @@ TEST(OscillatingPoiseuille, OfAFastForceIsAPlugThatLagsAQuarter) {
 TEST(OscillatingPoiseuille, RefusesWhatIsNotAChannel) {
   EXPECT_THROW(OscillatingPoiseuille({.H = 0, .F = 1, .omega = 1, .nu = 1})(0, 0), std::domain_error);
   EXPECT_THROW(OscillatingPoiseuille({.H = 1, .F = 1, .omega = 0, .nu = 1})(0, 0), std::domain_error);
-  EXPECT_THROW(at_womersley(0.2)(0, 0), std::domain_error);
   EXPECT_THROW(at_womersley(1)(-1e-4, 0), std::domain_error);
   EXPECT_THROW(at_womersley(1)(0, std::numeric_limits<double>::infinity()), std::domain_error);
 }

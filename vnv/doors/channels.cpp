@@ -10,6 +10,8 @@
 #include "vnv/doors/flows.hpp"
 #include "vnv/flows/driven_channel.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace touchstone::vnv::doors {
@@ -21,8 +23,13 @@ using Altered = std::function<Truth(const Changes&)>;
 /// How far out a plate stands, or seems to: a short slip length is that (Navier 1823).
 double out(const Changes& by, Cause plate) { return by(plate) + by(Cause::walls) + by(Cause::slip); }
 
-/// The velocity at places [m] from the lower plate, continued oddly behind the plates at 0 and at the height [m].
+/// The velocity at places [m] from the lower plate, continued oddly behind the plates at 0 and at the height [m], however
+/// far: what is odd about both repeats itself after twice the height, but for what it gains on the way.
 double continued(const Truth& truth, double height, double y, double t) {
+  if (const double turns = std::floor((y + height) / (3 * height)); turns != 0) {
+    const double twice = std::floor(y / (2 * height));
+    return 2 * twice * (truth(height, t) - truth(0, t)) + continued(truth, height, y - 2 * height * twice, t);
+  }
   if (y < 0) return 2 * truth(0, t) - truth(-y, t);
   if (y > height) return 2 * truth(height, t) - truth(2 * height - y, t);
   return truth(y, t);
@@ -43,8 +50,11 @@ struct Channel {
   }
   double H() const { return gap.high.y(); }
   double nu() const { return fluid.kinematic_viscosity(); }
-  double H(const Changes& by) const { return H() + out(by, Cause::floor) + out(by, Cause::ceiling); }
-  double nu(const Changes& by) const { return nu() * (1 + by(Cause::viscosity)); }
+  /// Plates do not meet, whatever a fit tries.
+  double H(const Changes& by) const {
+    return std::max(0.1 * H(), H() + out(by, Cause::floor) + out(by, Cause::ceiling));
+  }
+  double nu(const Changes& by) const { return nu() * by.factor(Cause::viscosity); }
 
   /// The flow between two plates whose velocity along them is `exact`, from its state at t = 0 on.
   Flow flow(std::string title, std::string description, std::vector<double> times, WallVelocity floor,

@@ -1,5 +1,8 @@
 #include "vnv/doors/diagnosis.hpp"
 
+#include "vnv/doors/mistakes.hpp"
+#include "vnv/doors/where.hpp"
+
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
@@ -7,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -128,6 +132,14 @@ std::vector<Index> spread(Index n, Index most) {
   return chosen;
 }
 
+/// Rows that hold no number, or whose error stands apart from that of all others: left out of what is fitted.
+struct LeftOut {
+  double rows = 0, no_numbers = 0, apart = 0;  // how many, of how many at the times that were used
+  double squared = 0;                          // error of those apart
+  Vec2 x = Vec2::Zero();                       // of the worst
+  double time = 0, worst = 0;
+};
+
 /// The samples of a field, as one vector of weighted numbers: for each time and each component all its samples.
 class Seen {
  public:
@@ -136,14 +148,20 @@ class Seen {
     const auto count = static_cast<Index>(samples.size());
     for (const Index k : spread(count, most_times)) add(*samples[static_cast<std::size_t>(count - 1 - k)]);
     for (const Moment& moment : moments_) size_ += components() * moment.x.cols();
-    error_ = VectorXd::Zero(size_);
     VectorXd numbers(size_);
     each([&](const Moment& m, int component, Index first) {
       numbers.segment(first, m.x.cols()) = m.v.row(component).transpose().cwiseProduct(m.weight);
     });
     seen_ = numbers;
     take_off_means(seen_);
-    error_ = seen_ - of({});
+    error_ = error({});
+  }
+  /// As if what was seen were right but for a mistake.
+  Seen(const Seen& other, const Mistake& mistake) : Seen(other) {
+    if (mistake.seen) mistake_ = mistake.seen;
+    seen_ /= mistake.scale;
+    error_ = error({});
+    left_out_ = {};
   }
 
   bool empty() const { return moments_.empty(); }
@@ -151,8 +169,11 @@ class Seen {
   int components() const { return exact_.components; }
   const std::vector<Moment>& moments() const { return moments_; }
   const Harmonics& waves() const { return waves_; }
+  const LeftOut& left_out() const { return left_out_; }
+  const VectorXd& numbers() const { return seen_; }
   const VectorXd& error() const { return error_; }
-  VectorXd error(const Changes& by) const { return seen_ - of(by); }
+  VectorXd error(const Changes& by) const { return seen_ - of(by, Vec2::Zero(), mistake_); }
+  VectorXd exact() const { return seen_ - error_; }
   double longest() const { return moments_.empty() ? 0 : std::ranges::max(moments_, {}, &Moment::time).time; }
 
   /// The slope of the flow with a cause, where something is wrong already, by a small step of it.
@@ -160,6 +181,19 @@ class Seen {
     Changes more = by;
     more(cause) += step;
     return (error_there - error(more)) / step;
+  }
+
+  /// The exact field as a mistake would show it, but for its scale.
+  VectorXd exact_with(const Mistake& mistake) const { return of({}, Vec2::Zero(), mistake.seen); }
+
+  /// How fast the exact field changes over places [1/m²]: the norm of its Laplacian over its own, by second differences
+  /// over this length [m].
+  double curvature(double length) const {
+    const VectorXd here = exact();
+    VectorXd laplacian = -4 * here;
+    for (const Vec2& step : {Vec2(length, 0), Vec2(-length, 0), Vec2(0, length), Vec2(0, -length)})
+      laplacian += of({}, step, mistake_);
+    return laplacian.norm() / (length * length * here.norm());
   }
 
   /// work(moment, component, the first of its numbers)
@@ -171,26 +205,89 @@ class Seen {
 
  private:
   static constexpr Index most_samples = 1500, most_times = 6;
+  static constexpr double largest = 1e100;  // of what can be squared and summed
+
+  /// Some of the rows that hold numbers, and with them those whose numbers are largest.
+  std::vector<Index> chosen_of(const Samples& all) {
+    const bool is_pressure = exact_.field == "pressure";
+    const Scalars volumes = all.volumes();
+    const Scalars size = is_pressure ? all.pressure.abs().eval() : all.v.cwiseAbs().colwise().sum().transpose().array().eval();
+    std::vector<Index> usable;
+    for (Index p = 0; p < all.size(); ++p)
+      if (size[p] < largest && volumes[p] > 0 && volumes[p] < largest && all.x.col(p).allFinite()) usable.push_back(p);
+    left_out_.rows += static_cast<double>(all.size());
+    left_out_.no_numbers += static_cast<double>(all.size()) - static_cast<double>(usable.size());
+    const auto count = static_cast<Index>(usable.size());
+    std::vector<Index> chosen;
+    for (const Index k : spread(count, most_samples)) chosen.push_back(usable[static_cast<std::size_t>(k)]);
+    if (count > most_samples) {
+      constexpr std::ptrdiff_t of_the_largest = 8;
+      std::ranges::partial_sort(usable, usable.begin() + of_the_largest, std::greater{}, [&](Index p) { return size[p]; });
+      for (const Index p : std::span(usable).first(of_the_largest))
+        if (std::ranges::find(chosen, p) == chosen.end()) chosen.push_back(p);
+    }
+    return chosen;
+  }
+
+  /// Which of these errors stand apart: at most one in 200 of them, each 5 times as large as all others.
+  static std::vector<bool> apart(const VectorXd& error) {
+    std::vector<Index> order(static_cast<std::size_t>(error.size()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, std::greater{}, [&](Index p) { return error[p]; });
+    std::vector<bool> is_apart(order.size(), false);
+    constexpr double larger = 5;
+    for (std::size_t most = std::max<std::size_t>(1, order.size() / 200); most > 0; --most)
+      if (most < order.size() && error[order[most - 1]] > larger * error[order[most]] + 1e-9) {
+        for (std::size_t k = 0; k < most; ++k) is_apart[static_cast<std::size_t>(order[k])] = true;
+        break;
+      }
+    return is_apart;
+  }
 
   /// A time at which the exact field is nothing has no relative error and is left out.
   void add(const Samples& all) {
     Moment m{.time = all.time};
-    const std::vector<Index> chosen = spread(all.size(), most_samples);
-    m.x = all.x(Eigen::all, chosen);
-    if (exact_.field == "pressure") {
-      m.v = Vectors::Zero(2, m.x.cols());
-      m.v.row(0) = all.pressure(chosen).matrix().transpose();
-    } else {
-      m.v = all.v(Eigen::all, chosen);
-    }
-    const VectorXd volumes = all.volumes()(chosen);
-    m.weight = (volumes / volumes.sum()).cwiseSqrt();
+    std::vector<Index> chosen = chosen_of(all);
+    if (chosen.empty()) return;
     const FieldTruth truth = exact_.with({});
-    Vectors right(2, m.x.cols());
-    for (Index p = 0; p < m.x.cols(); ++p) right.col(p) = truth(m.x.col(p), m.time);
-    if (exact_.less_mean) right.colwise() -= (right * m.weight.cwiseAbs2()).eval();
-    const double norm = (right * m.weight.asDiagonal()).norm();
+    const auto take = [&] {
+      m.x = all.x(Eigen::all, chosen);
+      if (exact_.field == "pressure") {
+        m.v = Vectors::Zero(2, m.x.cols());
+        m.v.row(0) = all.pressure(chosen).matrix().transpose();
+      } else {
+        m.v = all.v(Eigen::all, chosen);
+      }
+      const VectorXd volumes = all.volumes()(chosen);
+      m.weight = (volumes / volumes.sum()).cwiseSqrt();
+      Vectors right(2, m.x.cols());
+      for (Index p = 0; p < m.x.cols(); ++p) right.col(p) = truth(m.x.col(p), m.time);
+      if (exact_.less_mean) right.colwise() -= (right * m.weight.cwiseAbs2()).eval();
+      return right;
+    };
+    Vectors right = take();
+    double norm = (right * m.weight.asDiagonal()).norm();
     if (!(norm > 0)) return;
+    MatrixXd wrong = (m.v - right).topRows(components());
+    if (exact_.less_mean) wrong.colwise() -= middle_of(wrong);
+    const VectorXd error = wrong.colwise().norm().transpose() / norm;
+    if (const std::vector<bool> out = apart(error); std::ranges::find(out, true) != out.end()) {
+      std::vector<Index> kept;
+      for (std::size_t k = 0; k < chosen.size(); ++k) {
+        const auto p = static_cast<Index>(k);
+        if (!out[k]) {
+          kept.push_back(chosen[k]);
+          continue;
+        }
+        ++left_out_.apart;
+        left_out_.squared += std::pow(m.weight[p] * error[p], 2);
+        if (error[p] > left_out_.worst) left_out_.worst = error[p], left_out_.x = m.x.col(p), left_out_.time = m.time;
+      }
+      chosen = kept;
+      right = take();
+      norm = (right * m.weight.asDiagonal()).norm();
+      if (!(norm > 0)) return;
+    }
     MatrixXd waves(m.x.cols(), waves_.all.size());
     for (Index p = 0; p < waves.rows(); ++p)
       for (Index w = 0; w < waves.cols(); ++w)
@@ -201,7 +298,21 @@ class Seen {
     moments_.push_back(std::move(m));
   }
 
-  VectorXd of(const Changes& by) const {
+  /// The median of each component.
+  static VectorXd middle_of(const MatrixXd& v) {
+    VectorXd middle(v.rows());
+    for (Index i = 0; i < v.rows(); ++i) {
+      std::vector<double> sorted(v.row(i).begin(), v.row(i).end());
+      const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+      std::nth_element(sorted.begin(), half, sorted.end());
+      middle[i] = *half;
+    }
+    return middle;
+  }
+
+  /// The field of a flow in which something is wrong, at places that are moved. What its oracle is not defined for is
+  /// infinitely far from what is seen, so that no fit goes there.
+  VectorXd of(const Changes& by, const Vec2& moved, const Shown& mistake) const try {
     VectorXd numbers(size_);
     const FieldTruth truth = exact_.with(by);
     const double larger = 1 + by(Cause::amplitude);
@@ -211,7 +322,8 @@ class Seen {
       const Vec2 mean = norm * Vec2(by(Cause::mean_x), by(Cause::mean_y));
       const Index n = m.x.cols();
       for (Index p = 0; p < n; ++p) {
-        const Vec2 v = larger * truth(m.x.col(p), time) + mean;
+        const Vec2 x = m.x.col(p) + moved;
+        const Vec2 v = larger * (mistake ? mistake(truth, x, time) : truth(x, time)) + mean;
         for (int component = 0; component < components(); ++component)
           numbers[first + component * n + p] = m.weight[p] * v[component];
       }
@@ -219,6 +331,8 @@ class Seen {
     }
     take_off_means(numbers);
     return numbers;
+  } catch (const std::exception&) {
+    return VectorXd::Constant(size_, INFINITY);
   }
 
   void take_off_means(VectorXd& numbers) const {
@@ -232,8 +346,10 @@ class Seen {
   const Exact& exact_;
   Harmonics waves_;
   std::vector<Moment> moments_{};
+  LeftOut left_out_{};
   Index size_ = 0;
   VectorXd seen_{}, error_{};
+  Shown mistake_{};
 };
 
 /// The rest of an error as a field that is random: how strong its waves are, and how alike it is at two times.
@@ -361,59 +477,105 @@ class Rest {
   double freedom_ = 1, noise_ = 0;
 };
 
+/// A value as the spacing goes to 0, and the half-width of its 95 % interval.
+struct Extrapolated {
+  double value, half_width;
+};
+
 /// Causes that were fitted at once.
 struct Fit {
   std::vector<Cause> causes;
   Changes by{};
-  VectorXd value{}, deviation{};  // standard deviation
+  VectorXd value{}, deviation{};      // standard deviation
+  VectorXd discretised{};             // half-width of what discretisation may make of it
+  VectorXd half_width{};              // 95 %, both together
+  std::vector<Extrapolated> vanishing{};  // as the spacing goes to 0, where several resolutions tell
   VectorXd rest{};
   MatrixXd columns{};
   double share = 0;
-  double interval = 0, level = 0;  // quantiles of Student's t
+  double noise = 0;  // share of what would be left if it explained all but noise
+  double level = 0;  // quantile of Student's t
   bool possible = true;
 
   /// Whether each value differs from zero by so many deviations.
   bool differs_by(double quantile) const {
     return possible && (value.cwiseAbs().array() > quantile * deviation.array()).all();
   }
-  bool suffices() const { return share >= sufficient && differs_by(level); }
+  /// The share of that of the squared error which is no noise.
+  double net() const { return share / std::max(1 - noise, 0.05); }
+  bool suffices() const {
+    constexpr double least = 0.1;  // beside noise
+    return net() >= sufficient && share >= least && differs_by(level);
+  }
+  /// Whether it is more than its interval, so that it may be offered.
+  bool stands() const {
+    return possible && (value.cwiseAbs().array() > half_width.array()).all() &&
+           std::ranges::all_of(vanishing, [](const Extrapolated& e) { return std::abs(e.value) > e.half_width; });
+  }
+};
+
+/// A mistake that may have been made, and the squared error that it leaves.
+struct Made {
+  Mistake mistake;
+  double left;
 };
 
 class Diagnostician {
  public:
-  Diagnostician(const Exact& exact, const Seen& seen, double spacing)
-      : exact_(exact), seen_(seen), spacing_(spacing), causes_(causes_of(exact)) {}
+  /// `discretisation` as of diagnose().
+  Diagnostician(const Exact& exact, Seen seen, const Domain& domain, double spacing, double discretisation)
+      : exact_(exact), seen_(std::move(seen)), domain_(domain), spacing_(spacing), causes_(causes_of(exact)) {
+    if (is_enough() && squared() > 0) take_modes(discretisation);
+  }
 
-  Diagnosis diagnosis() const {
+  /// Fits all causes; what they are called is said later, when other resolutions have been heard.
+  void fit() {
+    if (!has_error() || !is_enough()) return;
+    for (const Cause cause : causes_) single_.push_back(fitted({cause}, 1));
+    if (best_share(single_) < one_is_enough && !is_noise(as_noise())) pairs_ = likely_pairs(single_);
+  }
+  std::vector<Fit>& singles() { return single_; }
+  double spacing() const { return spacing_; }
+
+  Diagnosis diagnosis(std::vector<double> times) const {
     Diagnosis all{.field = exact_.field};
-    const double squared = seen_.error().squaredNorm();
-    all.error = 100 * std::sqrt(squared / seen_.times());
-    if (!(all.error > as_exact)) {
-      all.sentence = fmt::format("the {} has no error to speak of", exact_.field);
+    const LeftOut& out = seen_.left_out();
+    std::string before;
+    if (out.no_numbers > 0)
+      before = fmt::format("{:.0f} of {:.0f} rows hold no number; of the rest, ", out.no_numbers, out.rows);
+    if (seen_.empty()) {
+      all.sentence = out.no_numbers > 0 && out.no_numbers == out.rows
+                         ? fmt::format("no row of the {} holds a number", exact_.field)
+                         : fmt::format("the {} is zero at all these times", exact_.field);
       return all;
     }
-    std::vector<Fit> fits;
-    for (const Cause cause : causes_) fits.push_back(fitted({cause}, 1));
-    std::vector<bool> named = name(fits);
-    const Explanation noise = as_noise();
-    const double by_one = best_share(fits, named);
-    const bool is_noise = by_one == 0 && noise.share >= sufficient;
-    if (by_one < one_is_enough && !is_noise) {
-      std::vector<Fit> pairs = likely_pairs(fits);
-      std::vector<bool> of_pairs = name(pairs);
-      if (const double by_two = best_share(pairs, of_pairs); 1 - by_two < (1 - by_one) / 10 || by_one == 0)
-        named.assign(fits.size(), false);
-      else
-        of_pairs.assign(pairs.size(), false);
-      fits.insert(fits.end(), pairs.begin(), pairs.end());
-      named.insert(named.end(), of_pairs.begin(), of_pairs.end());
+    const double whole = squared() + out.squared;
+    all.error = 100 * std::sqrt(whole / seen_.times());
+    if (constexpr double worth_a_word = 0.2; out.apart > 0 && out.squared >= worth_a_word * whole && all.error > as_exact) {
+      Explanation alone{.causes = {{"particles apart", "", out.apart, 0}}, .share = out.squared / whole, .named = true};
+      alone.sentence = out.apart > 1
+                           ? fmt::format("{:.0f} particles apart, the worst at ({:.4g}, {:.4g}) m and {:g} s, make {:.4g} % of the squared error",
+                                         out.apart, out.x.x(), out.x.y(), out.time, 100 * alone.share)
+                           : fmt::format("one particle, at ({:.4g}, {:.4g}) m and {:g} s, makes {:.4g} % of the squared error",
+                                         out.x.x(), out.x.y(), out.time, 100 * alone.share);
+      all.explanations.push_back(alone);
+      before += alone.sentence;
+      if (!has_error()) {
+        all.sentence = before;
+        return all;
+      }
+      before += "; of the rest, ";
     }
-    for (std::size_t k = 0; k < fits.size(); ++k) all.explanations.push_back(explanation(fits[k], named[k]));
-    all.explanations.push_back(noise);
-    all.explanations.back().named = is_noise;
-    std::ranges::stable_sort(all.explanations, std::greater{},
-                             [](const Explanation& e) { return std::pair(e.named, e.share); });
-    all.sentence = in_words(all);
+    all.sentence = before;
+    if (!has_error())
+      all.sentence += fmt::format("the {} has no error to speak of", exact_.field);
+    else if (const std::vector<Made> made = mistakes_made(std::move(times)); !made.empty())
+      say_mistakes(made, all);
+    else if (is_enough())
+      say_causes(all);
+    else
+      all.sentence += fmt::format("{} numbers of the {} are too few for a diagnosis", seen_.error().size(), exact_.field);
+    std::ranges::stable_sort(all.explanations, std::greater{}, &Explanation::named);
     return all;
   }
 
@@ -421,10 +583,180 @@ class Diagnostician {
   static constexpr double as_exact = 1e-4;       // %
   static constexpr double one_is_enough = 0.98;  // share of the squared error; else two, if they leave a tenth
 
-  static double best_share(const std::vector<Fit>& fits, const std::vector<bool>& named) {
+  double squared() const { return seen_.error().squaredNorm(); }
+  bool has_error() const { return !seen_.empty() && 100 * std::sqrt(squared() / seen_.times()) > as_exact; }
+  bool is_enough() const {
+    constexpr Index least = 40;  // so that ten waves are found beside what is left
+    return seen_.error().size() >= least;
+  }
+
+  /// What the discretisation of a method of second order may look like: as another viscosity (its modified equation,
+  /// Warming & Hyett, J. Comput. Phys. 14 (1974), 159-179) and as plates elsewhere, by the square of the spacing over
+  /// the length on which the field changes.
+  void take_modes(double discretisation) {
+    const double curvature = seen_.curvature(spacing_ / 2);
+    if (!(discretisation > 0) || !std::isfinite(curvature)) return;
+    const double part = discretisation * std::min(1.0, spacing_ * spacing_ * curvature);
+    const double out = discretisation * std::min(1.0, spacing_ * std::sqrt(curvature)) * spacing_;
+    std::vector<VectorXd> all;
+    for (const Cause cause : exact_.causes)
+      if (cause == Cause::viscosity || cause == Cause::gravity || cause == Cause::sound_speed)
+        all.push_back(part * slope({}, cause, seen_.error()));
+    if (all.empty()) all.push_back(part * seen_.exact());
+    for (const Cause cause : exact_.causes)
+      if (cause == Cause::floor || cause == Cause::ceiling) all.push_back(out * slope({}, cause, seen_.error()));
+    std::erase_if(all, [](const VectorXd& mode) { return !mode.allFinite(); });
+    modes_.resize(seen_.error().size(), static_cast<Index>(all.size()));
+    for (std::size_t k = 0; k < all.size(); ++k) modes_.col(static_cast<Index>(k)) = all[k];
+  }
+
+  VectorXd slope(const Changes& by, Cause cause, const VectorXd& error_there) const {
+    return seen_.slope(by, cause, 1e-4 * unit(cause), error_there);
+  }
+
+  // Mistakes
+
+  /// Those that explain the error, the best and what cannot be told from it.
+  std::vector<Made> mistakes_made(std::vector<double> times) const {
+    constexpr double least_left = 0.2, least_left_of_nothing = 0.02, gross = 0.04;
+    const VectorXd &found = seen_.numbers(), right = seen_.exact();
+    const bool is_gross = squared() > gross * right.squaredNorm();
+    std::vector<Made> all, twofold;
+    const auto consider = [&](const Mistake& mistake, const VectorXd& shown, std::vector<Made>& among, double stricter) {
+      const double left = (found - mistake.scale * shown).squaredNorm();
+      const double of = mistake.scale == 0 ? least_left_of_nothing * right.squaredNorm()
+                                           : least_left * stricter * (mistake.scale * shown).squaredNorm();
+      if (left <= least_left * squared() && left <= of) among.push_back({mistake, left});
+    };
+    const auto factor = [&](const VectorXd& shown) { return found.dot(shown) / shown.squaredNorm(); };
+    if (is_gross)
+      for (const Mistake& mistake : mistakes_of_scale(exact_, factor(right))) consider(mistake, right, all, 1);
+    std::ranges::sort(times);
+    for (const Mistake& mistake : mistakes_of_place_and_time(exact_, domain_, times)) {
+      if (!is_gross && !mistake.of_time) continue;
+      const VectorXd shown = seen_.exact_with(mistake);
+      if (!shown.allFinite() || !(shown.squaredNorm() > 1e-12 * right.squaredNorm())) continue;
+      consider(mistake, shown, all, 1);
+      if (!is_gross) continue;
+      for (Mistake both : mistakes_of_scale(exact_, factor(shown)))
+        if (both.scale != 0) {
+          both.cause += " and " + mistake.cause, both.sentence += " and " + mistake.sentence, both.seen = mistake.seen;
+          consider(both, shown, twofold, 0.1);
+        }
+    }
+    if (all.empty()) all = std::move(twofold);
+    if (all.empty()) return all;
+    std::ranges::stable_sort(all, {}, &Made::left);
+    const double best = all.front().left;
+    if (std::ranges::any_of(single_, [&](const Fit& fit) {
+          return fit.suffices() && fit.stands() && is_small(fit) && fit.rest.squaredNorm() < best / 10;
+        }))
+      return {};
+    constexpr double alike = 1.02;
+    std::erase_if(all, [&](const Made& one) { return one.left > alike * best + 1e-12 * right.squaredNorm(); });
+    return all;
+  }
+
+  /// Whether a fit changes no more than a mistake would: what is 90 % off is one.
+  static bool is_small(const Fit& fit) {
+    const Cause cause = fit.causes[0];
+    const bool is_fraction = cause <= Cause::sound_speed || cause >= Cause::amplitude;
+    return !is_fraction || std::abs(fit.value[0]) < 0.9;
+  }
+
+  void say_mistakes(const std::vector<Made>& made, Diagnosis& all) const {
+    constexpr std::size_t most_said = 4;
+    std::vector<std::string> sentences;
+    const Made& best = made.front();
+    for (const Made& one : std::span(made).first(std::min(made.size(), most_said))) {
+      const Mistake& m = one.mistake;
+      all.explanations.push_back({.causes = {{m.cause, m.unit, m.value, 0}},
+                                  .share = 1 - one.left / squared(),
+                                  .named = true,
+                                  .sentence = m.sentence});
+      sentences.push_back(m.sentence);
+    }
+    for (const Fit& fit : single_) {
+      const bool is_alike = fit.suffices() && fit.stands() && is_small(fit) &&
+                            fit.rest.squaredNorm() <= 1.1 * best.left + 1e-10 * squared();
+      all.explanations.push_back(explanation(fit, is_alike));
+      if (is_alike) sentences.push_back(all.explanations.back().sentence);
+    }
+    all.sentence += fmt::format("{}, which explains {:.4g} % of the squared error", sentences[0],
+                                100 * (1 - best.left / squared()));
+    for (std::size_t k = 1; k < sentences.size(); ++k)
+      all.sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + sentences[k];
+    if (best.mistake.scale == 0 || !is_enough()) return;
+    Diagnostician of_rest(exact_, Seen(seen_, best.mistake), domain_, spacing_, 0);
+    of_rest.fit();
+    const Diagnosis rest = of_rest.diagnosis_of_causes();
+    constexpr double worth_a_word = 0.5;  // %
+    if (rest.error > worth_a_word && !rest.explanations.empty() && rest.explanations.front().named)
+      all.sentence += fmt::format("; of the {:.3g} % that are left, {}", rest.error, rest.sentence);
+  }
+
+  Diagnosis diagnosis_of_causes() const {
+    Diagnosis all{.field = exact_.field, .error = 100 * std::sqrt(squared() / seen_.times())};
+    if (has_error()) say_causes(all);
+    return all;
+  }
+
+  // Causes
+
+  void say_causes(Diagnosis& all) const {
+    std::vector<Fit> fits = single_;
+    std::vector<bool> named = name(single_);
+    const Explanation noise = as_noise();
+    const double by_one = best_share(single_), by_two = best_share(pairs_);
+    if (by_two > 0 && (by_one == 0 || 1 - by_two < (1 - by_one) / 10)) {
+      const std::vector<bool> of_pairs = name(pairs_);
+      if (std::ranges::find(of_pairs, true) != of_pairs.end()) named.assign(fits.size(), false);
+      named.insert(named.end(), of_pairs.begin(), of_pairs.end());
+    } else {
+      named.insert(named.end(), pairs_.size(), false);
+    }
+    fits.insert(fits.end(), pairs_.begin(), pairs_.end());
+    std::vector<Explanation> explanations;
+    for (std::size_t k = 0; k < fits.size(); ++k) explanations.push_back(explanation(fits[k], named[k]));
+    const bool noise_is_named = std::ranges::find(named, true) == named.end() && is_noise(noise);
+    explanations.push_back(noise);
+    explanations.back().named = noise_is_named;
+    std::ranges::stable_sort(explanations, std::greater{},
+                             [](const Explanation& e) { return std::pair(e.named, e.share); });
+    const auto is_discretisation = [](const Fit& fit) { return fit.suffices() && !fit.stands(); };
+    if (explanations.front().named)
+      all.sentence += in_words(explanations);
+    else if (std::ranges::any_of(fits, is_discretisation))
+      all.sentence += fmt::format(
+          "the error of the {} is no more than discretisation may make at this resolution: finer ones tell", exact_.field);
+    else
+      all.sentence += nothing_explains(fits);
+    std::ranges::move(explanations, std::back_inserter(all.explanations));
+  }
+
+  bool is_noise(const Explanation& noise) const { return best_share(single_) == 0 && noise.share >= sufficient; }
+
+  std::string nothing_explains(const std::vector<Fit>& fits) const {
+    std::string sentence = fmt::format("none of the known causes explains the error of the {}", exact_.field);
+    const Fit* best = nullptr;
+    constexpr double worth_a_word = 0.3;
+    for (const Fit& fit : fits)
+      if (fit.stands() && fit.share > worth_a_word && (!best || fit.share > best->share)) best = &fit;
+    if (best)
+      sentence += fmt::format(": the best, {}, explains {:.0f} % of its square", explanation(*best, false).sentence,
+                              100 * best->share);
+    std::vector<Located> all;
+    seen_.each([&](const Moment& m, int, Index first) {
+      for (Index p = 0; p < m.x.cols(); ++p)
+        all.push_back({m.x.col(p), m.weight[p] * m.weight[p], std::pow(seen_.error()[first + p], 2)});
+    });
+    return sentence + "; " + where_it_lies(all, domain_, spacing_);
+  }
+
+  static double best_share(const std::vector<Fit>& fits) {
     double best = 0;
-    for (std::size_t k = 0; k < fits.size(); ++k)
-      if (named[k]) best = std::max(best, fits[k].share);
+    for (const Fit& fit : fits)
+      if (fit.suffices()) best = std::max(best, std::min(1.0, fit.net()));
     return best;
   }
 
@@ -454,7 +786,7 @@ class Diagnostician {
   Fit fitted(const std::vector<Cause>& causes, double tried) const {
     Fit fit{.causes = causes};
     const auto count = static_cast<Index>(causes.size());
-    fit.value = fit.deviation = VectorXd::Zero(count);
+    fit.value = fit.deviation = fit.discretised = fit.half_width = VectorXd::Zero(count);
     fit.rest = seen_.error();
     const auto changes = [&](const VectorXd& value) {
       Changes by;
@@ -463,12 +795,12 @@ class Diagnostician {
     };
     const auto take_slopes = [&] {
       fit.columns.resize(fit.rest.size(), count);
-      for (Index k = 0; k < count; ++k) {
-        const Cause cause = causes[static_cast<std::size_t>(k)];
-        fit.columns.col(k) = seen_.slope(fit.by, cause, 1e-4 * unit(cause), fit.rest);
-      }
+      for (Index k = 0; k < count; ++k)
+        fit.columns.col(k) = slope(fit.by, causes[static_cast<std::size_t>(k)], fit.rest);
+      fit.possible = fit.columns.allFinite() && (fit.columns.colwise().squaredNorm().array() > 0).all();
+      return fit.possible;
     };
-    take_slopes();
+    if (!take_slopes()) return fit;
     constexpr int most_steps = 8;
     for (int step = 0; step < most_steps; ++step) {
       VectorXd by = pseudo_inverse(fit.columns) * fit.rest;
@@ -482,10 +814,10 @@ class Diagnostician {
       fit.value += by;
       fit.by = changes(fit.value);
       fit.rest = rest;
-      take_slopes();
+      if (!take_slopes()) return fit;
       if (rest.squaredNorm() > (1 - 1e-4) * before) break;
     }
-    fit.share = 1 - fit.rest.squaredNorm() / seen_.error().squaredNorm();
+    fit.share = 1 - fit.rest.squaredNorm() / squared();
     for (Index k = 0; k < count; ++k) fit.possible &= is_possible(causes[static_cast<std::size_t>(k)], fit.value[k]);
     estimate_spread(fit, tried);
     return fit;
@@ -500,38 +832,44 @@ class Diagnostician {
     const Rest rest(seen_, fit.rest, fit.columns);
     const MatrixXd inverse = pseudo_inverse(fit.columns);
     for (Index k = 0; k < inverse.rows(); ++k) fit.deviation[k] = std::sqrt(rest.variance(inverse.row(k).transpose()));
-    fit.interval = rest.interval();
+    if (modes_.cols() > 0) fit.discretised = (inverse * modes_).rowwise().norm();
+    fit.half_width = ((rest.interval() * fit.deviation).cwiseAbs2() + fit.discretised.cwiseAbs2()).cwiseSqrt();
     fit.level = rest.quantile(0.05 / tried);
+    fit.noise = std::min(1.0, rest.noise() * static_cast<double>(fit.rest.size()) / squared());
+    fit.possible &= fit.value.allFinite() && fit.half_width.allFinite() && std::isfinite(fit.share);
   }
 
-  /// Whether a cause adds to a fit what is no accident.
+  /// Whether a cause adds to a fit what is no accident, nor what discretisation may make.
   bool adds(const Fit& fit, Cause cause) const {
     constexpr double all_of_it = 1 - 1e-9;  // rounding is left
     if (fit.share > all_of_it) return false;
-    VectorXd column = seen_.slope(fit.by, cause, 1e-4 * unit(cause), fit.rest);
+    VectorXd column = slope(fit.by, cause, fit.rest);
     const double before = column.norm();
     column -= fit.columns * (pseudo_inverse(fit.columns) * column).eval();
-    if (column.norm() < 1e-3 * before) return false;  // the same column
+    if (!(column.norm() > 1e-3 * before)) return false;  // the same column
     const double value = column.dot(fit.rest) / column.squaredNorm();
     MatrixXd both(fit.columns.rows(), fit.columns.cols() + 1);
     both << fit.columns, column;
     const Rest rest(seen_, fit.rest - value * column, both);
-    return std::abs(value) > rest.quantile(0.01) * std::sqrt(rest.variance(column / column.squaredNorm()));
+    double made = 0;
+    if (modes_.cols() > 0) made = (column.transpose() * modes_).norm() / column.squaredNorm();
+    return std::abs(value) >
+           std::hypot(rest.quantile(0.01) * std::sqrt(rest.variance(column / column.squaredNorm())), made);
   }
 
-  /// The best that suffices and those to which it adds nothing.
+  /// The best that suffices and those to which it adds nothing; none where the best is less than its interval.
   std::vector<bool> name(const std::vector<Fit>& fits) const {
     std::vector<bool> named(fits.size(), false);
     const Fit* best = nullptr;
     for (const Fit& fit : fits)
       if (fit.suffices() && (!best || fit.share > best->share)) best = &fit;
-    if (!best) return named;
+    if (!best || !best->stands()) return named;
     for (std::size_t k = 0; k < fits.size(); ++k) {
       const auto adds_to_it = [&](Cause cause) {
         return std::ranges::find(fits[k].causes, cause) == fits[k].causes.end() && adds(fits[k], cause);
       };
-      named[k] = &fits[k] == best || (fits[k].suffices() && fits[k].differs_by(fits[k].interval) &&
-                                      std::ranges::none_of(best->causes, adds_to_it));
+      named[k] = &fits[k] == best ||
+                 (fits[k].suffices() && fits[k].stands() && std::ranges::none_of(best->causes, adds_to_it));
     }
     return named;
   }
@@ -545,14 +883,13 @@ class Diagnostician {
     std::vector<Pair> all;
     MatrixXd slopes(seen_.error().size(), static_cast<Index>(single.size()));
     for (std::size_t k = 0; k < single.size(); ++k)
-      slopes.col(static_cast<Index>(k)) =
-          seen_.slope({}, causes_[k], 1e-4 * unit(causes_[k]), seen_.error()).normalized();
+      slopes.col(static_cast<Index>(k)) = slope({}, causes_[k], seen_.error()).normalized();
     for (std::size_t a = 0; a < single.size(); ++a)
       for (std::size_t b = a + 1; b < single.size(); ++b) {
         const VectorXd& error = seen_.error();
         const auto first = slopes.col(static_cast<Index>(a)), second = slopes.col(static_cast<Index>(b));
         const double alike = first.dot(second), p = first.dot(error), q = second.dot(error);
-        if (std::abs(alike) > 0.995) continue;
+        if (!(std::abs(alike) <= 0.995) || !(first.squaredNorm() > 0 && second.squaredNorm() > 0)) continue;
         all.push_back({a, b, error.squaredNorm() - (p * p + q * q - 2 * alike * p * q) / (1 - alike * alike)});
       }
     std::ranges::sort(all, {}, &Pair::left);
@@ -566,14 +903,16 @@ class Diagnostician {
   /// What has no waves longer than some samples; its share is 1 where all waves are equally strong.
   Explanation as_noise() const {
     const VectorXd& error = seen_.error();
-    const double numbers = static_cast<double>(error.size());
-    const double mean_square = Rest(seen_, error, MatrixXd(error.size(), 0)).noise();
-    const double size = 100 * std::sqrt(mean_square * numbers / seen_.times());
-    Explanation noise{.causes = {{"noise", "%", size, 1.96 * size / std::sqrt(2 * numbers)}},
-                      .share = std::min(1.0, mean_square * numbers / error.squaredNorm())};
+    Explanation noise = noise_of(Rest(seen_, error, MatrixXd(error.size(), 0)).noise() * static_cast<double>(error.size()));
     noise.sentence =
         fmt::format("the error is noise from sample to sample, {} of the root mean square", quantity(noise.causes[0]));
     return noise;
+  }
+  Explanation noise_of(double noise_squared) const {
+    const auto numbers = static_cast<double>(seen_.error().size());
+    const double size = 100 * std::sqrt(noise_squared / seen_.times());
+    return {.causes = {{"noise", "%", size, 1.96 * size / std::sqrt(2 * numbers)}},
+            .share = std::min(1.0, noise_squared / squared())};
   }
 
   /// Its sign is in the words.
@@ -581,56 +920,134 @@ class Diagnostician {
     return fmt::format("{} {}", in_digits_of_interval(std::abs(c.value), c.half_width), c.unit);
   }
 
+  /// What is there besides it as noise is said with what is named.
   Explanation explanation(const Fit& fit, bool is_named) const {
     Explanation made{.share = fit.share, .named = is_named};
     for (std::size_t k = 0; k < fit.causes.size(); ++k) {
       const Phrases words = phrases_of(fit.causes[k], exact_.field == "pressure");
       const double scale = words.unit == "%" ? 100 : words.unit == "s" ? 1 : 1 / spacing_;
       const auto i = static_cast<Index>(k);
-      const FittedCause& one =
-          made.causes.emplace_back(FittedCause{std::string(words.name), std::string(words.unit), scale * fit.value[i],
-                                               scale * fit.interval * fit.deviation[i]});
+      const FittedCause& one = made.causes.emplace_back(FittedCause{
+          std::string(words.name), std::string(words.unit), scale * fit.value[i], scale * fit.half_width[i]});
       const std::string_view phrase =
           one.value >= 0 || words.where_negative.empty() ? words.where_positive : words.where_negative;
       made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one));
+      if (words.unit == "%") made.sentence += in_times(fit.value[i], fit.half_width[i]);
+      if (is_named && k < fit.vanishing.size())
+        made.sentence += fmt::format(
+            " (at vanishing spacing {} {})",
+            in_digits_of_interval(std::copysign(1, fit.value[i]) * scale * fit.vanishing[k].value, scale * fit.vanishing[k].half_width),
+            words.unit);
+    }
+    constexpr double worth_a_word = 0.03;
+    if (is_named && fit.noise >= worth_a_word) {
+      const Explanation noise = noise_of(fit.noise * squared());
+      made.causes.push_back(noise.causes[0]);
+      made.share = std::min(1.0, made.share + noise.share);
+      made.sentence += fmt::format(", with noise of {} of the root mean square from sample to sample", quantity(noise.causes[0]));
     }
     return made;
   }
 
-  std::string in_words(const Diagnosis& all) const {
-    std::vector<const Explanation*> named;
-    for (const Explanation& one : all.explanations)
-      if (one.named) named.push_back(&one);
-    const Explanation& best = all.explanations.front();
-    if (named.empty())
-      return fmt::format(
-          "none of the known causes explains the error of the {}: the best, {}, explains {:.0f} % of its square",
-          exact_.field, best.sentence, 100 * best.share);
-    std::string sentence =
-        fmt::format("{}, which explains {:.1f} % of the squared error", best.sentence, 100 * best.share);
-    for (std::size_t k = 1; k < named.size(); ++k)
-      sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + named[k]->sentence;
+  /// " (doubled)" or " (halved)" where a fraction is that but for its interval.
+  static std::string in_times(double value, double half_width) {
+    const auto is = [&](double what) { return std::abs(value - what) <= std::max(half_width, 0.01); };
+    if (half_width > 0.1) return "";
+    return is(1) ? " (doubled)" : is(-0.5) ? " (halved)" : "";
+  }
+
+  static std::string in_words(const std::vector<Explanation>& explanations) {
+    const Explanation& best = explanations.front();
+    std::string sentence = fmt::format("{}, which {} {:.1f} % of the squared error", best.sentence,
+                                       best.causes.size() > 1 ? "explain" : "explains", 100 * best.share);
+    for (std::size_t k = 1; k < explanations.size() && explanations[k].named; ++k)
+      sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + explanations[k].sentence;
     return sentence;
   }
 
   const Exact& exact_;
-  const Seen& seen_;
+  Seen seen_;
+  const Domain& domain_;
   double spacing_;
   std::vector<Cause> causes_;
+  MatrixXd modes_{};
+  std::vector<Fit> single_{}, pairs_{};
 };
+
+/// As the spacing goes to 0: values v = v0 + a d + e of least squares, with d what discretisation may make at each
+/// resolution. `a` is of the order of 1, 3 at most by a standard deviation, and e what is no square of the spacing, a
+/// tenth of d. Where the values scatter more than that their own scatter counts (Birge, Phys. Rev. 40 (1932), 207-227).
+struct Line {
+  Extrapolated at_zero;
+  double scatter;  // chi squared per degree of freedom
+};
+Line line_of(const VectorXd& value, const VectorXd& deviation, const VectorXd& made) {
+  constexpr double most_of_order_two = 3, of_other_orders = 0.1, rounding = 1e-6, two_sided = 1.96;
+  const VectorXd d = made / two_sided;
+  MatrixXd covariance = std::pow(most_of_order_two, 2) * d * d.transpose();
+  covariance.diagonal() += deviation.cwiseAbs2() + std::pow(of_other_orders, 2) * d.cwiseAbs2() +
+                           rounding * rounding * value.cwiseAbs2() + VectorXd::Constant(value.size(), 1e-300);
+  const Eigen::LDLT<MatrixXd> solver(covariance);
+  const VectorXd ones = VectorXd::Ones(value.size()), weights = solver.solve(ones);
+  const double precision = ones.dot(weights), v0 = weights.dot(value) / precision;
+  const VectorXd off = value - v0 * ones;
+  const double freedom = static_cast<double>(value.size() - 1), scatter = off.dot(solver.solve(off)) / freedom;
+  const double wider = scatter > 1 ? gsl_cdf_tdist_Qinv(0.025, freedom) * std::sqrt(scatter) : two_sided;
+  return {{v0, wider / std::sqrt(precision)}, scatter};
+}
+
+/// Of each cause by itself what all resolutions say together: its interval at one of them reaches over that of its
+/// value at vanishing spacing. A wall may be off by a length or by a part of a spacing.
+void hear_all_resolutions(std::vector<Diagnostician>& levels) {
+  std::vector<Diagnostician*> heard;
+  for (Diagnostician& level : levels)
+    if (!level.singles().empty()) heard.push_back(&level);
+  if (heard.size() < 2) return;
+  for (std::size_t k = 0; k < heard[0]->singles().size(); ++k) {
+    const auto count = static_cast<Index>(heard.size());
+    VectorXd value(count), deviation(count), made(count), spacing(count);
+    bool possible = true;
+    for (Index l = 0; l < count; ++l) {
+      const Fit& fit = heard[static_cast<std::size_t>(l)]->singles()[k];
+      possible &= fit.possible && fit.deviation.allFinite() && fit.discretised[0] > 0;
+      value[l] = fit.value[0], deviation[l] = fit.deviation[0], made[l] = fit.discretised[0];
+      spacing[l] = heard[static_cast<std::size_t>(l)]->spacing();
+    }
+    if (!possible) continue;
+    Line line = line_of(value, deviation, made);
+    VectorXd unit = VectorXd::Ones(count);
+    const Cause cause = heard[0]->singles()[k].causes[0];
+    if (cause == Cause::floor || cause == Cause::ceiling || cause == Cause::walls || cause == Cause::slip) {
+      const Line in_spacings = line_of(value.cwiseQuotient(spacing), deviation.cwiseQuotient(spacing), made.cwiseQuotient(spacing));
+      if (in_spacings.scatter < line.scatter) line = in_spacings, unit = spacing;
+    }
+    if (!std::isfinite(line.at_zero.value) || !std::isfinite(line.at_zero.half_width)) continue;
+    for (Index l = 0; l < count; ++l) {
+      Fit& fit = heard[static_cast<std::size_t>(l)]->singles()[k];
+      const Extrapolated here{unit[l] * line.at_zero.value, unit[l] * line.at_zero.half_width};
+      fit.vanishing = {here};
+      fit.half_width[0] = std::abs(fit.value[0] - here.value) + here.half_width;
+    }
+  }
+}
 
 }  // namespace
 
-Diagnosis diagnose(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain,
-                   double spacing) {
-  const Seen seen(exact, samples, domain);
-  if (seen.empty())
-    return {.field = exact.field, .sentence = fmt::format("the {} is zero at all these times", exact.field)};
-  constexpr Index least = 40;  // so that ten waves are found beside what is left
-  if (const Index numbers = seen.error().size(); numbers < least)
-    return {.field = exact.field,
-            .sentence = fmt::format("{} numbers of the {} are too few for a diagnosis", numbers, exact.field)};
-  return Diagnostician(exact, seen, spacing).diagnosis();
+std::vector<Diagnosis> diagnose(const Exact& exact, const std::vector<Diagnosed>& levels, const Domain& domain,
+                                double discretisation) {
+  std::vector<Diagnostician> all;
+  for (const Diagnosed& level : levels) {
+    all.emplace_back(exact, Seen(exact, level.samples, domain), domain, level.spacing, discretisation);
+    all.back().fit();
+  }
+  hear_all_resolutions(all);
+  std::vector<Diagnosis> found;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    std::vector<double> times;
+    for (const Samples* samples : levels[k].samples) times.push_back(samples->time);
+    found.push_back(all[k].diagnosis(std::move(times)));
+  }
+  return found;
 }
 
 }  // namespace touchstone::vnv::doors

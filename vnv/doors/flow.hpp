@@ -9,6 +9,7 @@
 #include "vnv/doors/fields.hpp"
 #include "vnv/measures/field_errors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -87,6 +88,8 @@ class Changes {
  public:
   double operator()(Cause cause) const { return by_[static_cast<std::size_t>(cause)]; }
   double& operator()(Cause cause) { return by_[static_cast<std::size_t>(cause)]; }
+  /// So many times the right one, for what is never zero or less: a hundredth at least, whatever a fit tries.
+  double factor(Cause cause) const { return std::max(0.01, 1 + (*this)(cause)); }
 
  private:
   std::array<double, static_cast<std::size_t>(Cause::mean_y) + 1> by_{};

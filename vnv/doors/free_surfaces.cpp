@@ -37,7 +37,7 @@ Flow hydrostatic(Settings& set) {
                  .causes = {Cause::gravity},
                  .with = [water](const Changes& by) -> FieldTruth {
                    Water other = water;
-                   other.g *= 1 + by(Cause::gravity);
+                   other.g *= by.factor(Cause::gravity);
                    return [truth = pressure_of(other.exact())](const Vec2& x, double t) {
                      return Vec2(truth(x.y(), t), 0);
                    };

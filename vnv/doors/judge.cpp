@@ -209,13 +209,31 @@ bool is_of(const Exact& exact, const Verdict& verdict, const std::vector<Claim>&
          });
 }
 
-/// Diagnoses each field and level of which a verdict fails, an order as its finest level, and adds what is found to the
-/// sentences of these verdicts. If asked, all others too.
+/// What diagnose() finds of each level; of all of them that it cannot be made, should it throw: a judgement does not
+/// end by it.
+std::vector<Diagnosis> diagnosed(const Flow& flow, const Exact& exact, const Results& results) {
+  std::vector<Diagnosed> levels;
+  for (std::size_t k = 0; k < results.runs.size(); ++k) {
+    levels.push_back({.samples = {}, .spacing = results.method.levels[k].spacing});
+    for (const Samples& at : results.runs[k].samples) levels.back().samples.push_back(&at);
+  }
+  try {
+    return diagnose(exact, levels, flow.domain);
+  } catch (const std::exception& error) {
+    return std::vector<Diagnosis>(levels.size(), {.field = exact.field,
+                                                  .sentence = fmt::format("no diagnosis of the {} could be made: {}",
+                                                                          exact.field, error.what())});
+  }
+}
+
+/// Diagnoses each field and level of which a verdict does not hold, an order as its finest level, and adds what is found
+/// to the sentences of these verdicts. If asked, all others too.
 void diagnose_failures(const Flow& flow, const Results& results, const std::vector<Claim>& claims, bool diagnose_all,
                        Record& record) {
   const std::vector<Level>& levels = results.method.levels;
-  for (std::size_t k = 0; k < levels.size(); ++k)
-    for (const Exact& exact : flow.exact) {
+  for (const Exact& exact : flow.exact) {
+    std::vector<Diagnosis> of_levels;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
       const auto has_value = [&](const Value& v) {
         return v.level == levels[k].name && has(exact.norms, v.quantity.name);
       };
@@ -224,11 +242,10 @@ void diagnose_failures(const Flow& flow, const Results& results, const std::vect
       for (Verdict& v : record.verdicts)
         if (is_of(exact, v, claims) && (v.level == levels[k].name || (v.level.empty() && k + 1 == levels.size())))
           of_it.push_back(&v);
-      const auto fails = [](const Verdict* v) { return v->outcome == Outcome::fails; };
+      const auto fails = [](const Verdict* v) { return v->outcome != Outcome::holds; };
       if (std::ranges::none_of(of_it, fails) && !diagnose_all) continue;
-      std::vector<const Samples*> samples;
-      for (const Samples& at : results.runs[k].samples) samples.push_back(&at);
-      Diagnosis found = diagnose(exact, samples, flow.domain, levels[k].spacing);
+      if (of_levels.empty()) of_levels = diagnosed(flow, exact, results);
+      Diagnosis& found = of_levels[k];
       found.level = levels[k].name;
       for (Verdict* v : of_it) {
         if (!has(found.quantities, v->quantity)) found.quantities.push_back(v->quantity);
@@ -236,6 +253,7 @@ void diagnose_failures(const Flow& flow, const Results& results, const std::vect
       }
       record.diagnoses.push_back(std::move(found));
     }
+  }
 }
 
 }  // namespace

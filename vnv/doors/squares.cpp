@@ -97,7 +97,7 @@ Flow taylor_green(Settings& set) {
   const double Re = set.positive("Re", 100, "-", "Reynolds number U L / nu");
   const double c = set.positive("c", 80, "m/s", "speed of sound at rest");
   const auto exact = [=](const Changes& by) {
-    return reference::TaylorGreen{.L = L, .U = U, .nu = U * L / Re * (1 + by(Cause::viscosity)), .rho = rho};
+    return reference::TaylorGreen{.L = L, .U = U, .nu = U * L / Re * by.factor(Cause::viscosity), .rho = rho};
   };
   const PressureWith pressure = [=](const Changes& by) -> PressureTruth {
     return [now = exact(by)](const Vec2& x, double t) { return now.p(x.x(), x.y(), t); };
@@ -130,7 +130,7 @@ Flow manufactured(Settings& set) {
   chosen.Re = set.positive("Re", chosen.Re, "-", "Reynolds number U L / nu");
   const reference::Manufactured exact = chosen.exact();
   const PressureWith pressure = [exact](const Changes& by) -> PressureTruth {
-    return [right = vnv::manufactured::pressure_of(exact), stiffer = std::pow(1 + by(Cause::sound_speed), 2)](
+    return [right = vnv::manufactured::pressure_of(exact), stiffer = std::pow(by.factor(Cause::sound_speed), 2)](
                const Vec2& x, double t) { return stiffer * right(x, t); };
   };
   Flow flow = in_square(chosen.L, chosen.fluid(),
@@ -159,7 +159,7 @@ Flow shear_wave(Settings& set) {
   Flow flow = in_square(
       L, fluid_of(rho, c, nu),
       [=](const Changes& by) -> VelocityTruth {
-        return [now = reference::ShearWave{.L = L, .U = U, .nu = nu * (1 + by(Cause::viscosity))}](const Vec2& x,
+        return [now = reference::ShearWave{.L = L, .U = U, .nu = nu * by.factor(Cause::viscosity)}](const Vec2& x,
                                                                                                    double t) -> Vec2 {
           return {now(x.y(), t), 0};
         };
