@@ -375,6 +375,7 @@ class Rest {
     const double trace = between_.trace(), independent = trace > 0 ? trace * trace / between_.squaredNorm() : 1;
     MatrixXd energy = MatrixXd::Zero(count, seen.components());
     for (const MatrixXd& one : found) energy += one.cwiseAbs2();
+    noise_ = std::min(short_energy / std::max(1.0, short_count), flat(energy / std::max(1.0, static_cast<double>(times))));
     energy = energy.cwiseQuotient(
         ((MatrixXd::Ones(count, seen.components()) - taken(fitted) / independent).cwiseMax(0.3)).eval());
     between_ *= trace > 0 ? energy.sum() / trace : 1;
@@ -384,7 +385,6 @@ class Rest {
         all * all /
         (trace * trace * spectrum_.squaredNorm() + short_energy * short_energy / std::max(1.0, short_count));
     freedom_ = std::max(1.0, independent * waves - static_cast<double>(fitted.cols()));
-    noise_ = short_energy / std::max(1.0, short_count);
   }
 
   /// Of the product of the rest with a vector.
@@ -403,10 +403,20 @@ class Rest {
   /// That of a 95 % interval. Half of the waves count, since the strength of one is found from its neighbours alone,
   /// and it is widened so that intervals of plants that were drawn before this was fixed (seed 6) held 95 % of them.
   double interval() const { return 1.2 * gsl_cdf_tdist_Qinv(0.025, std::max(1.0, freedom_ / 2)); }
-  /// The mean square of a number that would be its share of an error without any waves: noise.
+  /// The mean square of a number that would be its share of an error without any waves: noise, which is as strong in all
+  /// waves, in the long ones too; what is sharp along one axis only, as a layer is, is none.
   double noise() const { return noise_; }
 
  private:
+  /// The mean of the energies of waves if they are those of noise, by their median: that of the square of a normal number
+  /// is 0.455.
+  static double flat(MatrixXd energy) {
+    constexpr double mean_over_median = 1 / 0.455;
+    const auto half = energy.data() + energy.size() / 2;
+    std::nth_element(energy.data(), half, energy.data() + energy.size());
+    return mean_over_median * *half;
+  }
+
   static const MatrixXd& at(const std::vector<MatrixXd>& all, Index i) { return all[static_cast<std::size_t>(i)]; }
 
   /// Of each time: a row a wave, a column a component.
@@ -524,8 +534,13 @@ class Diagnostician {
  public:
   /// `discretisation` as of diagnose().
   Diagnostician(const Exact& exact, Seen seen, const Domain& domain, double spacing, double discretisation)
-      : exact_(exact), seen_(std::move(seen)), domain_(domain), spacing_(spacing), causes_(causes_of(exact)) {
-    if (is_enough() && squared() > 0) take_modes(discretisation);
+      : exact_(exact),
+        seen_(std::move(seen)),
+        domain_(domain),
+        spacing_(spacing),
+        discretisation_(discretisation),
+        causes_(causes_of(exact)) {
+    if (is_enough() && has_error()) take_modes();
   }
 
   /// Fits all causes; what they are called is said later, when other resolutions have been heard.
@@ -535,6 +550,19 @@ class Diagnostician {
     if (best_share(single_) < one_is_enough && !is_noise(as_noise())) pairs_ = likely_pairs(single_);
   }
   std::vector<Fit>& singles() { return single_; }
+  const std::vector<Fit>& singles() const { return single_; }
+
+  /// The causes that are named by themselves.
+  std::vector<Cause> named() const {
+    std::vector<Cause> causes;
+    if (const std::vector<bool> named = names(); std::ranges::find(named, true) - named.begin() <
+                                                 static_cast<std::ptrdiff_t>(single_.size()))
+      for (std::size_t k = 0; k < single_.size(); ++k)
+        if (named[k]) causes.push_back(single_[k].causes[0]);
+    return causes;
+  }
+  /// Those that a finer resolution names are named here too, where they are more than their interval.
+  void hear(std::vector<Cause> of_finer) { told_ = std::move(of_finer); }
   double spacing() const { return spacing_; }
 
   Diagnosis diagnosis(std::vector<double> times) const {
@@ -593,11 +621,11 @@ class Diagnostician {
   /// What the discretisation of a method of second order may look like: as another viscosity (its modified equation,
   /// Warming & Hyett, J. Comput. Phys. 14 (1974), 159-179) and as plates elsewhere, by the square of the spacing over
   /// the length on which the field changes.
-  void take_modes(double discretisation) {
+  void take_modes() {
     const double curvature = seen_.curvature(spacing_ / 2);
-    if (!(discretisation > 0) || !std::isfinite(curvature)) return;
-    const double part = discretisation * std::min(1.0, spacing_ * spacing_ * curvature);
-    const double out = discretisation * std::min(1.0, spacing_ * std::sqrt(curvature)) * spacing_;
+    if (!(discretisation_ > 0) || !std::isfinite(curvature)) return;
+    const double part = discretisation_ * std::min(1.0, spacing_ * spacing_ * curvature);
+    const double out = discretisation_ * std::min(1.0, spacing_ * std::sqrt(curvature)) * spacing_;
     std::vector<VectorXd> all;
     for (const Cause cause : exact_.causes)
       if (cause == Cause::viscosity || cause == Cause::gravity || cause == Cause::sound_speed)
@@ -677,7 +705,7 @@ class Diagnostician {
       sentences.push_back(m.sentence);
     }
     for (const Fit& fit : single_) {
-      const bool is_alike = fit.suffices() && fit.stands() && is_small(fit) &&
+      const bool is_alike = best.mistake.scale == 1 && fit.suffices() && fit.stands() && is_small(fit) &&
                             fit.rest.squaredNorm() <= 1.1 * best.left + 1e-10 * squared();
       all.explanations.push_back(explanation(fit, is_alike));
       if (is_alike) sentences.push_back(all.explanations.back().sentence);
@@ -687,7 +715,7 @@ class Diagnostician {
     for (std::size_t k = 1; k < sentences.size(); ++k)
       all.sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + sentences[k];
     if (best.mistake.scale == 0 || !is_enough()) return;
-    Diagnostician of_rest(exact_, Seen(seen_, best.mistake), domain_, spacing_, 0);
+    Diagnostician of_rest(exact_, Seen(seen_, best.mistake), domain_, spacing_, discretisation_);
     of_rest.fit();
     const Diagnosis rest = of_rest.diagnosis_of_causes();
     constexpr double worth_a_word = 0.5;  // %
@@ -705,16 +733,8 @@ class Diagnostician {
 
   void say_causes(Diagnosis& all) const {
     std::vector<Fit> fits = single_;
-    std::vector<bool> named = name(single_);
+    const std::vector<bool> named = names();
     const Explanation noise = as_noise();
-    const double by_one = best_share(single_), by_two = best_share(pairs_);
-    if (by_two > 0 && (by_one == 0 || 1 - by_two < (1 - by_one) / 10)) {
-      const std::vector<bool> of_pairs = name(pairs_);
-      if (std::ranges::find(of_pairs, true) != of_pairs.end()) named.assign(fits.size(), false);
-      named.insert(named.end(), of_pairs.begin(), of_pairs.end());
-    } else {
-      named.insert(named.end(), pairs_.size(), false);
-    }
     fits.insert(fits.end(), pairs_.begin(), pairs_.end());
     std::vector<Explanation> explanations;
     for (std::size_t k = 0; k < fits.size(); ++k) explanations.push_back(explanation(fits[k], named[k]));
@@ -732,6 +752,24 @@ class Diagnostician {
     else
       all.sentence += nothing_explains(fits);
     std::ranges::move(explanations, std::back_inserter(all.explanations));
+  }
+
+  /// Of the causes by themselves, and of two at once behind them.
+  std::vector<bool> names() const {
+    std::vector<bool> named(single_.size(), false);
+    for (std::size_t k = 0; k < single_.size(); ++k)
+      named[k] = single_[k].stands() && std::ranges::find(told_, single_[k].causes[0]) != told_.end();
+    std::vector<bool> of_pairs(pairs_.size(), false);
+    if (std::ranges::find(named, true) == named.end()) {
+      named = name(single_);
+      const double by_one = best_share(single_), by_two = best_share(pairs_);
+      if (by_two > 0 && (by_one == 0 || 1 - by_two < (1 - by_one) / 10)) {
+        of_pairs = name(pairs_);
+        if (std::ranges::find(of_pairs, true) != of_pairs.end()) named.assign(single_.size(), false);
+      }
+    }
+    named.insert(named.end(), of_pairs.begin(), of_pairs.end());
+    return named;
   }
 
   bool is_noise(const Explanation& noise) const { return best_share(single_) == 0 && noise.share >= sufficient; }
@@ -968,10 +1006,11 @@ class Diagnostician {
   const Exact& exact_;
   Seen seen_;
   const Domain& domain_;
-  double spacing_;
+  double spacing_, discretisation_;
   std::vector<Cause> causes_;
   MatrixXd modes_{};
   std::vector<Fit> single_{}, pairs_{};
+  std::vector<Cause> told_{};
 };
 
 /// As the spacing goes to 0: values v = v0 + a d + e of least squares, with d what discretisation may make at each
@@ -1041,6 +1080,12 @@ std::vector<Diagnosis> diagnose(const Exact& exact, const std::vector<Diagnosed>
     all.back().fit();
   }
   hear_all_resolutions(all);
+  if (all.size() > 1) {
+    const Diagnostician& finest = *std::ranges::min_element(all, {}, &Diagnostician::spacing);
+    const std::vector<Cause> named = finest.named();
+    for (Diagnostician& level : all)
+      if (&level != &finest) level.hear(named);
+  }
   std::vector<Diagnosis> found;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     std::vector<double> times;

@@ -430,7 +430,9 @@ TEST(Diagnosis, SaysThatThereIsNoErrorOrNoFlow) {
   std::vector<Samples> samples = samples_of(flow, flow.exact[0], {}, flow.across / 20);
   EXPECT_EQ(diagnosed(flow.exact[0], pointers(samples), flow.domain, flow.across / 20).sentence,
             "the velocity has no error to speak of");
-  const std::vector<Samples> few = samples_of(flow, flow.exact[0], {}, flow.across / 4);
+  Changes by;
+  by(Cause::viscosity) = 0.1;
+  const std::vector<Samples> few = samples_of(flow, flow.exact[0], by, flow.across / 4);
   EXPECT_EQ(diagnosed(flow.exact[0], pointers(few), flow.domain, flow.across / 4).sentence,
             "32 numbers of the velocity are too few for a diagnosis");
   for (Samples& s : samples) s.time = 0;
