@@ -27,7 +27,9 @@ struct OscillatingPoiseuille {
     require_finite("OscillatingPoiseuille", "t [s]", t);
     const double place = scaled("OscillatingPoiseuille", y, 0, H, nu).y;
     const Complex half = std::sqrt(Complex(0, 1)) * (H / 2 * std::sqrt(omega / nu));  // q H / 2, by Womersley's number
-    const auto part = [](const Complex& z) { return z.real() < 1 ? 2.0 * std::exp(-z) * std::sinh(z) : 1.0 - std::exp(-2.0 * z); };
+    const auto part = [](const Complex& z) {
+      return z.real() < 1 ? 2.0 * std::exp(-z) * std::sinh(z) : 1.0 - std::exp(-2.0 * z);
+    };
     const Complex profile = part(half * place) * part(half * (1 - place)) / (1.0 + std::exp(-2.0 * half));
     return F / omega * std::real(profile * Complex(0, -1) * std::polar(1.0, omega * t));
   }

@@ -97,8 +97,9 @@ std::string diagnosis_table(const CaseRecords& records) {
       if (!one.named && &one != &found.explanations.front()) continue;  // the best is shown where none suffices
       std::string fitted;
       for (const vnv::FittedCause& c : one.causes)
-        fitted += fmt::format("{}{} {}\u202f{}", fitted.empty() ? "" : ", ", escape(c.cause),
-                              replaced(vnv::in_digits_of_interval(c.value, c.half_width), "-", "−"), escape(c.unit));
+        fitted +=
+            (fitted.empty() ? "" : ", ") + escape(c.cause) +
+            (c.unit.empty() ? "" : fmt::format(" {}\u202f{}", replaced(vnv::in_digits(c), "-", "−"), escape(c.unit)));
       table.rows.push_back(
           {breakable(record.method), level_cell(found.level), escape(found.field), number_cell(found.error),
            words_cell(fitted + (one.named ? "" : " <small>does not suffice</small>")), number_cell(100 * one.share)});

@@ -48,7 +48,7 @@ void print(const Diagnosis& diagnosis) {
   for (const Explanation& one : diagnosis.explanations) {
     std::vector<std::string> causes;
     for (const FittedCause& c : one.causes)
-      causes.push_back(fmt::format("{} {} {}", c.cause, in_digits_of_interval(c.value, c.half_width), c.unit));
+      causes.push_back(c.unit.empty() ? c.cause : fmt::format("{} {} {}", c.cause, in_digits(c), c.unit));
     fmt::print("  {:5.1f} % of the squared error: {}{}\n", 100 * one.share, fmt::join(causes, ", "),
                one.named ? " *" : "");
   }

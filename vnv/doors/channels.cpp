@@ -23,8 +23,8 @@ using Altered = std::function<Truth(const Changes&)>;
 /// How far out a plate stands, or seems to: a short slip length is that (Navier 1823).
 double out(const Changes& by, Cause plate) { return by(plate) + by(Cause::walls) + by(Cause::slip); }
 
-/// The velocity at places [m] from the lower plate, continued oddly behind the plates at 0 and at the height [m], however
-/// far: what is odd about both repeats itself after twice the height, but for what it gains on the way.
+/// The velocity at places [m] from the lower plate, continued oddly behind the plates at 0 and at the height [m],
+/// however far: what is odd about both repeats itself after twice the height, but for what it gains on the way.
 double continued(const Truth& truth, double height, double y, double t) {
   if (const double turns = std::floor((y + height) / (3 * height)); turns != 0) {
     const double twice = std::floor(y / (2 * height));

@@ -134,9 +134,10 @@ std::vector<Index> spread(Index n, Index most) {
 
 /// Rows that hold no number, or whose error stands apart from that of all others: left out of what is fitted.
 struct LeftOut {
-  double rows = 0, no_numbers = 0, apart = 0;  // how many, of how many at the times that were used
-  double squared = 0;                          // error of those apart
-  Vec2 x = Vec2::Zero();                       // of the worst
+  double rows = 0, no_numbers = 0;  // at the times that were used
+  double apart = 0;                 // at one of them, at most
+  double squared = 0;               // error of those apart
+  Vec2 x = Vec2::Zero();            // of the worst
   double time = 0, worst = 0;
 };
 
@@ -186,14 +187,17 @@ class Seen {
   /// The exact field as a mistake would show it, but for its scale.
   VectorXd exact_with(const Mistake& mistake) const { return of({}, Vec2::Zero(), mistake.seen); }
 
-  /// How fast the exact field changes over places [1/m²]: the norm of its Laplacian over its own, by second differences
-  /// over this length [m].
-  double curvature(double length) const {
-    const VectorXd here = exact();
-    VectorXd laplacian = -4 * here;
-    for (const Vec2& step : {Vec2(length, 0), Vec2(-length, 0), Vec2(0, length), Vec2(0, -length)})
-      laplacian += of({}, step, mistake_);
-    return laplacian.norm() / (length * length * here.norm());
+  /// The slope's Laplacian [its unit / m²], by second differences over this length [m]; of the exact field's own where
+  /// the step is 0.
+  VectorXd laplacian_of_slope(Cause cause, double step, double length) const {
+    Changes more;
+    more(cause) = step;
+    const auto at = [&](const Vec2& moved) -> VectorXd {
+      const VectorXd right = of({}, moved, mistake_);
+      return step > 0 ? ((of(more, moved, mistake_) - right) / step).eval() : right;
+    };
+    return (at({length, 0}) + at({-length, 0}) + at({0, length}) + at({0, -length}) - 4 * at(Vec2::Zero())) /
+           (length * length);
   }
 
   /// work(moment, component, the first of its numbers)
@@ -210,22 +214,27 @@ class Seen {
   /// Some of the rows that hold numbers, and with them those whose numbers are largest.
   std::vector<Index> chosen_of(const Samples& all) {
     const bool is_pressure = exact_.field == "pressure";
-    const Scalars volumes = all.volumes();
-    const Scalars size = is_pressure ? all.pressure.abs().eval() : all.v.cwiseAbs().colwise().sum().transpose().array().eval();
-    std::vector<Index> usable;
-    for (Index p = 0; p < all.size(); ++p)
-      if (size[p] < largest && volumes[p] > 0 && volumes[p] < largest && all.x.col(p).allFinite()) usable.push_back(p);
+    const auto size = [&](Index p) { return is_pressure ? std::abs(all.pressure[p]) : all.v.col(p).cwiseAbs().sum(); };
+    const auto is_usable = [&](Index p) {
+      const double volume = all.mass[p] / all.density[p];
+      return size(p) < largest && volume > 0 && volume < largest && all.x.col(p).allFinite();
+    };
+    std::vector<Index> chosen, of_the_largest;
+    constexpr std::size_t most_of_the_largest = 8;
     left_out_.rows += static_cast<double>(all.size());
-    left_out_.no_numbers += static_cast<double>(all.size()) - static_cast<double>(usable.size());
-    const auto count = static_cast<Index>(usable.size());
-    std::vector<Index> chosen;
-    for (const Index k : spread(count, most_samples)) chosen.push_back(usable[static_cast<std::size_t>(k)]);
-    if (count > most_samples) {
-      constexpr std::ptrdiff_t of_the_largest = 8;
-      std::ranges::partial_sort(usable, usable.begin() + of_the_largest, std::greater{}, [&](Index p) { return size[p]; });
-      for (const Index p : std::span(usable).first(of_the_largest))
-        if (std::ranges::find(chosen, p) == chosen.end()) chosen.push_back(p);
+    for (Index p = 0; p < all.size(); ++p) {
+      if (!is_usable(p)) {
+        ++left_out_.no_numbers;
+      } else if (all.size() > most_samples &&
+                 (of_the_largest.size() < most_of_the_largest || size(p) > size(of_the_largest.back()))) {
+        if (of_the_largest.size() == most_of_the_largest) of_the_largest.pop_back();
+        of_the_largest.insert(std::ranges::upper_bound(of_the_largest, size(p), std::greater{}, size), p);
+      }
     }
+    for (const Index p : spread(all.size(), most_samples))
+      if (is_usable(p)) chosen.push_back(p);
+    for (const Index p : of_the_largest)
+      if (std::ranges::find(chosen, p) == chosen.end()) chosen.push_back(p);
     return chosen;
   }
 
@@ -279,10 +288,10 @@ class Seen {
           kept.push_back(chosen[k]);
           continue;
         }
-        ++left_out_.apart;
         left_out_.squared += std::pow(m.weight[p] * error[p], 2);
         if (error[p] > left_out_.worst) left_out_.worst = error[p], left_out_.x = m.x.col(p), left_out_.time = m.time;
       }
+      left_out_.apart = std::max(left_out_.apart, static_cast<double>(chosen.size() - kept.size()));
       chosen = kept;
       right = take();
       norm = (right * m.weight.asDiagonal()).norm();
@@ -375,7 +384,8 @@ class Rest {
     const double trace = between_.trace(), independent = trace > 0 ? trace * trace / between_.squaredNorm() : 1;
     MatrixXd energy = MatrixXd::Zero(count, seen.components());
     for (const MatrixXd& one : found) energy += one.cwiseAbs2();
-    noise_ = std::min(short_energy / std::max(1.0, short_count), flat(energy / std::max(1.0, static_cast<double>(times))));
+    noise_ =
+        std::min(short_energy / std::max(1.0, short_count), flat(energy / std::max(1.0, static_cast<double>(times))));
     energy = energy.cwiseQuotient(
         ((MatrixXd::Ones(count, seen.components()) - taken(fitted) / independent).cwiseMax(0.3)).eval());
     between_ *= trace > 0 ? energy.sum() / trace : 1;
@@ -403,13 +413,13 @@ class Rest {
   /// That of a 95 % interval. Half of the waves count, since the strength of one is found from its neighbours alone,
   /// and it is widened so that intervals of plants that were drawn before this was fixed (seed 6) held 95 % of them.
   double interval() const { return 1.2 * gsl_cdf_tdist_Qinv(0.025, std::max(1.0, freedom_ / 2)); }
-  /// The mean square of a number that would be its share of an error without any waves: noise, which is as strong in all
-  /// waves, in the long ones too; what is sharp along one axis only, as a layer is, is none.
+  /// The mean square of a number that would be its share of an error without any waves: noise, which is as strong in
+  /// all waves, in the long ones too; what is sharp along one axis only, as a layer is, is none.
   double noise() const { return noise_; }
 
  private:
-  /// The mean of the energies of waves if they are those of noise, by their median: that of the square of a normal number
-  /// is 0.455.
+  /// The mean of the energies of waves if they are those of noise, by their median: that of the square of a normal
+  /// number is 0.455.
   static double flat(MatrixXd energy) {
     constexpr double mean_over_median = 1 / 0.455;
     const auto half = energy.data() + energy.size() / 2;
@@ -496,9 +506,9 @@ struct Extrapolated {
 struct Fit {
   std::vector<Cause> causes;
   Changes by{};
-  VectorXd value{}, deviation{};      // standard deviation
-  VectorXd discretised{};             // half-width of what discretisation may make of it
-  VectorXd half_width{};              // 95 %, both together
+  VectorXd value{}, deviation{};          // standard deviation
+  VectorXd discretised{};                 // half-width of what discretisation may make of it
+  VectorXd half_width{};                  // 95 %, both together
   std::vector<Extrapolated> vanishing{};  // as the spacing goes to 0, where several resolutions tell
   VectorXd rest{};
   MatrixXd columns{};
@@ -555,8 +565,8 @@ class Diagnostician {
   /// The causes that are named by themselves.
   std::vector<Cause> named() const {
     std::vector<Cause> causes;
-    if (const std::vector<bool> named = names(); std::ranges::find(named, true) - named.begin() <
-                                                 static_cast<std::ptrdiff_t>(single_.size()))
+    if (const std::vector<bool> named = names();
+        std::ranges::find(named, true) - named.begin() < static_cast<std::ptrdiff_t>(single_.size()))
       for (std::size_t k = 0; k < single_.size(); ++k)
         if (named[k]) causes.push_back(single_[k].causes[0]);
     return causes;
@@ -579,13 +589,16 @@ class Diagnostician {
     }
     const double whole = squared() + out.squared;
     all.error = 100 * std::sqrt(whole / seen_.times());
-    if (constexpr double worth_a_word = 0.2; out.apart > 0 && out.squared >= worth_a_word * whole && all.error > as_exact) {
+    if (constexpr double worth_a_word = 0.2;
+        out.apart > 0 && out.squared >= worth_a_word * whole && all.error > as_exact) {
       Explanation alone{.causes = {{"particles apart", "", out.apart, 0}}, .share = out.squared / whole, .named = true};
-      alone.sentence = out.apart > 1
-                           ? fmt::format("{:.0f} particles apart, the worst at ({:.4g}, {:.4g}) m and {:g} s, make {:.4g} % of the squared error",
-                                         out.apart, out.x.x(), out.x.y(), out.time, 100 * alone.share)
-                           : fmt::format("one particle, at ({:.4g}, {:.4g}) m and {:g} s, makes {:.4g} % of the squared error",
-                                         out.x.x(), out.x.y(), out.time, 100 * alone.share);
+      alone.sentence =
+          out.apart > 1
+              ? fmt::format(
+                    "{:.0f} particles apart, the worst at ({:.4g}, {:.4g}) m and {:g} s, make {:.4g} % of the squared error",
+                    out.apart, out.x.x(), out.x.y(), out.time, 100 * alone.share)
+              : fmt::format("one particle, at ({:.4g}, {:.4g}) m and {:g} s, makes {:.4g} % of the squared error",
+                            out.x.x(), out.x.y(), out.time, 100 * alone.share);
       all.explanations.push_back(alone);
       before += alone.sentence;
       if (!has_error()) {
@@ -602,7 +615,8 @@ class Diagnostician {
     else if (is_enough())
       say_causes(all);
     else
-      all.sentence += fmt::format("{} numbers of the {} are too few for a diagnosis", seen_.error().size(), exact_.field);
+      all.sentence +=
+          fmt::format("{} numbers of the {} are too few for a diagnosis", seen_.error().size(), exact_.field);
     std::ranges::stable_sort(all.explanations, std::greater{}, &Explanation::named);
     return all;
   }
@@ -618,22 +632,24 @@ class Diagnostician {
     return seen_.error().size() >= least;
   }
 
-  /// What the discretisation of a method of second order may look like: as another viscosity (its modified equation,
-  /// Warming & Hyett, J. Comput. Phys. 14 (1974), 159-179) and as plates elsewhere, by the square of the spacing over
-  /// the length on which the field changes.
+  /// What the discretisation of a method of second order makes of the flow. It adds h² times fourth derivatives to an
+  /// equation (its modified one: Warming & Hyett, J. Comput. Phys. 14 (1974), 159-179), where another viscosity adds
+  /// second ones; since such operators commute, the error is h² times the Laplacian of the slope with viscosity. A
+  /// shear wave's is another viscosity itself, that of a steady parabola a velocity added everywhere, as mirrored cells
+  /// at plates make it.
   void take_modes() {
-    const double curvature = seen_.curvature(spacing_ / 2);
-    if (!(discretisation_ > 0) || !std::isfinite(curvature)) return;
-    const double part = discretisation_ * std::min(1.0, spacing_ * spacing_ * curvature);
-    const double out = discretisation_ * std::min(1.0, spacing_ * std::sqrt(curvature)) * spacing_;
+    if (!(discretisation_ > 0)) return;
     std::vector<VectorXd> all;
+    const auto add = [&](Cause cause, double step, double norm) {
+      const double h2 = spacing_ * spacing_;
+      VectorXd mode = discretisation_ * h2 * seen_.laplacian_of_slope(cause, step, spacing_ / 2);
+      if (const double most = discretisation_ * norm; mode.norm() > most) mode *= most / mode.norm();
+      if (mode.allFinite()) all.push_back(std::move(mode));
+    };
     for (const Cause cause : exact_.causes)
       if (cause == Cause::viscosity || cause == Cause::gravity || cause == Cause::sound_speed)
-        all.push_back(part * slope({}, cause, seen_.error()));
-    if (all.empty()) all.push_back(part * seen_.exact());
-    for (const Cause cause : exact_.causes)
-      if (cause == Cause::floor || cause == Cause::ceiling) all.push_back(out * slope({}, cause, seen_.error()));
-    std::erase_if(all, [](const VectorXd& mode) { return !mode.allFinite(); });
+        add(cause, 1e-4, slope({}, cause, seen_.error()).norm());
+    if (all.empty()) add(Cause::amplitude, 0, seen_.exact().norm());
     modes_.resize(seen_.error().size(), static_cast<Index>(all.size()));
     for (std::size_t k = 0; k < all.size(); ++k) modes_.col(static_cast<Index>(k)) = all[k];
   }
@@ -644,13 +660,14 @@ class Diagnostician {
 
   // Mistakes
 
-  /// Those that explain the error, the best and what cannot be told from it.
+  /// Those that explain the error and cannot be told from the best, the plainest first.
   std::vector<Made> mistakes_made(std::vector<double> times) const {
     constexpr double least_left = 0.2, least_left_of_nothing = 0.02, gross = 0.04;
     const VectorXd &found = seen_.numbers(), right = seen_.exact();
     const bool is_gross = squared() > gross * right.squaredNorm();
     std::vector<Made> all, twofold;
-    const auto consider = [&](const Mistake& mistake, const VectorXd& shown, std::vector<Made>& among, double stricter) {
+    const auto consider = [&](const Mistake& mistake, const VectorXd& shown, std::vector<Made>& among,
+                              double stricter) {
       const double left = (found - mistake.scale * shown).squaredNorm();
       const double of = mistake.scale == 0 ? least_left_of_nothing * right.squaredNorm()
                                            : least_left * stricter * (mistake.scale * shown).squaredNorm();
@@ -674,8 +691,7 @@ class Diagnostician {
     }
     if (all.empty()) all = std::move(twofold);
     if (all.empty()) return all;
-    std::ranges::stable_sort(all, {}, &Made::left);
-    const double best = all.front().left;
+    const double best = std::ranges::min(all, {}, &Made::left).left;
     if (std::ranges::any_of(single_, [&](const Fit& fit) {
           return fit.suffices() && fit.stands() && is_small(fit) && fit.rest.squaredNorm() < best / 10;
         }))
@@ -737,7 +753,11 @@ class Diagnostician {
     const Explanation noise = as_noise();
     fits.insert(fits.end(), pairs_.begin(), pairs_.end());
     std::vector<Explanation> explanations;
-    for (std::size_t k = 0; k < fits.size(); ++k) explanations.push_back(explanation(fits[k], named[k]));
+    const Fit* best = nullptr;
+    for (std::size_t k = 0; k < fits.size(); ++k)
+      if (named[k] && (!best || fits[k].share > best->share)) best = &fits[k];
+    for (std::size_t k = 0; k < fits.size(); ++k)
+      explanations.push_back(explanation(fits[k], named[k], &fits[k] == best));
     const bool noise_is_named = std::ranges::find(named, true) == named.end() && is_noise(noise);
     explanations.push_back(noise);
     explanations.back().named = noise_is_named;
@@ -747,8 +767,9 @@ class Diagnostician {
     if (explanations.front().named)
       all.sentence += in_words(explanations);
     else if (std::ranges::any_of(fits, is_discretisation))
-      all.sentence += fmt::format(
-          "the error of the {} is no more than discretisation may make at this resolution: finer ones tell", exact_.field);
+      all.sentence +=
+          fmt::format("the error of the {} is no more than discretisation may make at this resolution: finer ones tell",
+                      exact_.field);
     else
       all.sentence += nothing_explains(fits);
     std::ranges::move(explanations, std::back_inserter(all.explanations));
@@ -941,7 +962,8 @@ class Diagnostician {
   /// What has no waves longer than some samples; its share is 1 where all waves are equally strong.
   Explanation as_noise() const {
     const VectorXd& error = seen_.error();
-    Explanation noise = noise_of(Rest(seen_, error, MatrixXd(error.size(), 0)).noise() * static_cast<double>(error.size()));
+    Explanation noise =
+        noise_of(Rest(seen_, error, MatrixXd(error.size(), 0)).noise() * static_cast<double>(error.size()));
     noise.sentence =
         fmt::format("the error is noise from sample to sample, {} of the root mean square", quantity(noise.causes[0]));
     return noise;
@@ -958,31 +980,34 @@ class Diagnostician {
     return fmt::format("{} {}", in_digits_of_interval(std::abs(c.value), c.half_width), c.unit);
   }
 
-  /// What is there besides it as noise is said with what is named.
-  Explanation explanation(const Fit& fit, bool is_named) const {
+  /// What is there besides it as noise is said with what is named, in words with the best.
+  Explanation explanation(const Fit& fit, bool is_named, bool is_best = false) const {
     Explanation made{.share = fit.share, .named = is_named};
     for (std::size_t k = 0; k < fit.causes.size(); ++k) {
       const Phrases words = phrases_of(fit.causes[k], exact_.field == "pressure");
       const double scale = words.unit == "%" ? 100 : words.unit == "s" ? 1 : 1 / spacing_;
       const auto i = static_cast<Index>(k);
-      const FittedCause& one = made.causes.emplace_back(FittedCause{
-          std::string(words.name), std::string(words.unit), scale * fit.value[i], scale * fit.half_width[i]});
+      const FittedCause& one = made.causes.emplace_back(FittedCause{std::string(words.name), std::string(words.unit),
+                                                                    scale * fit.value[i], scale * fit.half_width[i]});
       const std::string_view phrase =
           one.value >= 0 || words.where_negative.empty() ? words.where_positive : words.where_negative;
       made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one));
       if (words.unit == "%") made.sentence += in_times(fit.value[i], fit.half_width[i]);
       if (is_named && k < fit.vanishing.size())
-        made.sentence += fmt::format(
-            " (at vanishing spacing {} {})",
-            in_digits_of_interval(std::copysign(1, fit.value[i]) * scale * fit.vanishing[k].value, scale * fit.vanishing[k].half_width),
-            words.unit);
+        made.sentence +=
+            fmt::format(" (at vanishing spacing {} {})",
+                        in_digits_of_interval(std::copysign(1, fit.value[i]) * scale * fit.vanishing[k].value,
+                                              scale * fit.vanishing[k].half_width),
+                        words.unit);
     }
     constexpr double worth_a_word = 0.03;
     if (is_named && fit.noise >= worth_a_word) {
       const Explanation noise = noise_of(fit.noise * squared());
       made.causes.push_back(noise.causes[0]);
       made.share = std::min(1.0, made.share + noise.share);
-      made.sentence += fmt::format(", with noise of {} of the root mean square from sample to sample", quantity(noise.causes[0]));
+      if (is_best)
+        made.sentence +=
+            fmt::format(", with noise of {} of the root mean square from sample to sample", quantity(noise.causes[0]));
     }
     return made;
   }
@@ -1057,7 +1082,8 @@ void hear_all_resolutions(std::vector<Diagnostician>& levels) {
     VectorXd unit = VectorXd::Ones(count);
     const Cause cause = heard[0]->singles()[k].causes[0];
     if (cause == Cause::floor || cause == Cause::ceiling || cause == Cause::walls || cause == Cause::slip) {
-      const Line in_spacings = line_of(value.cwiseQuotient(spacing), deviation.cwiseQuotient(spacing), made.cwiseQuotient(spacing));
+      const Line in_spacings =
+          line_of(value.cwiseQuotient(spacing), deviation.cwiseQuotient(spacing), made.cwiseQuotient(spacing));
       if (in_spacings.scatter < line.scatter) line = in_spacings, unit = spacing;
     }
     if (!std::isfinite(line.at_zero.value) || !std::isfinite(line.at_zero.half_width)) continue;

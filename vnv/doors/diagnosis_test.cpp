@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -26,8 +27,8 @@ std::vector<const Samples*> pointers(const std::vector<Samples>& samples) {
 }
 
 /// Of one resolution: of an exact field with something added, unless something else is said.
-Diagnosis diagnosed(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain, double spacing,
-                    double discretisation = 0) {
+Diagnosis diagnosed(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain,
+                    double spacing, double discretisation = 0) {
   return diagnose(exact, {{samples, spacing}}, domain, discretisation).at(0);
 }
 
@@ -329,10 +330,9 @@ TEST(Diagnosis, NamesWhatWasPlantedWithItsSizeAndNothingWhereNothingWas) {
 }
 
 const Explanation& of(const Diagnosis& diagnosis, const std::string& cause) {
-  return *std::ranges::find_if(
-      diagnosis.explanations, [&](const Explanation& e) {
-        return e.causes[0].cause == cause && (e.causes.size() == 1 || e.causes[1].cause == "noise");
-      });
+  return *std::ranges::find_if(diagnosis.explanations, [&](const Explanation& e) {
+    return e.causes[0].cause == cause && (e.causes.size() == 1 || e.causes[1].cause == "noise");
+  });
 }
 
 TEST(Diagnosis, ListsWhatASteadyParabolaCannotTellApart) {
@@ -423,6 +423,163 @@ TEST(Diagnosis, NamesWhatIsWrongInRunsOfOurOwn) {
       EXPECT_TRUE(of(found, ours.cause).named) << what;
       EXPECT_NEAR(of(found, ours.cause).causes[0].value, ours.value, 0.1 * ours.value) << what;
     }
+}
+
+/// What is said of the flow's first exact field, changed, on a lattice of so many across; the times are those of the
+/// flow.
+Diagnosis said_of(const Flow& flow, const std::function<void(Samples&)>& change, int across = 20) {
+  std::vector<Samples> samples = samples_of(flow, flow.exact[0], {}, flow.across / across);
+  for (Samples& s : samples) change(s), s.pressure = s.v.row(0).transpose().array();
+  return diagnosed(flow.exact[0], pointers(samples), flow.domain, flow.across / across, 0.3);
+}
+/// What a sentence should hold that does not.
+std::string lacks(const Diagnosis& found, const std::vector<std::string>& words) {
+  for (const std::string& one : words)
+    if (found.sentence.find(one) == found.sentence.npos) return one + " in: " + found.sentence;
+  return "";
+}
+void mirror(Samples& s, const FieldTruth& truth, const Box& box, int axis) {
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    Vec2 x = s.x.col(p);
+    x[axis] = box.low[axis] + box.high[axis] - x[axis];
+    s.v.col(p) = truth(x, s.time);
+    if (axis == 0) s.v(0, p) *= -1;
+    if (axis == 1) s.v(1, p) *= -1;
+  }
+}
+
+TEST(Diagnosis, NamesMistakesOfEachFlow) {
+  for (const char* name : {"poiseuille", "couette", "oscillating_poiseuille", "stokes_first", "stokes_second",
+                           "taylor_green", "shear_wave", "manufactured", "elliptic_drop", "hydrostatic"}) {
+    const Flow flow = flow_named(name);
+    const std::string& field = flow.exact[0].field;
+    const bool is_pressure = field == "pressure";
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v.setZero(); }),
+                    {is_pressure ? "there is no pressure" : "the fluid is at rest"}),
+              "")
+        << name;
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v *= -1; }), {"the " + field + " has the wrong sign"}), "")
+        << name;
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v *= 0.8e-3; }),
+                    {fmt::format("the {} is 1000 times too small: {}", field, is_pressure ? "kPa" : "mm/s?"),
+                     "of the 20 % that are left"}),
+              "")
+        << name;
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v *= 1e2; }), {"the " + field + " is 100 times too large"}), "")
+        << name;
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v *= -10; }), {"has the wrong sign and is 10 times too large"}),
+              "")
+        << name;
+    EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v.col(s.size() / 3).array() += 1e3; }), {"one particle, at ("}),
+              "")
+        << name;
+    const Diagnosis in_part = said_of(flow, [](Samples& s) {
+      s.v *= -1;
+      for (Eigen::Index p = 0; p < s.size(); p += 4) s.v.col(p).setConstant(NAN);
+    });
+    EXPECT_EQ(lacks(in_part, {"rows hold no number; of the rest, ", "the wrong sign"}), "") << name;
+    EXPECT_EQ(said_of(flow, [](Samples& s) { s.v.setConstant(INFINITY); }).sentence,
+              "no row of the " + field + " holds a number");
+  }
+}
+
+TEST(Diagnosis, NamesMistakesOfPlaceAndTime) {
+  const Flow couette = flow_named("couette"), patch = flow_named("manufactured"), wave = flow_named("shear_wave"),
+             green = flow_named("taylor_green");
+  const auto mirrored = [](const Flow& flow, int axis) {
+    return [&flow, axis, truth = flow.exact[0].with({})](Samples& s) { mirror(s, truth, flow.domain.box, axis); };
+  };
+  EXPECT_EQ(lacks(said_of(couette, mirrored(couette, 1)), {"the velocity is mirrored along y"}), "");
+  EXPECT_EQ(lacks(said_of(patch, mirrored(patch, 0)), {"the velocity is mirrored along x"}), "");
+  const auto shifted = [](const Flow& flow, const Vec2& part) {
+    return [&flow, part, truth = flow.exact[0].with({})](Samples& s) {
+      for (Eigen::Index p = 0; p < s.size(); ++p)
+        s.v.col(p) = truth(s.x.col(p) - part.cwiseProduct(flow.domain.box.size()), s.time);
+    };
+  };
+  EXPECT_EQ(lacks(said_of(patch, shifted(patch, {0.5, 0})), {"shifted by half of the box along x"}), "");
+  EXPECT_EQ(lacks(said_of(green, shifted(green, {0.25, 0.25})), {"shifted by a quarter of the box along x and y"}), "");
+  EXPECT_EQ(lacks(said_of(wave, shifted(wave, {0, 0.5})),
+                  {"the velocity has the wrong sign",
+                   "; or, indistinguishable by these data: ", "shifted by half of the box along y"}),
+            "");
+  EXPECT_EQ(
+      lacks(said_of(patch, [](Samples& s) { s.v = s.v.colwise().reverse().eval(); }), {"v_x and v_y are swapped"}), "");
+  EXPECT_EQ(lacks(said_of(patch, [](Samples& s) { s.v.row(1) *= -1; }), {"v_y has the wrong sign"}), "");
+  const auto at = [](const Flow& flow, const auto& time) {
+    return [&flow, time, truth = flow.exact[0].with({})](Samples& s) {
+      for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = truth(s.x.col(p), time(s.time));
+    };
+  };
+  const std::vector<double>& times = couette.judged.times;
+  EXPECT_EQ(lacks(said_of(couette, at(couette,
+                                      [&](double t) {
+                                        const auto found = std::ranges::find(times, t);
+                                        return found == times.begin() ? 0.0 : *(found - 1);
+                                      })),
+                  {"the velocity is one output late"}),
+            "");
+  EXPECT_EQ(lacks(said_of(wave, at(wave, [](double) { return 0.0; })), {"is that of the start: nothing changes"}), "");
+}
+
+TEST(Diagnosis, SaysThatAForceIsTwiceOrHalf) {
+  const Flow flow = flow_named("poiseuille");
+  for (const auto& [by, words] : {std::pair(1.0, "(doubled)"), std::pair(-0.5, "(halved)")}) {
+    Changes wrong;
+    wrong(Cause::force) = by;
+    const std::vector<Samples> samples = samples_of(flow, flow.exact[0], wrong, flow.across / 40);
+    const Diagnosis found = diagnosed(flow.exact[0], pointers(samples), flow.domain, flow.across / 40, 0.3);
+    EXPECT_TRUE(of(found, "force").named) << found.sentence;
+    EXPECT_EQ(lacks(found, {words}), "");
+  }
+}
+
+TEST(Diagnosis, NamesNoiseWithTheCauseBesideIt) {
+  const Flow flow = flow_named("poiseuille");
+  Changes by;
+  by(Cause::viscosity) = 0.03;
+  std::vector<Samples> samples = samples_of(flow, flow.exact[0], by, flow.across / 40);
+  Random random(3);
+  RestOfError noise(random, flow.domain, false, 0.01);
+  for (Samples& s : samples) add(s, norm_of(flow.exact[0], s), noise.at(s.x), 1);
+  const Diagnosis found = diagnosed(flow.exact[0], {&samples.back()}, flow.domain, flow.across / 40, 0.3);
+  const Explanation& viscosity = of(found, "viscosity");
+  ASSERT_TRUE(viscosity.named && viscosity.causes.size() == 2) << found.sentence;
+  EXPECT_NEAR(viscosity.causes[0].value, 3, viscosity.causes[0].half_width);
+  EXPECT_NEAR(viscosity.causes[1].value, 1, 3 * viscosity.causes[1].half_width);
+  EXPECT_EQ(lacks(found, {"too viscous", ", with noise of "}), "");
+}
+
+TEST(Diagnosis, SaysWhereAnErrorLiesThatNothingExplains) {
+  const Flow channel = flow_named("poiseuille"), square = flow_named("taylor_green");
+  const auto where = [](const Flow& flow, const std::function<bool(const Vec2&)>& is_there) {
+    return said_of(flow, [&](Samples& s) {
+      const double v = s.v.cwiseAbs().maxCoeff();
+      for (Eigen::Index p = 0; p < s.size(); ++p)
+        if (is_there(s.x.col(p) / flow.across)) s.v(0, p) += (p % 2 == 0 ? 0.3 : -0.2) * v;
+    });
+  };
+  EXPECT_EQ(lacks(where(channel, [](const Vec2& x) { return x.y() < 0.1; }), {"within 2 spacings of the lower wall"}),
+            "");
+  EXPECT_EQ(lacks(where(channel, [](const Vec2& x) { return x.y() > 0.9; }), {"within 2 spacings of the upper wall"}),
+            "");
+  EXPECT_EQ(
+      lacks(where(channel, [](const Vec2& x) { return x.y() < 0.05 || x.y() > 0.95; }), {"of the lower or upper wall"}),
+      "");
+  EXPECT_EQ(lacks(where(channel, [](const Vec2& x) { return std::abs(x.y() - 0.5) < 0.2; }), {"in the core"}), "");
+  EXPECT_EQ(lacks(where(square, [](const Vec2& x) { return x.x() > 0.95; }), {"the seam of the periodic box along x"}),
+            "");
+}
+
+TEST(Diagnosis, OffersNothingThatDiscretisationMayMake) {
+  const Flow flow = flow_named("shear_wave");
+  Changes by;
+  by(Cause::viscosity) = -0.0057;  // as central differences on 24 cells
+  const std::vector<Samples> samples = samples_of(flow, flow.exact[0], by, flow.across / 24);
+  const Diagnosis found = diagnosed(flow.exact[0], pointers(samples), flow.domain, flow.across / 24, 0.3);
+  EXPECT_EQ(found.sentence,
+            "the error of the velocity is no more than discretisation may make at this resolution: finer ones tell");
+  for (const Explanation& one : found.explanations) EXPECT_FALSE(one.named) << one.sentence;
 }
 
 TEST(Diagnosis, SaysThatThereIsNoErrorOrNoFlow) {

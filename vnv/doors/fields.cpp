@@ -264,6 +264,19 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
   return "";
 }
 
+/// Where the origin of places might be that fill the domain, but elsewhere.
+std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin) {
+  constexpr double most = 1 + 1e-9, least = 0.8;  // of the domain that rows of a filled one reach over
+  const Vec2 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff(), size = domain.box.size();
+  for (const int axis : {0, 1}) {
+    if (domain.periodic(axis)) continue;
+    const double spread = high[axis] - low[axis];
+    if (!(spread <= most * size[axis] && spread >= least * size[axis])) return "";
+    origin[axis] += (low[axis] + high[axis]) / 2 - (domain.box.low[axis] + size[axis] / 2);
+  }
+  return fmt::format("; they fit with --origin {:.6g} {:.6g}", origin.x(), origin.y());
+}
+
 }  // namespace
 
 void require_known_names(const Mapping& mapping, const std::string& where) {
@@ -346,11 +359,11 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   });
   if (outside > 0) {
     if (!mapping.inside || outside == count)
-      throw Unreadable(
-          fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
-                      "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
-                      data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
-                      domain.box.high.y(), labels_of(data), guess_of_unit(s.x, domain)));
+      throw Unreadable(fmt::format(
+          "{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
+          "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
+          data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(), domain.box.high.y(),
+          labels_of(data), guess_of_unit(s.x, domain) + guess_of_origin(s.x, domain, mapping.origin)));
     say("left out", fmt::format("{} rows outside the domain", outside));
     count = 0;
     each_row([&](std::size_t row, Eigen::Index p) {

@@ -226,8 +226,8 @@ std::vector<Diagnosis> diagnosed(const Flow& flow, const Exact& exact, const Res
   }
 }
 
-/// Diagnoses each field and level of which a verdict does not hold, an order as its finest level, and adds what is found
-/// to the sentences of these verdicts. If asked, all others too.
+/// Diagnoses each field and level of which a verdict does not hold, an order as its finest level, and adds what is
+/// found to the sentences of these verdicts. If asked, all others too.
 void diagnose_failures(const Flow& flow, const Results& results, const std::vector<Claim>& claims, bool diagnose_all,
                        Record& record) {
   const std::vector<Level>& levels = results.method.levels;

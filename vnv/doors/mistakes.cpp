@@ -22,7 +22,11 @@ std::string nothing_is_there(const Exact& exact) {
 std::string unit_of(const std::string& field, int power) {
   const int size = std::abs(power);
   if (field == "pressure")
-    return size == 2 ? ": hPa?" : size == 3 ? ": kPa, or over the density?" : size == 5 ? ": bar?" : size == 6 ? ": MPa?" : "";
+    return size == 2   ? ": hPa?"
+           : size == 3 ? ": kPa, or over the density?"
+           : size == 5 ? ": bar?"
+           : size == 6 ? ": MPa?"
+                       : "";
   return size == 2 ? ": cm/s?" : size == 3 ? ": mm/s?" : size == 6 ? ": µm/s?" : "";
 }
 
@@ -42,12 +46,13 @@ double after(const std::vector<double>& times, double t) {
 }  // namespace
 
 std::vector<Mistake> mistakes_of_scale(const Exact& exact, double found) {
-  std::vector<Mistake> all{{.cause = "at rest", .unit = "%", .value = -100, .sentence = nothing_is_there(exact), .scale = 0}};
+  std::vector<Mistake> all{
+      {.cause = "at rest", .unit = "%", .value = -100, .sentence = nothing_is_there(exact), .scale = 0}};
   if (exact.field == "pressure") all[0].cause = "no pressure";
   if (!(std::abs(found) > 0) || !std::isfinite(found)) return all;
   const int power = static_cast<int>(std::lround(std::log10(std::abs(found))));
   if (power == 0 && found > 0) return all;
-  std::string sentence = found > 0 ? fmt::format("the {} is", exact.field)
+  std::string sentence = found > 0    ? fmt::format("the {} is", exact.field)
                          : power == 0 ? fmt::format("the {} has the wrong sign", exact.field)
                                       : fmt::format("the {} has the wrong sign and is", exact.field);
   if (power != 0)
@@ -70,19 +75,24 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
   const auto add = [&](std::string cause, std::string sentence, auto seen) {
     all.push_back({.cause = std::move(cause), .sentence = std::move(sentence), .seen = std::move(seen)});
   };
-  if (is_plane) {
-    add("v_x reversed", "v_x has the wrong sign", [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-      return truth(x, t).cwiseProduct(Vec2(-1, 1));
-    });
-    add("v_y reversed", "v_y has the wrong sign", [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-      return truth(x, t).cwiseProduct(Vec2(1, -1));
-    });
-    add("components swapped", "v_x and v_y are swapped",
-        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).reverse(); });
-    if (std::abs(size.x() / size.y() - 1) < 1e-9)
-      add("axes swapped", "x and y are swapped", [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-        return truth(low + (x - low).reverse(), t).reverse();
-      });
+  const auto quarters = [](int n) {
+    return n == 0 ? "no part" : n == 2 ? "half" : n == 1 ? "a quarter" : "three quarters";
+  };
+  for (const auto& [i, j] :
+       {std::pair(2, 0), {0, 2}, {2, 2}, {1, 0}, {3, 0}, {0, 1}, {0, 3}, {1, 1}, {1, 3}, {3, 1}, {3, 3}}) {
+    if ((i > 0 && !domain.periodic(0)) || (j > 0 && !domain.periodic(1))) continue;
+    std::string by = i == 0   ? fmt::format("{} of the box along y", quarters(j))
+                     : j == 0 ? fmt::format("{} of the box along x", quarters(i))
+                     : i == j ? fmt::format("{} of the box along x and y", quarters(i))
+                              : fmt::format("{} of the box along x and {} along y", quarters(i), quarters(j));
+    const Vec2 shift = 0.25 * size.cwiseProduct(Vec2(i, j));
+    add("shifted", fmt::format("{} is shifted by {}", field, by),
+        [=, periodic = domain](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
+          Vec2 from = x - shift;
+          for (const int axis : {0, 1})
+            if (periodic.periodic(axis)) from[axis] = wrapped(from[axis], low[axis], size[axis]);
+          return truth(from, t);
+        });
   }
   for (const int axis : {0, 1}) {
     const char* name = axis == 0 ? "x" : "y";
@@ -102,21 +112,17 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
                  : fmt::format("{} is mirrored along {}", field, name),
         [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(mirrored(x), t); });
   }
-  const auto quarters = [](int n) { return n == 0 ? "no part" : n == 2 ? "half" : n == 1 ? "a quarter" : "three quarters"; };
-  for (const auto& [i, j] : {std::pair(2, 0), {0, 2}, {2, 2}, {1, 0}, {3, 0}, {0, 1}, {0, 3}, {1, 1}, {1, 3}, {3, 1}, {3, 3}}) {
-    if ((i > 0 && !domain.periodic(0)) || (j > 0 && !domain.periodic(1))) continue;
-    std::string by = i == 0   ? fmt::format("{} of the box along y", quarters(j))
-                     : j == 0 ? fmt::format("{} of the box along x", quarters(i))
-                     : i == j ? fmt::format("{} of the box along x and y", quarters(i))
-                              : fmt::format("{} of the box along x and {} along y", quarters(i), quarters(j));
-    const Vec2 shift = 0.25 * size.cwiseProduct(Vec2(i, j));
-    add("shifted", fmt::format("{} is shifted by {}", field, by),
-        [=, periodic = domain](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-          Vec2 from = x - shift;
-          for (const int axis : {0, 1})
-            if (periodic.periodic(axis)) from[axis] = wrapped(from[axis], low[axis], size[axis]);
-          return truth(from, t);
-        });
+  if (is_plane) {
+    add("v_x reversed", "v_x has the wrong sign",
+        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).cwiseProduct(Vec2(-1, 1)); });
+    add("v_y reversed", "v_y has the wrong sign",
+        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).cwiseProduct(Vec2(1, -1)); });
+    add("components swapped", "v_x and v_y are swapped",
+        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).reverse(); });
+    if (std::abs(size.x() / size.y() - 1) < 1e-9)
+      add("axes swapped", "x and y are swapped", [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
+        return truth(low + (x - low).reverse(), t).reverse();
+      });
   }
   const auto add_of_time = [&](std::string cause, std::string sentence, auto time) {
     add(std::move(cause), std::move(sentence),

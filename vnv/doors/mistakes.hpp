@@ -19,7 +19,7 @@ struct Mistake {
   std::string sentence;  // "the velocity has the wrong sign"
   double scale = 1;      // what is seen over what it should be; 0: nothing
   bool of_time = false;  // looked for however small the error is
-  Shown seen{};  // before it is scaled; empty: the truth
+  Shown seen{};          // before it is scaled; empty: the truth
 };
 
 /// Nothing but a factor is wrong: nothing is there, the sign is wrong, or a power of ten, the one that is nearest to

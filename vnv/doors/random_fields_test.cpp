@@ -131,15 +131,17 @@ TEST(RandomFields, AreJudgedWithoutEndingTheJudgement) {
                                          static_cast<int>(kind), factor, levels, coarsest);
     const auto begin = std::chrono::steady_clock::now();
     try {
-      const Judgement judgement = judge_given(flow, std::move(given), {.at_most = 1, .diagnose = one_of(random, 2) == 1});
+      const Judgement judgement =
+          judge_given(flow, std::move(given), {.at_most = 1, .diagnose = one_of(random, 2) == 1});
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
       longest = std::max(longest, taken.count() / std::max(1.0, static_cast<double>(rows) / 1e4));
       EXPECT_FALSE(judgement.record.verdicts.empty()) << what;
-      EXPECT_EQ(record_in(as_json(judgement.record), "as written").verdicts.size(), judgement.record.verdicts.size()) << what;
+      EXPECT_EQ(record_in(as_json(judgement.record), "as written").verdicts.size(), judgement.record.verdicts.size())
+          << what;
       if (is_visible(kind, factor, flow)) {
-        EXPECT_TRUE(std::ranges::any_of(judgement.record.verdicts,
-                                        [](const Verdict& v) { return v.outcome == Outcome::fails; }))
-            << what;
+        EXPECT_TRUE(std::ranges::any_of(judgement.record.verdicts, [](const Verdict& v) {
+          return v.outcome == Outcome::fails;
+        })) << what;
       }
       for (const Exact& exact : flow.exact)
         if (std::ranges::any_of(judgement.record.verdicts, [&](const Verdict& v) {

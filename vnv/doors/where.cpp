@@ -42,10 +42,15 @@ std::string where_it_lies(const std::vector<Located>& all, const Domain& domain,
       continue;
     }
     const bool top_is_free = axis == 1 && high[axis] < domain.box.high[axis];
-    regions.push_back({within + (axis == 0 ? "the left wall" : "the lower wall"), [&, axis](const Vec2& x) { return at_low(x, axis); }});
-    regions.push_back({within + (top_is_free ? "the free surface" : axis == 0 ? "the right wall" : "the upper wall"),
+    regions.push_back({within + (axis == 0 ? "the left wall" : "the lower wall"),
+                       [&, axis](const Vec2& x) { return at_low(x, axis); }});
+    regions.push_back({within + (top_is_free ? "the free surface"
+                                 : axis == 0 ? "the right wall"
+                                             : "the upper wall"),
                        [&, axis](const Vec2& x) { return at_high(x, axis); }});
-    regions.push_back({within + (top_is_free ? "the floor or the free surface" : axis == 0 ? "the side walls" : "the lower or upper wall"),
+    regions.push_back({within + (top_is_free ? "the floor or the free surface"
+                                 : axis == 0 ? "the side walls"
+                                             : "the lower or upper wall"),
                        [&, axis](const Vec2& x) { return at_either(x, axis); }});
   }
   if (walled[0] && walled[1])
@@ -64,7 +69,8 @@ std::string where_it_lies(const std::vector<Located>& all, const Domain& domain,
     if (!(part >= least_part && part >= least_denser * size)) continue;
     if (const double found = part * std::log(part / size); found > most) {
       most = found;
-      best = fmt::format("{:.0f} % of its square lies {}, in {:.0f} % of the fluid", 100 * part, region.name, 100 * size);
+      best =
+          fmt::format("{:.0f} % of its square lies {}, in {:.0f} % of the fluid", 100 * part, region.name, 100 * size);
     }
   }
   return best;

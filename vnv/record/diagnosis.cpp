@@ -17,4 +17,10 @@ std::string in_digits_of_interval(double value, double half_width) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, places, half_width, places);
 }
 
+std::string in_digits(const FittedCause& cause) {
+  if (cause.unit.empty()) return "";
+  return cause.half_width == 0 ? fmt::format("{:.4g}", cause.value)
+                               : in_digits_of_interval(cause.value, cause.half_width);
+}
+
 }  // namespace touchstone::vnv

@@ -8,7 +8,8 @@
 
 namespace touchstone::vnv {
 
-/// By how much one thing would be wrong.
+/// By how much one thing would be wrong. A mistake that is made or not has no interval, nor a unit where it has no
+/// size.
 struct FittedCause {
   std::string cause;                 // "viscosity", "upper wall"
   std::string unit;                  // "%", "spacings"
@@ -30,6 +31,9 @@ struct Explanation {
 
 /// "5.38 ± 0.13": a value of four digits at most, to those of its interval, which reaches to the last of them at least.
 std::string in_digits_of_interval(double value, double half_width);
+
+/// The value with its interval, without its unit; of what has no unit nothing.
+std::string in_digits(const FittedCause& cause);
 
 /// Of one field of one run, at all its times.
 struct Diagnosis {

@@ -14,5 +14,11 @@ TEST(AFittedValue, HasTheDigitsOfItsInterval) {
   EXPECT_EQ(in_digits_of_interval(0, 0), "0 ± 0");
 }
 
+TEST(AFittedValue, OfAMistakeHasNoInterval) {
+  EXPECT_EQ(in_digits({"viscosity", "%", 5.38, 0.13}), "5.38 ± 0.13");
+  EXPECT_EQ(in_digits({"at rest", "%", -100, 0}), "-100");
+  EXPECT_EQ(in_digits({"mirrored along y", "", 1, 0}), "");
+}
+
 }  // namespace diagnosis_test
 }  // namespace touchstone::vnv
