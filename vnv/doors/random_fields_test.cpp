@@ -115,7 +115,7 @@ TEST(RandomFields, AreJudgedWithoutEndingTheJudgement) {
     const auto kind = static_cast<Kind_of_field>(one_of(random, kinds_of_field));
     const double factor = std::pow(10, between(random, -6, 6));
     const int levels = 1 + one_of(random, many ? 5 : 3), coarsest = 4 + one_of(random, 8);
-    Given given{.fields = std::vector<std::string>{"velocity", "pressure", "particles"}};
+    Given given{.fields = std::vector<std::string>{"velocity", velocity_along_x, "pressure", "particles"}};
     Eigen::Index rows = 0;
     for (int level = 0; level < levels; ++level) {
       GivenLevel one{.spacing = flow.across / std::round(coarsest * std::pow(1.4, level))};
