@@ -763,10 +763,9 @@ class Diagnostician {
     explanations.back().named = noise_is_named;
     std::ranges::stable_sort(explanations, std::greater{},
                              [](const Explanation& e) { return std::pair(e.named, e.share); });
-    const auto is_discretisation = [](const Fit& fit) { return fit.suffices() && !fit.stands(); };
     if (explanations.front().named)
       all.sentence += in_words(explanations);
-    else if (std::ranges::any_of(fits, is_discretisation))
+    else if (std::ranges::any_of(fits, [&](const Fit& fit) { return is_discretisation(fit); }))
       all.sentence +=
           fmt::format("the error of the {} is no more than discretisation may make at this resolution: finer ones tell",
                       exact_.field);
@@ -794,6 +793,17 @@ class Diagnostician {
   }
 
   bool is_noise(const Explanation& noise) const { return best_share(single_) == 0 && noise.share >= sufficient; }
+
+  /// Whether a fit is of what goes with the spacing: the whole error is of the size that discretisation may make, or
+  /// the value is known to be less at vanishing spacing.
+  bool is_discretisation(const Fit& fit) const {
+    if (!fit.suffices() || fit.stands()) return false;
+    constexpr double of_that_size = 4;  // of squares
+    return squared() <= of_that_size * modes_.squaredNorm() ||
+           std::ranges::any_of(fit.vanishing, [&](const Extrapolated& e) {
+             return std::abs(e.value) + e.half_width < std::abs(fit.value[0]);
+           });
+  }
 
   std::string nothing_explains(const std::vector<Fit>& fits) const {
     std::string sentence = fmt::format("none of the known causes explains the error of the {}", exact_.field);
