@@ -62,6 +62,15 @@ std::string linear_commands(const char* name, const vnv::Axis& axis, double low,
   return range_command(name, from, to) + fmt::format("set {}tics {:.9g}\n", name, step);
 }
 
+// A label longer than an axis goes on in a second line, after a comma.
+std::string label_in_lines(const std::string& label) {
+  constexpr std::size_t most = 50;  // letters
+  const auto in_quotes = [](const std::string& text) { return gnuplot_string(gnuplot_label(text)); };
+  const std::size_t comma = label.size() > most ? label.rfind(", ", most) : std::string::npos;
+  if (comma == std::string::npos) return in_quotes(label);
+  return in_quotes(label.substr(0, comma + 1)) + " . \"\\n\" . " + in_quotes(label.substr(comma + 2));
+}
+
 }  // namespace
 
 bool is_drawable(double value, const vnv::Axis& axis) {
@@ -92,7 +101,7 @@ std::string range_command(const char* name, double low, double high) {
 
 std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent) {
   const auto [low, high] = extent.range();
-  return fmt::format("set {0}label {1}\n", name, gnuplot_string(gnuplot_label(axis.label))) +
+  return fmt::format("set {0}label {1}\n", name, label_in_lines(axis.label)) +
          (axis.logarithmic ? logarithmic_commands(name, low, high) : linear_commands(name, axis, low, high));
 }
 

@@ -109,6 +109,15 @@ TEST(Labels, BecomeNoCommands) {
   EXPECT_FALSE(fs::exists(folder / "owned"));
 }
 
+TEST(Labels, OfAxesThatAreLongerThanTheseGoOnInASecondLine) {
+  vnv::Record record = sample_record();
+  record.figures[0].y.label = "RMS error of L for T in [1, 1.5], without time shift, front as 99.5th percentile [-]";
+  const ScratchFolder folder;
+  EXPECT_TRUE(contains(profile_of({record}).script,
+                       "set ylabel 'RMS error of L for T in [1, 1.5],' . \"\\n\" . 'without time shift, front as"));
+  EXPECT_TRUE(fs::exists(folder / draw(record.figures[0], {"poiseuille", {record}}, folder.path()).image));
+}
+
 TEST(Labels, OfAxesShowSymbolsAndKeepOtherUnderscores) {
   EXPECT_EQ(gnuplot_label("v_x [mm/s]"), "{/:Italic v}_{x} [mm/s]");
   EXPECT_EQ(gnuplot_label("10^-3 of mpm_reset"), "10^{−3} of mpm\\_reset");

@@ -174,8 +174,8 @@ std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<
   std::string items;
   for (const auto& [error, item] : found | std::views::take(most)) items += item;
   if (items.empty()) return "";
-  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {} methods{}</p>\n", far_off,
-                     found.size(), found.size() > most ? ", the farthest:" : "") +
+  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {}{}</p>\n", far_off,
+                     counted(std::ssize(found), "method"), found.size() > most ? ", the farthest:" : "") +
          html_list("declared", items);
 }
 
@@ -272,6 +272,19 @@ std::string work_link(const std::vector<CaseRecords>& cases) {
          "time</a>.</p>\n";
 }
 
+/// The first ten items of a list, and a fold with the others.
+std::string folded(const std::string& list) {
+  constexpr std::string_view end = "</li>\n";
+  std::size_t at = 0;
+  for (int shown = 0; shown < 10 && at != std::string::npos; ++shown)
+    if (at = list.find(end, at); at != std::string::npos) at += end.size();
+  if (at == std::string::npos || !list.substr(at).starts_with("<li>")) return list;
+  const auto others = std::ranges::count(list.substr(at), '\n') - 1;
+  const std::string head = list.substr(0, list.find('\n') + 1);
+  return fmt::format("{}</ul>\n<details>\n<summary>{} more</summary>\n{}{}</details>\n", list.substr(0, at), others,
+                     head, list.substr(at));
+}
+
 /// Red and amber, with ids and expiry dates; empty if nothing fails and nothing is known.
 std::string status_html(const NightStatus& s) {
   std::string red, amber;
@@ -288,7 +301,7 @@ std::string status_html(const NightStatus& s) {
     amber += fmt::format("<li>{} <small>known as {} until {}: {}</small></li>\n", typeset(s.known[i].sentence),
                          escape(s.of_known[i].id), s.of_known[i].expires, typeset(s.of_known[i].reason));
   const std::string note = s.claims.note.empty() ? "" : fmt::format("<p>{}</p>\n", escape(s.claims.note));
-  return html_list("fails", red) + html_list("known", amber) + note;
+  return folded(html_list("fails", red)) + folded(html_list("known", amber)) + note;
 }
 
 constexpr const char* verdicts_link =
@@ -318,7 +331,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
       "<p class=\"files\">Tables for other programs: <a href=\"verdicts.csv\">verdicts</a> <a "
       "href=\"orders.csv\">orders</a> <a href=\"cost.csv\">cost</a></p>\n</main>\n",
       kind_of_night(sum, status), sentence(sum), known_words(status), status_html(status),
-      list_of(vnv::Outcome::inconclusive, verdicts),
+      folded(list_of(vnv::Outcome::inconclusive, verdicts)),
       "<div class=\"front\">\n" + work_figure(cases, standings) + "<div>\n" + legend(standings, status) +
           most_wrong(cases, standings, status) + "</div>\n</div>\n",
       tables_of_methods(cases, standings, status),

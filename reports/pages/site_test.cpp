@@ -81,12 +81,23 @@ TEST_F(Site, TellsAMethodThatTheoryOrLiteratureCallsRightFromOneThatIsAsWrongAsA
       html,
       "2 of 2 claims hold. Literature set the limits of 1; 1 says no more than that values are as last accepted."));
   EXPECT_TRUE(contains(html, "<td class=\"holds words\">agrees <small>literature</small></td>")) << html;
-  EXPECT_TRUE(contains(html, "<td class=\"accepted words\">as last accepted, <b>wrong by 51\u202f%</b></td>"))
-      << html;
+  EXPECT_TRUE(contains(html, "<td class=\"accepted words\">as last accepted, <b>wrong by 51\u202f%</b></td>")) << html;
   EXPECT_TRUE(contains(html, "<li class=\"holds\"><b>1 converge or agree</b>"));
   EXPECT_TRUE(contains(html, "<li class=\"accepted\"><b>1 as last accepted</b>"));
   EXPECT_TRUE(contains(html, "<img src=\"poiseuille/profile.svg\"")) << "of the case";
   EXPECT_TRUE(contains(page("verdicts.html"), "<td class=\"accepted\">as accepted</td>"));
+}
+
+TEST_F(Site, FoldsAllButTenFailures) {
+  vnv::Record record = sample_record();
+  record.verdicts.assign(10, sample_verdict(vnv::Outcome::fails, -0.3));
+  put(record);
+  make_site(records, site);
+  EXPECT_FALSE(contains(page("index.html"), "<details>"));
+  record.verdicts.assign(12, sample_verdict(vnv::Outcome::fails, -0.3));
+  put(record);
+  make_site(records, site);
+  EXPECT_TRUE(contains(page("index.html"), "</ul>\n<details>\n<summary>2 more</summary>\n<ul class=\"fails\">\n<li>"));
 }
 
 TEST_F(Site, CallsEachVerdictWhatItIs) {
@@ -208,7 +219,7 @@ TEST_F(Site, SaysWhichMethodIsCheapestToEachErrorAndByHowMuch) {
   make_site(records, site);
   const std::string html = page("work.html");
   for (const char* words : {"<b>mpm</b>", "sph ×\u202f3", "<b>sph</b>", "mpm not reached", "none; sph 0.1",
-                            "2 CPU s to 1 %, the next, sph, 3 times as much"})
+                            "2 CPU s to 1\u202f%, the next, sph, 3 times as much"})
     EXPECT_TRUE(contains(html, words)) << words << html;
   EXPECT_TRUE(contains(page("index.html"), "href=\"work.html\""));
   EXPECT_TRUE(contains(page("index.html"), "<a href=\"poiseuille/index.html#work\"><img src=\"poiseuille/work.svg\""));

@@ -71,7 +71,7 @@ std::string table_of_defaults(const std::vector<CaseRecords>& cases) {
   for (const CaseRecords& records : cases)
     if (const auto chosen = vnv::default_method(vnv::prices_of(records.records)))
       table.rows.push_back({words_cell(escape(records.title())), HtmlCell("<b>" + escape(chosen->method) + "</b>"),
-                            words_cell(escape(chosen->reason))});
+                            words_cell(typeset(chosen->reason))});
   return to_html(table);
 }
 

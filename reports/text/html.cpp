@@ -54,7 +54,7 @@ std::string escape(std::string_view text) {
 }
 
 std::string typeset(std::string_view text) {
-  return with_symbols(escape(text), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
+  return with_symbols(replaced(escape(text), " %", "\u202f%"), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
 }
 
 std::string breakable(std::string_view name) {

@@ -19,7 +19,7 @@ std::string with_symbols(const std::string& text, const std::string& symbol, con
 /// Text as HTML shows it: & < > " and ' are spelled out.
 std::string escape(std::string_view text);
 
-/// Escaped, with symbols as in print.
+/// Escaped, with symbols as in print and no break before a %.
 std::string typeset(std::string_view text);
 
 /// An escaped name that may break after an underscore and before a capital.

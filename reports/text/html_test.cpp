@@ -16,6 +16,8 @@ TEST(Html, SetsIndexAndPowerButNotTheNameOfAMethod) {
   EXPECT_EQ(typeset("ν·∂v_x/∂y"), "ν·∂<i>v</i><sub>x</sub>/∂y");
 }
 
+TEST(Html, DoesNotPartANumberFromItsPerCent) { EXPECT_EQ(typeset("L2 = 2.51 %, limit"), "L2 = 2.51\u202f%, limit"); }
+
 TEST(Html, LeavesNamesAndLoneSignsAlone) {
   for (const char* text : {"mpm_reset", "a ^ b", "_x", "v_", "v_ x", "^", "2^-"}) EXPECT_EQ(typeset(text), text);
 }
