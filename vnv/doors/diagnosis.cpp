@@ -211,10 +211,16 @@ class Seen {
   static constexpr Index most_samples = 1500, most_times = 6;
   static constexpr double largest = 1e100;  // of what can be squared and summed
 
+  /// Between plates the component along them is enough.
+  static bool lacks_v_y(const Samples& all) { return all.v.row(1).array().isNaN().all(); }
+
   /// Some of the rows that hold numbers, and with them those whose numbers are largest.
   std::vector<Index> chosen_of(const Samples& all) {
     const bool is_pressure = exact_.field == "pressure";
-    const auto size = [&](Index p) { return is_pressure ? std::abs(all.pressure[p]) : all.v.col(p).cwiseAbs().sum(); };
+    const Index given = lacks_v_y(all) ? 1 : 2;
+    const auto size = [&](Index p) {
+      return is_pressure ? std::abs(all.pressure[p]) : all.v.col(p).head(given).cwiseAbs().sum();
+    };
     const auto is_usable = [&](Index p) {
       const double volume = all.mass[p] / all.density[p];
       return size(p) < largest && volume > 0 && volume < largest && all.x.col(p).allFinite();
@@ -271,6 +277,7 @@ class Seen {
       m.weight = (volumes / volumes.sum()).cwiseSqrt();
       Vectors right(2, m.x.cols());
       for (Index p = 0; p < m.x.cols(); ++p) right.col(p) = truth(m.x.col(p), m.time);
+      if (exact_.field == "velocity" && lacks_v_y(all)) m.v.row(1) = right.row(1);  // what is not given is not wrong
       if (exact_.less_mean) right.colwise() -= (right * m.weight.cwiseAbs2()).eval();
       return right;
     };
