@@ -16,7 +16,7 @@ class Known:
     change: str = ""  # a file below vnv/trials that says what the last commit of the clone changes
 
 
-HOLD = r"(\d+) of \1 methods hold, (\d+) of \2 claims\s*$"
+HOLD = r"(\d+) of \1 methods hold, (\d+) of \2 claims"
 FORGET = "rm -rf build/records"  # or else what has been judged is skipped
 
 
@@ -96,7 +96,7 @@ BY_NIGHT = [
     in_clone("cmake --build build --target vnv_command", "Linking CXX executable vnv/vnv"),
     in_clone("cmake --build build --target poiseuille", "Linking CXX executable vnv/poiseuille"),
     in_clone("vnv run poiseuille -j 2", HOLD),
-    in_clone("vnv run poiseuille", HOLD, first=FORGET),
+    in_clone("vnv run poiseuille", HOLD + ".*7 skipped"),
     in_clone("cmake --build build --target check_headers", "vnv_headers"),
     in_clone("ctest -S .ci/nightly.cmake -V -DHISTORY=FOLDER", r"acceptance\.pages(.*\n)*100% tests passed", also=" '-DLABEL=^acceptance$'"),
     in_clone("ctest --test-dir build -L unit", UNITS),

@@ -83,8 +83,6 @@ def try_one(entry, command, scratch):
     """What it says is what it should say, and so is how it ends."""
     began, here, around = time.monotonic(), scratch / entry.folder, surroundings(scratch)
     (scratch / "asked").write_text("", encoding="utf-8")
-    if entry.needs and not shutil.which(entry.needs):
-        return f"not run: no {entry.needs}"
     if entry.change:
         commit(entry.change, here)
     if entry.first:
@@ -168,7 +166,11 @@ def main(arguments):
         prepare(build, scratch)
         for entry in entries:
             for command in printed_as(entry, printed):
-                if re.search(options.only, f"{command}{entry.also}"):
+                if not re.search(options.only, f"{command}{entry.also}"):
+                    continue
+                if entry.needs and not shutil.which(entry.needs):
+                    print(f"left out {command}: no {entry.needs}")
+                else:
                     trials.attempt(command + entry.also, lambda: try_one(entry, command, scratch))
     print(f"{trials.count} commands, {trials.failed} failed")
     return 1 if trials.failed else 0
