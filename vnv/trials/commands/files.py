@@ -176,7 +176,7 @@ def write_all(vnv, case, examples, folder):
     fluid = {"x": along["x"], "y": along["y"], "u": along["v_x"], "v": [0.0] * len(along["x"])}
     wall = {"x": along["x"][:50], "y": [-0.01] * 50, "u": [1.0] * 50, "v": [0.0] * 50}  # no fluid: were it judged, it would be wrong
     write_pysph(folder / "pysph_100.npz", 20.0, {"fluid": fluid, "wall": wall})
-    along = channel(vnv, folder, "stokes_second", 40, 0.015, thicker=1.05)
+    along = channel(vnv, folder, "stokes_second", 40, 0.015, thicker=1.2)
     write_hdf5(folder / "plate.h5", {"x": along["x"], "y": along["y"], "u": along["v_x"], "v": [0.0] * len(along["x"]), "t": [0.015] * len(along["x"])})
     scene, at = scene_and_particles(vnv, folder, "taylor_green --set Re=100", 1 / 40)
     decay = math.exp(-8 * math.pi**2 * scene["fluid"]["viscosity [Pa s]"] / scene["fluid"]["density [kg/m³]"] * 0.1)
