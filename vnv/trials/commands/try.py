@@ -44,15 +44,18 @@ def copied(build, here, cases):
             (here / file.name).symlink_to(file)
     shutil.copytree(ROOT / "data", here / "data")
     (here / "build/data").symlink_to(here / "data")  # where programs look first
-    for file in [build / "reports/touchstone_report", *(build / "vnv").iterdir()]:
-        is_case = file.with_name(f"{file.name}_tests.cmake").is_file()
-        is_wanted = not is_case or cases is None or file.name in cases
-        if file.is_file() and not file.name.endswith(("_test", ".a", ".so")) and is_wanted:
-            with contextlib.suppress(OSError):  # else on another file system
-                os.link(file, here / "build" / file.relative_to(build))
-                continue
-            shutil.copy(file, here / "build" / file.relative_to(build))
-    built = [name for name in (build / "vnv/cases.txt").read_text(encoding="utf-8").split() if (here / "build/vnv" / name).is_file()]
+    names = (build / "vnv/cases.txt").read_text(encoding="utf-8").split()
+    wanted = [name for name in names if cases is None or name in cases]
+    programs = ["reports/touchstone_report", *(f"vnv/{name}" for name in ("vnv", "touchstone_guard", *wanted))]
+    tests = [f"vnv/{file.name}" for file in (build / "vnv").glob("*.cmake")]
+    for name in ["vnv/cases.txt", *programs, *tests]:  # not all: other tests make files there and remove them
+        if not (build / name).is_file():
+            continue
+        try:
+            os.link(build / name, here / "build" / name)
+        except OSError:  # on another file system
+            shutil.copy(build / name, here / "build" / name)
+    built = [name for name in wanted if (here / "build/vnv" / name).is_file()]
     (here / "build/vnv/cases.txt").unlink()
     (here / "build/vnv/cases.txt").write_text("\n".join(built) + "\n", encoding="utf-8")
     cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
