@@ -1,7 +1,6 @@
 /// vnv order: the observed order of convergence of any table of errors, or of values whose truth nobody knows.
 
 #include "vnv/command/commands.hpp"
-#include "vnv/doors/read/dataset.hpp"
 #include "vnv/judge/grid_convergence.hpp"
 #include "vnv/judge/order.hpp"
 
@@ -10,17 +9,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 namespace touchstone::vnv::command {
 namespace {
 
-/// A column of a table by falling spacing, which its first column holds.
-std::vector<AtSpacing> ladder_of(const doors::Array& spacings, const doors::Array& column) {
+/// A column of a table by falling spacing.
+std::vector<AtSpacing> ladder_of(const std::vector<double>& spacings, const std::vector<double>& values) {
   std::vector<AtSpacing> ladder;
-  for (std::size_t row = 0; row < spacings.values.size(); ++row)
-    ladder.push_back({spacings.values[row], column.values[row]});
+  for (std::size_t row = 0; row < spacings.size(); ++row) ladder.push_back({spacings[row], values[row]});
   std::ranges::sort(ladder, std::greater{}, &AtSpacing::spacing);
   return ladder;
 }
@@ -34,44 +32,73 @@ ObservedOrder order_of(const std::vector<AtSpacing>& ladder) {
   return observe_order(std::move(spacings), std::move(errors));
 }
 
-/// A line for each three neighbours, the finest last. Throws std::invalid_argument for fewer than three.
-GridConvergence print_convergence(const std::string& name, const std::vector<AtSpacing>& ladder) {
+/// A line for each three neighbours, the finest last, and whether its order can be believed: Eça & Hoekstra (2014)
+/// trust one from 0.5 to about the formal one, of values that neither swing nor part. Throws std::invalid_argument for
+/// fewer than three.
+bool print_convergence(const std::string& name, const std::vector<AtSpacing>& ladder, double formal_order,
+                       double& order) {
   if (ladder.size() < 3)
     throw std::invalid_argument(
         fmt::format("{}: {} resolutions, expected at least 3 to extrapolate values", name, ladder.size()));
-  GridConvergence found{};
+  bool is_trusted = false;
   for (std::size_t k = 2; k < ladder.size(); ++k) {
-    found = grid_convergence(ladder[k - 2], ladder[k - 1], ladder[k]);
-    fmt::print("{} at spacings {:g}, {:g}, {:g}: ", name, ladder[k - 2].spacing, ladder[k - 1].spacing,
-               ladder[k].spacing);
+    const AtSpacing& finest = ladder[k];
+    const auto percent = [&](double part) {
+      return finest.value == 0 ? "" : fmt::format(" ({:.3g} %)", 100 * part / std::abs(finest.value));
+    };
+    const GridConvergence found = grid_convergence(ladder[k - 2], ladder[k - 1], finest);
+    is_trusted =
+        found.trend == GridConvergence::Trend::monotone && found.order >= 0.5 && found.order <= 1.05 * formal_order;
+    order = found.order;
+    fmt::print("{} at spacings {:g}, {:g}, {:g}: ", name, ladder[k - 2].spacing, ladder[k - 1].spacing, finest.spacing);
     switch (found.trend) {
       case GridConvergence::Trend::monotone:
-        fmt::print(
-            "observed order {:.4g}, extrapolated to {:.8g}, grid convergence index {:.3g}{}\n", found.order,
-            found.extrapolated, found.index,
-            ladder[k].value == 0 ? "" : fmt::format(" ({:.3g} %)", 100 * found.index / std::abs(ladder[k].value)));
+        fmt::print("observed order {:.4g}", found.order);
+        if (is_trusted)
+          fmt::print(", extrapolated to {:.8g}, grid convergence index {:.3g}{}", found.extrapolated, found.index,
+                     percent(found.index));
         break;
       case GridConvergence::Trend::constant:
-        fmt::print("does not change\n");
+        fmt::print("does not change");
+        is_trusted = true;
         break;
       case GridConvergence::Trend::oscillating:
-        fmt::print("oscillates: no order, no extrapolation\n");
+        fmt::print("oscillates: no order, no extrapolation");
         break;
       case GridConvergence::Trend::diverging:
-        fmt::print("does not converge\n");
+        fmt::print("does not converge");
         break;
     }
+    if (!is_trusted) {
+      const NumericalUncertainty u =
+          numerical_uncertainty({ladder.begin(), ladder.begin() + static_cast<long>(k) + 1}, formal_order);
+      fmt::print("{}; numerical uncertainty {:.3g}{}: {}",
+                 found.order > 1.05 * formal_order
+                     ? fmt::format(", above the formal order {:g} (--formal-order) and not trusted", formal_order)
+                     : "",
+                 u.standard, percent(u.standard), u.basis);
+    }
+    fmt::print("\n");
   }
-  return found;
+  return is_trusted;
 }
 
-void print(const std::string& name, const ObservedOrder& order) {
+bool falls_throughout(const ObservedOrder& order) {
+  return std::ranges::all_of(order.pairwise, [](double pair) { return pair > 0; }) || order.trend == Trend::diverging ||
+         order.trend == Trend::stalled;
+}
+
+void print(const std::string& name, const ObservedOrder& order, std::optional<double> formal_order) {
   fmt::print("{}: observed order {:.4g} +- {:.2g} over {} resolutions, {}{}\n", name, order.order, order.half_width,
              order.errors.size(), name_of(order.trend), order.asymptotic ? ", asymptotic" : "");
   if (!std::isnan(order.floor))
     fmt::print("  above a floor of {:.4g} +- {:.2g}: {:.4g} +- {:.2g}\n", order.floor, order.floor_half_width,
                order.order_to_floor, order.order_to_floor_half_width);
   fmt::print("  between neighbours: {:.4g}\n", fmt::join(order.pairwise, ", "));
+  if (!falls_throughout(order))
+    fmt::print("  not trusted: the errors do not fall from each resolution to the next\n");
+  else if (formal_order && order.order > 1.5 * *formal_order)
+    fmt::print("  not trusted: far above the formal order {:g}\n", *formal_order);
 }
 
 /// Whether the whole 95 % interval, above a floor if there is one, lies above a limit.
@@ -79,27 +106,26 @@ bool is_surely_above(const ObservedOrder& order, double limit) {
   const bool above_floor = !std::isnan(order.floor);
   const double middle = above_floor ? order.order_to_floor : order.order,
                half = above_floor ? order.order_to_floor_half_width : order.half_width;
-  return order.trend == Trend::converging && middle - half > limit;
+  return order.trend == Trend::converging && falls_throughout(order) && middle - half > limit;
 }
 
 }  // namespace
 
 int order(const Build&, const OrderOptions& options) {
-  const std::vector<doors::Dataset> tables = doors::read_datasets(options.file);
-  if (tables.size() != 1 || tables[0].arrays.size() < 2)
-    throw std::invalid_argument(
-        fmt::format("{}: expected one table, of a column of spacings and others of errors or values", options.file));
-  const std::vector<doors::Array>& columns = tables[0].arrays;
+  const OrderTable table = order_table(options.file, options.table);
+  fmt::print("spacing: {}\n", table.resolution);
+  if (!table.left_alone.empty()) fmt::print("left alone: {}\n", fmt::join(table.left_alone, ", "));
   bool all_above = true;
-  for (std::size_t k = 1; k < columns.size(); ++k) {
-    const std::vector<AtSpacing> ladder = ladder_of(columns[0], columns[k]);
+  for (const TableColumn& column : table.columns) {
+    const std::vector<AtSpacing> ladder = ladder_of(table.spacings, column.values);
     if (options.are_values) {
-      const double order = print_convergence(columns[k].name, ladder).order;
-      all_above &= !options.surely_above || order > *options.surely_above;
+      double found = 0;
+      const bool is_trusted = print_convergence(column.name, ladder, options.formal_order.value_or(2), found);
+      all_above &= !options.surely_above || (is_trusted && found > *options.surely_above);
       continue;
     }
     const ObservedOrder found = order_of(ladder);
-    print(columns[k].name, found);
+    print(column.name, found, options.formal_order);
     all_above &= !options.surely_above || is_surely_above(found, *options.surely_above);
   }
   if (options.surely_above)

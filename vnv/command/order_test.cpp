@@ -4,19 +4,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace touchstone::vnv::command {
 namespace order_test {
 
 class OrderOfATable : public testing::Test {
  protected:
   /// What `vnv order` prints of a table, and its exit status.
-  std::string said(const std::string& table, std::optional<double> surely_above = std::nullopt,
-                   bool are_values = false) {
+  std::string said(const std::string& table, std::optional<double> surely_above = std::nullopt, bool are_values = false,
+                   const SaidOfTable& of_table = {}) {
     files::write_whole(file, table);
     testing::internal::CaptureStdout();
     std::string refusal;
     try {
-      status = order({}, {.file = file.string(), .are_values = are_values, .surely_above = surely_above});
+      status =
+          order({}, {.file = file.string(), .table = of_table, .are_values = are_values, .surely_above = surely_above});
     } catch (const std::invalid_argument& error) {
       refusal = error.what();
     }
@@ -42,9 +46,84 @@ TEST_F(OrderOfATable, IsNotSurelyAboveALimitThatItsIntervalReaches) {
   EXPECT_EQ(status, all_holds) << "nothing was asked";
 }
 
+/// A layout of somebody's table, the column that is judged, and its order.
+struct Layout {
+  const char* table;
+  const char* column;
+  double order;
+  SaidOfTable said{};
+};
+
+const std::vector<Layout> layouts{
+    {"N,L2,H1\n2,0.202511,1.00388\n4,0.0510494,0.502255\n8,0.0128262,0.251625\n16,0.00321117,0.125813\n", "L2", 1.993},
+    {"cells,u_error,p_error\n20,3.10e-2,4.0e-2\n60,1.79e-2,4.45e-3\n180,1.036e-2,4.94e-4\n540,5.99e-3,5.49e-5\n",
+     "u_error", 0.499},
+    {"particles,L2\n400,0.25\n1600,0.0625\n6400,0.015625\n", "L2", 2},
+    {"particles,L2\n1000,0.4\n8000,0.2\n64000,0.1\n", "L2", 1, {.dimension = 3}},
+    {"  nx    dx    error\n 10  1e-1  1e-2\n 20  5e-2  25e-4\n 40  2.5e-2  6.25e-4\n", "error", 2},
+    {"h    | Error | Running EOC  \n-----+-------+-------\n0.25 | 1.6   |      \n0.125| 0.4 | 2\n0.0625 | 0.1 | 2\n",
+     "Error", 2},
+    {"| h | L2 error | order |\n|---|:-:|--:|\n| 0.4 | 4 | - |\n| 0.2 | 2 | 1.0 |\n| 0.1 | 1 | 1.0 |\n", "L2 error", 1},
+    {"# dx [m]\tL2 [%]\tCPU time [s]\n0.4\t16\t1\n0.2\t4\t8\n0.1\t1\t64\n", "L2 [%]", 2},
+    {"Δx;L1;L∞\n0,4;16;4\n0,2;4;2\n0,1;1;1\n", "L∞", 1},
+    {"cycle cells dofs L2\n0 16 25 8e-2\n1 64 81 2.469e-2\n2 256 289 6.92e-3\n", "L2", 2, {.resolution = "dofs"}},
+    {"h  L2 error  rate\n0.4 16\n0.2 4 2.0\n0.1 1 2.0\n", "L2 error", 2},
+    {"scheme,spacing,L2\nWCSPH,0.4,16\nWCSPH,0.2,4\nWCSPH,0.1,1\n", "L2", 2},
+    {"nx, L2\n\n10, 1.6D-01\n20, 0.4D-01\n40, 0.1D-01\n# made by hand\n", "L2", 2},
+    {"$h/H$ & $L_2$ \\\\\n0.4 & 16 \\\\\n0.2 & 4 \\\\\n0.1 & 1 \\\\\n", "$L_2$", 2},
+    {"0.4 16\n0.2 4\n0.1 1\n", "column 2", 2, {.told_by = "spacing"}},
+    {"resolution,L2\n10,4\n20,2\n40,1\n", "L2", 1, {.told_by = "across"}},
+    {"1/h,L2\n10,4\n20,2\n40,1\n", "L2", 1},
+    {"dt,error\n0.4,16\n0.2,4\n0.1,1\n", "error", 2},
+};
+
+TEST_F(OrderOfATable, KnowsTheResolutionByItsHeadingInManyLayouts) {
+  for (const auto& [table, column, expected, with] : layouts) {
+    said(table, {}, false, with);
+    const OrderTable read = order_table(file, with);
+    const auto at = std::ranges::find(read.columns, column, &TableColumn::name);
+    ASSERT_NE(at, read.columns.end()) << table;
+    const double ratio = at->values.front() / at->values.back(),
+                 of_spacing = read.spacings.front() / read.spacings.back();
+    EXPECT_NEAR(std::log(ratio) / std::log(of_spacing), expected, 0.01 * expected) << table;
+    EXPECT_EQ(status, all_holds) << table;
+  }
+}
+
+TEST_F(OrderOfATable, LeavesAloneWhatIsNoError) {
+  const std::string words = said("run,N,L2,L2 order,CPU [s]\na,10,4,-,1\nb,20,2,1,2\nc,40,1,1,4\n");
+  EXPECT_NE(words.find("spacing: 1/N\nleft alone: run, L2 order, CPU [s]\nL2: observed order 1 +- "), std::string::npos)
+      << words;
+  EXPECT_NE(
+      said("N,error of the order,decay rate error\n10,4,4\n20,2,2\n40,1,1\n").find("left alone: error of the order\n"),
+      std::string::npos);
+}
+
+TEST_F(OrderOfATable, AsksWhereTheResolutionIsNotKnown) {
+  EXPECT_NE(said("0.1 1\n0.2 2\n").find("which of its columns, column 1, column 2, tells the resolution"),
+            std::string::npos);
+  EXPECT_NE(said("M,L2\n1,2\n2,1\n").find("--told-by spacing, across"), std::string::npos);
+  EXPECT_NE(said("cells,dofs,L2\n16,25,4\n64,81,2\n").find("columns cells and dofs tell different resolutions"),
+            std::string::npos);
+  EXPECT_NE(said("N,L2\n1,2\n2,1\n", {}, false, {.resolution = "n"}).find("no column 'n', expected one of: N, L2"),
+            std::string::npos);
+}
+
 TEST_F(OrderOfATable, IsRefusedOfWhatIsNoLadder) {
-  EXPECT_NE(said("spacing\n0.1\n0.2\n").find("expected one table, of a column of spacings"), std::string::npos);
-  EXPECT_NE(said("spacing,L2\n-0.1,1\n0.2,2\n").find("expected"), std::string::npos);
+  EXPECT_NE(said("spacing\n0.1\n0.2\n").find("no row of numbers"), std::string::npos);
+  EXPECT_NE(said("spacing,CPU time\n0.1,1\n0.2,1\n").find("no column of errors"), std::string::npos);
+  EXPECT_NE(said("spacing,L2\n-0.1,1\n0.2,2\n").find("row 1: spacing = -0.1, expected a positive number"),
+            std::string::npos);
+  EXPECT_NE(said("spacing,L2\n0.1,1\n0.1,2\n").find("rows 1 and 2: spacing = 0.1 twice"), std::string::npos);
+  EXPECT_NE(said("spacing,L2\n0.1,1\n0.2,2\n0.3,4,5\n").find("errors.csv:4: 3 cells, expected 2"), std::string::npos);
+  EXPECT_NE(said("spacing,L2\n0.1,1\n0.2,diverged\n").find("errors.csv:3: '0.2,diverged', expected a row of numbers"),
+            std::string::npos);
+}
+
+TEST_F(OrderOfATable, IsNotTrustedOfErrorsThatRiseAndFall) {
+  const std::string words = said("h,L2\n0.8,64\n0.4,1\n0.2,4\n0.1,0.1\n", 0.1);
+  EXPECT_NE(words.find("not trusted: the errors do not fall"), std::string::npos) << words;
+  EXPECT_EQ(status, something_fails);
 }
 
 TEST_F(OrderOfATable, OfValuesIsToldWithTheirExtrapolationAndTheGridConvergenceIndex) {
@@ -54,9 +133,21 @@ TEST_F(OrderOfATable, OfValuesIsToldWithTheirExtrapolationAndTheGridConvergenceI
             std::string::npos)
       << words;
   EXPECT_EQ(status, all_holds);
+  EXPECT_NE(said("N,Cd\n20,1.125\n40,1.03125\n80,1.0078125\n", {}, true)
+                .find("extrapolated to 1, grid convergence index 0.00977 (0.969 %)"),
+            std::string::npos);
   EXPECT_NE(said("spacing,drag\n1,1\n2,3\n4,2\n", 1, true).find("oscillates"), std::string::npos);
   EXPECT_EQ(status, something_fails);
   EXPECT_NE(said("spacing,drag\n1,1\n2,3\n", {}, true).find("2 resolutions, expected at least 3"), std::string::npos);
+}
+
+TEST_F(OrderOfATable, OfValuesIsNotTrustedFarAboveTheFormalOne) {
+  const std::string words = said("h,drag\n0.1,1\n0.05,0.5\n0.025,0.49\n", 1, true);
+  EXPECT_NE(words.find("observed order 5.644, above the formal order 2 (--formal-order) and not trusted"),
+            std::string::npos)
+      << words;
+  EXPECT_EQ(words.find("grid convergence index 0.0002"), std::string::npos);
+  EXPECT_EQ(status, something_fails);
 }
 
 }  // namespace order_test

@@ -43,6 +43,8 @@ Reason compare_orders(const vnv::ObservedOrder& before, const vnv::ObservedOrder
   constexpr double rounding = 1e-9;  // a fall by 0.3 may come as 0.29999999999999998
   if (rise <= -noticed_fall + rounding) return {Change::worse, why};
   if (std::abs(rise) <= std::max(same_order, explained) + rounding) return {Change::same, why};
+  const bool are_told = std::isfinite(before.half_width) && std::isfinite(after.half_width);  // by more than two points
+  if (rise > 0 && !are_told) return {Change::unjudged, why};
   if (rise >= noticed_fall || (rise > 0 && are_apart(before, after))) return {Change::better, why};
   if (rise > 0) return {Change::same, why};
   return {are_apart(before, after) ? Change::worse : Change::inconclusive, why};

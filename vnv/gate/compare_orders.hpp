@@ -16,7 +16,7 @@ double tilt_by(double fraction, const std::vector<double>& spacings);
 
 /// Judges an order by its 95 % interval and by `explained`, what the tolerance of its errors explains. A smaller order
 /// is never better, and a negative one is smaller than any positive. In between, where the intervals overlap, a fall is
-/// inconclusive and a rise the same.
+/// inconclusive and a rise the same. A rise of orders that rest on two points, and so have no interval, is unjudged.
 Reason compare_orders(const vnv::ObservedOrder& before, const vnv::ObservedOrder& after, double explained);
 
 }  // namespace touchstone::gate

@@ -17,7 +17,7 @@ namespace {
 
 using Approach = GridConvergence::Trend;
 
-constexpr double safety = 1.25;  // Roache (1994), for an order that was observed over three resolutions
+constexpr double safety = 1.25;  // Roache (1998), for an order that was observed over three resolutions
 
 /// The differences of f = f0 + c h^p between three spacings, the coarse over the fine one: rises with p.
 struct RatioOfDifferences {

@@ -14,8 +14,9 @@ struct AtSpacing {
 ///
 /// The law f = f0 + c h^p passes through all three where they approach a value from one side; `extrapolated` is f0
 /// (Richardson 1911) and `index` the grid convergence index of the finest, 1.25 |f0 - f|, in the unit of the value
-/// (Roache, J. Fluids Eng. 116 (1994), 405-413; for three resolutions of any ratio Celik et al., J. Fluids Eng. 130
-/// (2008), 078001). Where the values swing, part or do not change, no power law passes, and none of the three is a
+/// (Roache, J. Fluids Eng. 116 (1994), 405-413, with the factor for three resolutions of Roache, Verification and
+/// Validation in Computational Science and Engineering (1998); of any ratio Celik et al., J. Fluids Eng. 130 (2008),
+/// 078001). Where the values swing, part or do not change, no power law passes, and none of the three is a
 /// number.
 struct GridConvergence {
   enum class Trend { monotone, oscillating, diverging, constant };
