@@ -3,6 +3,7 @@
 
 #include "vnv/command/catalogue.hpp"
 #include "vnv/command/engines.hpp"
+#include "vnv/command/order_table.hpp"
 #include "vnv/gate/gate.hpp"
 
 #include <filesystem>
@@ -104,8 +105,10 @@ int collect(const Build& build, const CollectOptions& options);
 
 struct OrderOptions {
   std::string file{};
+  SaidOfTable table{};
   bool are_values = false;  // of quantities whose truth nobody knows, not errors
   std::optional<double> surely_above{};
+  std::optional<double> formal_order{};  // of the method
 };
 int order(const Build& build, const OrderOptions& options);
 

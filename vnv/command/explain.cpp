@@ -101,11 +101,12 @@ void print_data(const Description& one) {
 
 /// "the front: 20 times or more, to 0.5 s"
 std::string over_time(const doors::Measured& one) {
-  const auto [first, last, least] = *one.over;
+  const auto [first, last, least, is_steady] = *one.over;
   if (!std::isfinite(first)) return one.name + ": at whatever times there are";
-  const std::string span = first < last ? fmt::format(", from {:g} to {:g} s", first, last)
-                           : last > 0   ? fmt::format(", to {:g} s", last)
-                                        : "";
+  const std::string span =
+      first < last ? fmt::format(", from {:g} to {:g} s{}", first, last, is_steady ? " or as long, later" : "")
+      : last > 0   ? fmt::format(", to {:g} s{}", last, is_steady ? " or later" : "")
+                   : "";
   return fmt::format("{}: {} or more{}", one.name, least == 1 ? "a time" : fmt::format("{} times", least), span);
 }
 

@@ -35,7 +35,8 @@ std::optional<double> where_positive(double value) { return value > 0 ? std::opt
 void print_values(const Record& record) {
   fmt::print("\n{:24} {:>12} {:32} {:>12}\n", "level", "time [s]", "quantity", "value");
   for (const Value& v : record.values)
-    fmt::print("{:24} {:12.6g} {:32} {:12.6g}\n", v.level, v.time, v.quantity.heading(), v.value);
+    fmt::print("{:24} {:12.6g} {:32} {:12.6g}{}\n", v.level, v.time, v.quantity.heading(), v.value,
+               doors::is_limited(v, record) ? "" : "  not limited");
   for (const ObservedOrder& order : record.orders)
     if (order.levels.size() > 2)
       fmt::print("observed order of {} at {:g} s: {:.3f} +- {:.2g} over {} resolutions\n", order.quantity, order.time,

@@ -2,6 +2,7 @@
 /// other file of it knows CLI11.
 
 #include "vnv/command/commands.hpp"
+#include "vnv/doors/fields.hpp"
 #include "vnv/files/data_folder.hpp"
 #include "vnv/programs/command_line.hpp"
 #include "vnv/programs/out_of_memory.hpp"
@@ -203,9 +204,12 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
           "unit of length, velocity, pressure, density or time, as in length=mm; default: that of the headings or SI")
       ->type_name("KIND=UNIT")
       ->allow_extra_args(false);
-  command.add_option("--axes", options.axes, "axes of the plane of the flow, in the coordinates of the files")
+  command
+      .add_option(
+          "--axes", options.axes,
+          "axes of the plane of the flow, in the coordinates of the files; with - before one that runs the other way")
       ->type_name("AXES")
-      ->check(programs::one_of({"xy", "xz", "yx", "yz", "zx", "zy"}));
+      ->check(programs::one_of(doors::names_of_planes()));
   command.add_option("--origin", options.origin, "origin of the flow, in the coordinates of the files [m]")
       ->expected(2)
       ->check(programs::numbers());
@@ -223,7 +227,12 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
       .add_option("--spacing", options.spacing,
                   "particle spacing [m]; default: from the number of particles in the filled area")
       ->check(programs::above_zero());
-  command.add_option("--at-most", options.at_most, "limit for each error norm [%]")->check(programs::above_zero());
+  command
+      .add_option(
+          "--at-most", options.at_most,
+          "limit for each error that is measured at the finest resolution, of every field and component, of periods, rates "
+          "and fronts [%]")
+      ->check(programs::above_zero());
   command.add_flag("--diagnose", options.diagnose,
                    "diagnose the errors of claims that hold, too, and list all causes that were fitted");
   add_results(command, options.records, options.junit, options.as_json);
@@ -246,7 +255,17 @@ void declare_collect(CLI::App& command, CollectOptions& options) {
 }
 
 void declare_order(CLI::App& command, OrderOptions& options) {
-  command.add_option("FILE", options.file, "table: a column of spacings, then columns of errors")->required();
+  command.add_option("FILE", options.file, "table: a column that tells the resolution, and columns of errors")
+      ->required();
+  command.add_option("--resolution", options.table.resolution, "the column that tells the resolution, by its name");
+  command
+      .add_option("--told-by", options.table.told_by,
+                  "what it holds: spacing, across (cells or particles along a side), all (that there are)")
+      ->check(programs::one_of(ways_to_tell));
+  command
+      .add_option("--dimension", options.table.dimension,
+                  "of the space that all cells or particles fill: 2 if not said")
+      ->check(programs::whole_numbers(1, 3));
   command.add_flag(
       "--values", options.are_values,
       "the columns hold values whose exact value is unknown: extrapolate them, with the grid convergence index");
@@ -254,6 +273,10 @@ void declare_order(CLI::App& command, OrderOptions& options) {
       .add_option("--surely-above", options.surely_above,
                   "end with exit status 1 unless each 95 % interval lies above this order")
       ->check(programs::numbers());
+  command
+      .add_option("--formal-order", options.formal_order,
+                  "of the method: an observed order far above it is not trusted; of --values 2 if not said")
+      ->check(programs::above_zero());
 }
 
 OptionText text_of(const CLI::Option& option) {
@@ -378,10 +401,13 @@ void add_subcommands(Session& session) {
   add(session, "collect", "Judges the output of a prepared solver's runs.",
       "Example:\n  vnv collect mine.toml runs --records build/records/acceptance", collect, declare_collect);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
-      "The first column holds spacings, all others errors; rows in any order; columns separated by commas, tabs,\n"
-      "semicolons or blanks. For values whose exact value is unknown, --values gives, for each three consecutive\n"
-      "resolutions, the order, Richardson's extrapolation and the grid convergence index of the finest (Roache 1994,\n"
-      "Celik et al. 2008).\n"
+      "The resolution is a column of spacings (h, dx, spacing), of cells along a side (N, nx, cells) or of all there are\n"
+      "(particles, np, dofs; with --dimension), known by its heading, else said with --resolution and --told-by; all others\n"
+      "hold errors, but for orders, times and words, which are left alone. Rows in any order; cells separated by commas,\n"
+      "semicolons, tabs, bars or blanks. For values whose exact value is unknown, --values gives, for each three\n"
+      "consecutive resolutions, the order, Richardson's extrapolation and the grid convergence index of the finest\n"
+      "(Roache 1998, Celik et al. 2008); where the order cannot be trusted, the numerical uncertainty with a larger\n"
+      "factor (Roache 1994, Eça & Hoekstra 2014).\n"
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
   add_completion(session);

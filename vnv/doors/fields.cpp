@@ -1,5 +1,7 @@
 #include "vnv/doors/fields.hpp"
 
+#include "vnv/measures/coverage.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -165,9 +167,31 @@ double factor(const Found& found, const std::string& kind, const Mapping& mappin
   return si(kind, unit, density);
 }
 
-/// The axes of the plane in which places lie; throws where they lie in none.
-std::array<std::size_t, 2> plane_of(const Dataset& data, const Found& places, const Mapping& mapping) {
-  const auto axis = [](char letter) { return static_cast<std::size_t>(letter - 'x'); };
+/// Two axes of the coordinates of a file, and the way that those of the flow run along them.
+struct Plane {
+  std::array<std::size_t, 2> axes;
+  Vec2 way{1, 1};
+
+  std::size_t operator[](std::size_t k) const { return axes[k]; }
+  std::string name(std::size_t k) const {
+    return fmt::format("{}{}", way[static_cast<Eigen::Index>(k)] < 0 ? "-" : "", "xyz"[axes[k]]);
+  }
+};
+
+/// "-zx"
+Plane plane_named(const std::string& name) {
+  Plane plane{};
+  std::size_t k = 0;
+  for (const char c : name)
+    if (c == '-')
+      plane.way[static_cast<Eigen::Index>(k)] = -1;
+    else
+      plane.axes[k++] = static_cast<std::size_t>(c - 'x');
+  return plane;
+}
+
+/// The plane in which places lie; throws where they lie in none.
+Plane plane_of(const Dataset& data, const Found& places, const Mapping& mapping) {
   std::array<double, 3> spread{};
   for (std::size_t c = 0; c < std::min<std::size_t>(places.components(), 3); ++c) {
     double low = INFINITY, high = -INFINITY;
@@ -178,8 +202,8 @@ std::array<std::size_t, 2> plane_of(const Dataset& data, const Found& places, co
     spread[c] = high - low;
   }
   const double flat = 1e-6 * std::ranges::max(spread);
-  std::array<std::size_t, 2> plane{0, spread[1] <= flat && spread[2] > flat ? 2ul : 1ul};
-  if (!mapping.axes.empty()) plane = {axis(mapping.axes[0]), axis(mapping.axes[1])};
+  Plane plane{{0, spread[1] <= flat && spread[2] > flat ? 2ul : 1ul}};
+  if (!mapping.axes.empty()) plane = plane_named(mapping.axes);
   const std::size_t across = 3 - plane[0] - plane[1];
   if (data.rows_are == Rows::particles && spread[across] > flat)
     throw Unreadable(
@@ -265,21 +289,57 @@ std::string guess_of_unit(const Vectors& x, const Domain& domain) {
 }
 
 /// Where the origin of places might be that fill the domain, but elsewhere.
-std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin) {
+std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin, const Vec2& way) {
   constexpr double most = 1 + 1e-9, least = 0.8;  // of the domain that rows of a filled one reach over
   const Vec2 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff(), size = domain.box.size();
   for (const int axis : {0, 1}) {
     if (domain.periodic(axis)) continue;
     const double spread = high[axis] - low[axis];
     if (!(spread <= most * size[axis] && spread >= least * size[axis])) return "";
-    origin[axis] += (low[axis] + high[axis]) / 2 - (domain.box.low[axis] + size[axis] / 2);
+    origin[axis] += way[axis] * ((low[axis] + high[axis]) / 2 - (domain.box.low[axis] + size[axis] / 2));
   }
   return fmt::format("; they fit with --origin {:.6g} {:.6g}", origin.x(), origin.y());
 }
 
+/// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
+/// they are written unwrapped, the corners of the box about them stay empty.
+void require_periods(const std::string& source, const Vectors& x, const Domain& domain) {
+  for (const int axis : {0, 1}) {
+    if (!domain.periodic(axis)) continue;
+    const double period = domain.box.size()[axis];
+    Box about{.low = x.rowwise().minCoeff(), .high = x.rowwise().maxCoeff()};
+    if (about.size()[axis] < period) continue;
+    double spacing = std::sqrt(about.size().prod() / static_cast<double>(x.cols()));
+    for (int k = 0; k < 10; ++k)  // with half a spacing around them
+      spacing = std::sqrt((about.size().array() + spacing).prod() / static_cast<double>(x.cols()));
+    about.low.array() -= spacing / 2;
+    about.high.array() += spacing / 2;
+    const double length = about.size()[axis];
+    if (!(length > 1.5 * period)) continue;
+    const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
+    const bool fills_it = found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
+    if (fills_it)
+      throw LongerThanPeriod(fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m: --set L={:.4g}?", source,
+                                         length, "xy"[axis], period, length),
+                             axis, length);
+  }
+}
+
 }  // namespace
 
+std::vector<std::string> names_of_planes() {
+  std::vector<std::string> names;
+  for (const std::string first : {"x", "y", "z", "-x", "-y", "-z"})
+    for (const std::string second : {"x", "y", "z", "-x", "-y", "-z"})
+      if (first.back() != second.back()) names.push_back(first + second);
+  return names;
+}
+
 void require_known_names(const Mapping& mapping, const std::string& where) {
+  if (const auto planes = names_of_planes();
+      !mapping.axes.empty() && std::ranges::find(planes, mapping.axes) == planes.end())
+    throw std::invalid_argument(
+        fmt::format("{}: axes '{}', expected one of: {}", where, mapping.axes, fmt::join(planes, ", ")));
   const auto require = [&](const auto& said, const char* what, const auto& known) {
     for (const auto& [name, value] : said) {
       if (known.contains(name)) continue;
@@ -315,7 +375,9 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, count,
                              is_mesh ? "cells" : "particles", s.time, words);
 
-  if (!only.empty()) say("rows", fmt::format("{}{}", only, mapping.only.empty() ? ", by its name" : ", as said"));
+  if (!only.empty())
+    say("rows", fmt::format("{}{}; {} of {} left out", only, mapping.only.empty() ? ", by its name" : ", as said",
+                            static_cast<Eigen::Index>(chosen.size()) - count, chosen.size()));
 
   const Found places = find(data, "position", mapping);
   if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));
@@ -331,18 +393,19 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     Vectors all = Vectors::Constant(2, count, NAN);
     each_row([&](std::size_t row, Eigen::Index p) {
       for (int k = 0; k < (is_along_x ? 1 : 2); ++k) {
-        const double value = found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
+        const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
         if (!std::isfinite(value))
           throw Unreadable(
               fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));
         all(k, p) = to_si * value;
       }
     });
-    say(field, is_along_x ? as : as + fmt::format(", along {} and {}", "xyz"[plane[0]], "xyz"[plane[1]]));
+    say(field, is_along_x ? as : as + fmt::format(", along {} and {}", plane.name(0), plane.name(1)));
     return all;
   };
   s.x = vectors(places, "position", "length");
-  s.x.colwise() -= mapping.origin;
+  s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
+  if (!is_mesh) require_periods(data.source, s.x, domain);
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
@@ -363,8 +426,8 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
           "{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
           "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
           data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(), domain.box.high.y(),
-          labels_of(data), guess_of_unit(s.x, domain) + guess_of_origin(s.x, domain, mapping.origin)));
-    say("left out", fmt::format("{} rows outside the domain", outside));
+          labels_of(data), guess_of_unit(s.x, domain) + guess_of_origin(s.x, domain, mapping.origin, plane.way)));
+    say("left out", fmt::format("{} of {} rows, outside the domain", outside, count));
     count = 0;
     each_row([&](std::size_t row, Eigen::Index p) {
       if (within[row]) s.x.col(count++) = s.x.col(p).eval();

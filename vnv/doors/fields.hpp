@@ -16,7 +16,7 @@ namespace touchstone::vnv::doors {
 struct Mapping {
   std::map<std::string, std::string> arrays{};  // field -> name of an array, "velocity" -> "U", or of columns, "a,b"
   std::map<std::string, std::string> units{};   // kind -> unit: "length" -> "mm", "velocity", "pressure", "time"
-  std::string axes{};                           // of the plane, "xy", "xz", ...; empty: that in which the places lie
+  std::string axes{};                           // of the plane, "xy", "-zx", ...; empty: that in which the places lie
   Vec2 origin = Vec2::Zero();                   // m  the flow's origin, in the coordinates of the files
   std::string only{};                           // "NAME=VALUE", "NAME>VALUE", "NAME<VALUE": rows that are fluid
   bool inside = false;                          // leave out rows outside the domain
@@ -24,11 +24,22 @@ struct Mapping {
   std::optional<double> time_step{};            // s  of files with an index and no time
 };
 
-/// Throws std::invalid_argument for a field or a kind of unit that there is not, saying where and naming all of them.
+/// The axes of a plane in each order: "xz"; with a sign before those that run against the flow's: "-zx".
+std::vector<std::string> names_of_planes();
+
+/// Throws std::invalid_argument for axes, a field or a kind of unit that there is not, saying where and naming all of them.
 void require_known_names(const Mapping& mapping, const std::string& where);
 
 /// The field of a velocity of which no more than its component along the flow's x need be there.
 inline const std::string velocity_along_x = "velocity along x";
+/// Rows that evenly fill more than one and a half periods along an axis, which is no motion beyond them: the period is
+/// another one.
+struct LongerThanPeriod : Unreadable {
+  LongerThanPeriod(const std::string& line, int of_axis, double filled)
+      : Unreadable(line), axis(of_axis), length(filled) {}
+  int axis;
+  double length;  // m  that they fill
+};
 
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
@@ -41,8 +52,9 @@ struct Reading {
 
 /// `density` [kg/m³] is that of the fluid at rest. Where the user names a field "fraction", volumes are multiplied by
 /// it: in a cell at a surface, that of its fluid counts. Throws Unreadable: no places, two candidates for one field, a
-/// cloud that is not flat, rows outside the domain, what is not a finite number, no time, a fraction that is not above
-/// zero or is of no volume, a velocity without its component along the flow's x. One without the other has that alone.
+/// cloud that is not flat, rows outside the domain or that fill several periods, what is not a finite number, no time,
+/// a fraction that is not above zero or is of no volume, a velocity without its component along the flow's x. One
+/// without the other has that alone.
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density);
 
 }  // namespace touchstone::vnv::doors

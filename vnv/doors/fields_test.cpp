@@ -125,6 +125,25 @@ TEST(Fields, MayLackTheVelocityAcross) {
   EXPECT_EQ(reading_of(with_velocity("w"), {.arrays = {{"velocity", "w"}}}, domain, 1000).fields, reading.fields);
 }
 
+TEST(Fields, AreTurnedWithAxesThatRunTheOtherWay) {
+  Dataset data{.source = "a.csv",
+               .time = 1.0,
+               .arrays = {{.name = "x", .values = {0.25, 0.75}},
+                          {.name = "y", .values = {0, 0}},
+                          {.name = "z", .values = {-0.25, -0.75}},
+                          {.name = "vx", .values = {1, 2}},
+                          {.name = "vy", .values = {0, 0}},
+                          {.name = "vz", .values = {-3, -4}}}};
+  const Samples s = reading_of(data, {.axes = "-zx"}, domain, 1000).samples;
+  EXPECT_EQ(s.x, (Vectors(2, 2) << 0.25, 0.75, 0.25, 0.75).finished());
+  EXPECT_EQ(s.v, (Vectors(2, 2) << 3, 4, 1, 2).finished());
+  EXPECT_EQ(reading_of(data, {.axes = "zx", .origin = {-1, 0}}, domain, 1000).samples.x(0, 0), 0.75);
+  data.arrays[2].values = {0.75, 0.25};
+  EXPECT_EQ(reading_of(data, {.axes = "-zx", .origin = {1, 0}}, domain, 1000).samples.x(0, 0), 0.25)
+      << "the origin is told in the coordinates of the file";
+  EXPECT_THROW(require_known_names({.axes = "xx"}, "read"), std::invalid_argument);
+}
+
 TEST(Fields, OfAVelocityAreAtLeastThatAlongX) {
   EXPECT_EQ(refusal(with_velocity("v_y"), {}), "a.npz: velocity is 'v_y' alone, expected its component along x too");
   EXPECT_EQ(refusal(with_velocity("v_x"), {.axes = "yx"}),

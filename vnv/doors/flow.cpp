@@ -86,9 +86,19 @@ std::string Flow::title() const {
   return all;
 }
 
+std::optional<Region> Flow::region_at(double t) const {
+  if (region) return region(t);
+  if (!has_free_surface()) return Region{domain};
+  return t == 0 && shape.empty() ? std::optional(Region{.domain = domain, .box = filled}) : std::nullopt;
+}
+
 Claim is_consistent(const Quantity& quantity) {
   return order_at_least(ladder_of_files, quantity, 0.9, 0.5, theory("a consistent method is of first order at least"))
       .with_at_least_levels(3);
+}
+
+Claim has_its_pressure() {
+  return between(part_of_pressure, 0.5, 1.5, theory("a flow has its pressure, and of the right sign"));
 }
 
 std::vector<std::string> flow_names() {

@@ -7,6 +7,7 @@
 #include "solvers/scene.hpp"
 #include "vnv/case.hpp"
 #include "vnv/doors/fields.hpp"
+#include "vnv/measures/coverage.hpp"
 #include "vnv/measures/field_errors.hpp"
 
 #include <algorithm>
@@ -61,8 +62,9 @@ inline constexpr double time_tolerance = 0.01;
 
 /// What a measurement over time needs.
 struct Span {
-  double first, last;  // s  files at or before, at or after
-  std::size_t least;   // times
+  double first, last;      // s  files at or before, at or after
+  std::size_t least;       // times
+  bool is_steady = false;  // then as long before a later last time
 };
 
 /// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed and amplitude as fractions of the
@@ -123,8 +125,10 @@ struct Flow {
   std::vector<Measured> measured{};
   std::vector<Exact> exact{};
   double across{};                   // m  the length that a resolution is counted over
+  std::vector<Claim> aside{};        // claims besides those in `judged`, which much that is not this flow keeps, too
   std::vector<Claim> of_resolved{};  // claims of levels with so many particles across
   double resolved = INFINITY;
+  std::function<std::vector<Claim>(double across)> of_coarse{};  // claims of levels with fewer
 
   Domain domain{};
   Newtonian fluid{};  // inviscid where its viscosity is zero
@@ -135,6 +139,8 @@ struct Flow {
   double wall_frequency = 0;  // 1/s  walls move with their velocity times cos(frequency t)
   Drive drive{};
   Start start{};
+  std::function<Region(double t)> region{};  // of the fluid at a time [s], where its surface is known exactly
+  bool is_uniform_along_x = false;           // so that the length of its period is free
 
   /// The name by which records of it are compared: with each parameter that is not the published one,
   /// "poiseuille_H=1_F=1e-05_nu=15e-3".
@@ -143,6 +149,8 @@ struct Flow {
   std::string title() const;
 
   double filled_area() const { return area > 0 ? area : filled.size().prod(); }  // m²
+  /// Where the fluid is at a time [s], if that is known exactly of any method.
+  std::optional<Region> region_at(double t) const;
   /// Whether the fluid may be elsewhere than where it started.
   bool has_free_surface() const { return filled.low != domain.box.low || filled.high != domain.box.high; }
 };
@@ -167,6 +175,10 @@ inline const std::string ladder_of_files = "spacing";
 /// What a flow with an exact solution claims of any method: it is consistent, so that its error in `quantity` falls at
 /// first order at least, once three resolutions are there.
 Claim is_consistent(const Quantity& quantity);
+
+/// What each flow with a known pressure claims of any method: at least half of it is found, and no more than one and a
+/// half, whatever the noise. None, or one of the wrong sign, is not the pressure of the flow.
+Claim has_its_pressure();
 
 /// Names of all flows.
 std::vector<std::string> flow_names();

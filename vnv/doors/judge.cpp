@@ -2,8 +2,10 @@
 
 #include "solvers/lattice.hpp"
 #include "vnv/doors/diagnosis.hpp"
+#include "vnv/doors/filling.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
+#include "vnv/measures/coverage.hpp"
 #include "vnv/programs/progress.hpp"
 
 #include <fmt/format.h>
@@ -57,10 +59,10 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
   }
 }
 
-/// Where a flow is judged by a velocity, both components of it are there or none.
+/// Where nothing is judged of a velocity along x alone, both components of it are there or none.
 void require_components(const Flow& flow, const std::string& source, const std::vector<std::string>& fields) {
-  const auto needs_both = [](const Measured& one) { return has(one.fields, "velocity"); };
-  if (has(fields, velocity_along_x) && !has(fields, "velocity") && std::ranges::any_of(flow.measured, needs_both))
+  const auto needs_one = [](const Measured& one) { return has(one.fields, velocity_along_x); };
+  if (has(fields, velocity_along_x) && !has(fields, "velocity") && std::ranges::none_of(flow.measured, needs_one))
     throw Unreadable(fmt::format("{}: velocity along x alone, expected its component along y too", source));
 }
 
@@ -82,6 +84,46 @@ double size_of(const std::filesystem::path& file) {
   std::error_code unknown;  // it is told when the file is read
   const auto bytes = std::filesystem::file_size(file, unknown);
   return unknown ? 0 : static_cast<double>(bytes);
+}
+
+/// The level that a file's rows are of: one of its spacing, or, where fewer than half of the rows are missing, one
+/// before that has none of its time: a code that loses rows has no coarser resolution.
+GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
+  const auto is_equal = [&](const GivenLevel& level) { return std::abs(level.spacing / one.spacing - 1) < 0.01; };
+  if (const auto equal = std::ranges::find_if(levels, is_equal); equal != levels.end()) return *equal;
+  const auto& [time, samples] = *one.at.begin();
+  GivenLevel* before = nullptr;
+  for (GivenLevel& level : levels) {
+    const auto is_of_time = [&](const auto& at) { return std::abs(at.first - time) <= time_tolerance * time; };
+    const auto rows = samples.size(), first = level.at.begin()->second.size();
+    if (one.spacing_is_said || std::ranges::any_of(level.at, is_of_time) || level.at.begin()->first > time) continue;
+    if (rows < first && 2 * rows >= first && (!before || level.spacing > before->spacing)) before = &level;
+  }
+  return before ? *before
+                : levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
+}
+
+/// What single files hold, each of one level, as one; in the order of their times.
+Given together(std::vector<Given> each) {
+  Given all;
+  for (const Given& one : each) {
+    all.files.insert(all.files.end(), one.files.begin(), one.files.end());
+    for (const std::string& line : one.words) all.say(line);
+    if (!all.fields) all.fields = one.fields;
+    if (one.fields) std::erase_if(*all.fields, [&](const std::string& name) { return !has(*one.fields, name); });
+  }
+  std::ranges::stable_sort(each, {}, [](const Given& one) { return one.levels.front().at.begin()->first; });
+  for (Given& one : each)
+    for (GivenLevel& from : one.levels) {
+      GivenLevel& level = level_for(all.levels, from);
+      level.has_volumes &= from.has_volumes;
+      level.has_particles &= from.has_particles;
+      for (auto& [time, samples] : from.at)
+        if (!level.at.emplace(time, std::move(samples)).second)
+          throw std::invalid_argument(
+              fmt::format("duplicate spacing {:.4g} m and time {:g} s, expected each pair once", from.spacing, time));
+    }
+  return all;
 }
 
 /// A run of what was given, whose samples it takes, as if it had been computed here.
@@ -113,6 +155,20 @@ double asked(double time, const std::vector<double>& times, const std::vector<Sa
   return another_is_nearer ? time : *one;
 }
 
+/// Whether fields hold nothing that is not a finite number.
+bool are_numbers(const std::vector<std::string>& fields, const std::vector<Samples>& all) {
+  return std::ranges::all_of(all, [&](const Samples& s) {
+    return (!has(fields, velocity_along_x) || s.v.row(0).allFinite()) &&
+           (!has(fields, "velocity") || s.v.allFinite()) && (!has(fields, "pressure") || s.pressure.allFinite());
+  });
+}
+
+/// A span, of a steady flow as long before a later end [s].
+Span span_of(Span span, double end) {
+  const double later = span.is_steady ? std::max(0.0, end - span.last) : 0;
+  return {span.first + later, span.last + later, span.least};
+}
+
 /// Those times at which a measurement can be made: at others, as at rest, there is nothing to compare with.
 Measurement where_defined(const Measured& measured, const std::vector<double>& times,
                           std::vector<std::string>& not_judged) {
@@ -121,7 +177,11 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
     try {
       for (Value value : measured.measurement(level, run)) {
         value.time = asked(value.time, times, given);
-        all.push_back(std::move(value));
+        if (std::isnan(value.value) && are_numbers(measured.fields, run.samples))  // as where no row is
+          not_judged.push_back(fmt::format("{}, {:g} s: {}: cannot be measured of these rows", level.name, value.time,
+                                           value.quantity.name));
+        else
+          all.push_back(std::move(value));
       }
     } catch (const std::logic_error& error) {
       not_judged.push_back(fmt::format("{}, {:g} s: {}", level.name, run.samples.back().time, error.what()));
@@ -135,12 +195,13 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
         add(all, level, {.summary = run.summary, .samples = {samples}}, run.samples);
     } else if (!measured.over) {
       add(all, level, run, run.samples);  // without a copy
-    } else if (const auto [first, last, least] = *measured.over;
-               run.samples.size() < least || run.samples.front().time > first * (1 + time_tolerance) ||
-               run.samples.back().time < last * (1 - time_tolerance)) {
-      not_judged.push_back(fmt::format(
-          "{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s", level.name,
-          measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time, least, first, last));
+    } else if (const Span at = span_of(*measured.over, run.samples.back().time);
+               run.samples.size() < at.least || run.samples.front().time > at.first * (1 + time_tolerance) ||
+               run.samples.back().time < at.last * (1 - time_tolerance)) {
+      not_judged.push_back(
+          fmt::format("{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s",
+                      level.name, measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time,
+                      at.least, at.first, at.last));
     } else {
       add(all, level, run, run.samples);
     }
@@ -152,47 +213,138 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
 Case case_of(const Flow& flow, const Given& given, const std::vector<double>& times,
              std::vector<std::string>& not_judged) {
   Case judged = flow.judged;
+  std::ranges::copy(flow.aside, std::back_inserter(judged.claims));
   judged.title = flow.title();
   for (const Measured& one : flow.measured) {
     const auto missing = std::ranges::find_if(
         one.fields, [&](const std::string& name) { return given.fields && !has(*given.fields, name); });
     if (missing == one.fields.end())
       judged.measurements.push_back(where_defined(one, times, not_judged));
-    else
-      not_judged.push_back(fmt::format("no {} in the files: what is measured of it is not judged", *missing));
+    else if (const std::string line = fmt::format(
+                 "no {} in the files: what is measured of it is not judged",
+                 *missing == "velocity" && has(*given.fields, velocity_along_x) ? "velocity along y" : *missing);
+             !has(not_judged, line))
+      not_judged.push_back(line);
   }
   return judged;
 }
 
-/// A user's own limits, on the norms of which the flow claims anything, and on orders where it claims one.
-std::vector<Claim> own_claims(const Flow& flow, const Judged& what, const std::string& finest) {
+/// A user's own limits of orders, of the norms of which the flow claims one.
+std::vector<Claim> own_claims(const Flow& flow, const Judged& what) {
   std::vector<Claim> claims;
-  const auto limit = [&](const Claim& claim) {
-    if (what.at_most && claim.quantity.kind == Kind::norm)
-      claims.push_back(at_most(claim.quantity, *what.at_most, baseline("limit of the user")).on(finest));
-  };
-  std::ranges::for_each(flow.judged.claims, limit);
-  std::ranges::for_each(flow.of_resolved, limit);
   for (const Claim& claim : flow.judged.claims)
-    if (what.order_at_least && claim.quantity.kind == Kind::norm)
+    if (what.order_at_least && !claim.ladder.empty())
       claims.push_back(order_at_least(ladder_of_files, claim.quantity, *what.order_at_least, *what.order_at_least - 0.5,
                                       baseline("order that the user expects"))
                            .with_at_least_levels(3));
   return claims;
 }
 
-/// For want of a field, as has been said.
+/// A user's limit [%] of each error at the finest resolution: its size, of one with a sign too, and a hundredth of it
+/// of one that is a pure number. Fails where there is none.
+void limit_errors(double percent, const std::string& finest, Record& record) {
+  const auto is_error = [](const Quantity& q) {
+    return (q.kind == Kind::norm || q.kind == Kind::error || q.kind == Kind::deviation) &&
+           (q.unit == "%" || q.unit.empty());
+  };
+  const Author user = baseline("limit of the user");
+  bool is_any = false;
+  for (const Value& v : record.values) {
+    if (v.level != finest || !is_error(v.quantity)) continue;
+    const double limit = v.quantity.unit.empty() ? percent / 100 : percent;
+    record.verdicts.push_back(judge(v.quantity.kind == Kind::deviation ? between(v.quantity, -limit, limit, user)
+                                                                       : at_most(v.quantity, limit, user),
+                                    {record.case_name, record.method, v.level, v.spacing, v.time}, v.value));
+    is_any = true;
+  }
+  if (is_any) return;
+  Verdict none =
+      judge(at_least({std::string(anything_limited)}, 1, user), {record.case_name, record.method, finest}, 0);
+  none.sentence = fmt::format("{}.{} {}: the limit of {:g} % applies to nothing: no error was measured: FAILS",
+                              record.case_name, record.method, finest, percent);
+  record.verdicts.push_back(std::move(none));
+}
+
+/// What is measured of fields that are there is a number, whether or not it is limited.
+void refuse_what_is_no_number(Record& record) {
+  for (const Value& v : record.values) {
+    const auto fails = [&](const Verdict& other) {
+      return other.level == v.level && other.quantity == v.quantity.name && std::isnan(other.value);
+    };
+    if (!std::isnan(v.value) || std::ranges::any_of(record.verdicts, fails)) continue;
+    const Place place{record.case_name, record.method, v.level, v.spacing, v.time};
+    Verdict is_none = judge(at_least(v.quantity, 0, theory("what is measured is a number")), place, v.value);
+    is_none.sentence = fmt::format("{}.{} {}: {} = nan at {:.4g} s, expected a number: FAILS", record.case_name,
+                                   record.method, v.level, v.quantity.name, v.time);
+    record.verdicts.push_back(std::move(is_none));
+  }
+}
+
+/// Errors that are rounding, of numbers in single precision or with eight digits, have no order, and need none.
+void take_rounding_for_converged(const std::vector<Claim>& claims, Record& record) {
+  constexpr double rounding = 1e-5;  // %
+  const auto is_rounding = [](const ObservedOrder& order) {
+    return order.quantity.ends_with("[%]") && std::abs(order.errors.back()) <= rounding;
+  };
+  for (const Claim& claim : claims)
+    for (const ObservedOrder& order : record.orders) {
+      if (claim.ladder.empty() || order.quantity != claim.quantity.heading() || !is_rounding(order)) continue;
+      for (Verdict& v : record.verdicts)
+        if (v.quantity == judged_quantity(claim).name && v.time == order.time)
+          v = judge(at_most(claim.quantity, rounding, theory("an error at rounding is converged")),
+                    {record.case_name, record.method, order.levels.back(), order.spacings.back(), order.time},
+                    order.errors.back());
+    }
+  std::erase_if(record.orders, is_rounding);
+}
+
+/// For want of a field, or of times of one level, as has been said.
 void leave_out_what_is_not_measured(const std::vector<Claim>& claims, Record& record) {
   for (const Claim& claim : claims) {
     const auto is_claimed = [&](const Value& value) { return value.quantity.name == claim.quantity.name; };
     if (std::ranges::any_of(record.values, is_claimed)) continue;
     std::erase_if(record.verdicts, [&](const Verdict& v) { return v.quantity == judged_quantity(claim).name; });
   }
+  std::erase_if(record.verdicts, [&](const Verdict& v) {
+    const auto is_it = [&](const Value& value) { return value.level == v.level && value.quantity.name == v.quantity; };
+    return std::isnan(v.value) && !v.level.empty() && std::ranges::none_of(record.values, is_it);
+  });
 }
 
-/// That its runs end says nothing of what they computed: who claims no more does not pass.
-void refuse_to_claim_nothing(Record& record) {
-  if (claims_more_than_ends(record)) return;
+/// Says with each verdict on a filling that fails where it does.
+void say_where(const std::string& level, const Filling& filling, Record& record) {
+  for (Verdict& v : record.verdicts)
+    for (const auto& [quantity, where] : filling.where)
+      if (v.level == level && v.quantity == quantity && v.outcome != Outcome::holds && !where.empty())
+        v.sentence += "; " + where;
+}
+
+/// Where all claims on a filling hold, one of them speaks for the others: that of the hole, or else the first.
+void say_briefly(const std::string& level, Record& record) {
+  const auto is_of_it = [&](const Verdict& v) { return v.level == level && is_of_filling(v.quantity); };
+  const auto fails = [&](const Verdict& v) { return is_of_it(v) && v.outcome != Outcome::holds; };
+  auto spokesman = std::ranges::find_if(
+      record.verdicts, [&](const Verdict& v) { return is_of_it(v) && v.quantity == largest_hole.name; });
+  if (spokesman == record.verdicts.end()) spokesman = std::ranges::find_if(record.verdicts, is_of_it);
+  if (spokesman == record.verdicts.end() || std::ranges::any_of(record.verdicts, fails)) return;
+  std::string others;
+  for (const Verdict& v : record.verdicts)
+    if (is_of_it(v) && v.quantity != spokesman->quantity)
+      others += fmt::format("{}{} = {:.4g}{}", others.empty() ? "" : ", ", v.quantity, v.value,
+                            v.unit.empty() ? "" : " " + v.unit);
+  if (!others.empty()) spokesman->sentence += "; all the fluid is there, as " + others + " hold, too";
+  const std::string kept = spokesman->quantity;
+  std::erase_if(record.verdicts, [&](const Verdict& v) { return is_of_it(v) && v.quantity != kept; });
+}
+
+/// That its runs end, that all the fluid is there and what it does not do says nothing of how it flows: who claims no
+/// more does not pass.
+void refuse_to_claim_nothing(const Flow& flow, Record& record) {
+  const auto is_of_flow = [&](const Verdict& v) {
+    const auto is_it = [&](const Claim& claim) { return claim.quantity.name == v.quantity; };
+    return v.quantity != end_time_reached && !is_of_filling(v.quantity) && std::ranges::none_of(flow.aside, is_it);
+  };
+  if (std::ranges::any_of(record.verdicts, is_of_flow)) return;
   Verdict v = judge(at_least({std::string(anything_claimed)}, 1, theory("a verdict needs a claim")),
                     Place{.case_name = record.case_name, .method = record.method, .level = ""}, 0);
   v.sentence = fmt::format(
@@ -260,12 +412,21 @@ void diagnose_failures(const Flow& flow, const Results& results, const std::vect
 
 std::string level_name(const Flow& flow, double spacing) { return fmt::format("{:.4g} across", flow.across / spacing); }
 
+bool is_limited(const Value& value, const Record& record) {
+  if (is_of_filling(value.quantity.name)) return true;  // its verdict may speak for several
+  return std::ranges::any_of(record.verdicts, [&](const Verdict& v) {
+    return (v.quantity == value.quantity.name && v.level == value.level) ||
+           v.quantity.starts_with("order of " + value.quantity.name + " over ");
+  });
+}
+
 void Given::say(const std::string& line) {
   if (std::ranges::find(words, line) == words.end()) words.push_back(line);
 }
 
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> said) {
+  double spacing = said.value_or(not_a_number);
   for (Dataset& data : rows_to_judge(read_datasets(file))) {
     Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
     data.arrays.clear();  // there may be many, and what stood in them is in the samples
@@ -275,14 +436,18 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std
       std::erase_if(*given.fields, [&](const std::string& name) { return !has(reading.fields, name); });
     else
       given.fields = reading.fields;
-    const double spacing = said.value_or(std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size())));
+    if (std::isnan(spacing)) spacing = std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size()));
     require_filled(flow, data.source, reading.samples, spacing);
     require_volumes(flow, data.source, reading);
     require_components(flow, data.source, reading.fields);
     given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
-                          said ? "as said" : "the root of the filled area over the number of rows"));
+                          said ? "as said" : "the root of the filled area over the number of rows at the first time"));
+    GivenLevel& level = level_of(given.levels, spacing);
+    level.spacing_is_said = said.has_value();
+    level.has_volumes &= reading.has_volumes;
+    level.has_particles &= has(reading.fields, "particles");
     const double time = reading.samples.time;
-    if (!level_of(given.levels, spacing).at.emplace(time, std::move(reading.samples)).second)
+    if (!level.at.emplace(time, std::move(reading.samples)).second)
       throw std::invalid_argument(fmt::format("{}: duplicate spacing {:.4g} m and time {:g} s, expected each pair once",
                                               data.source, spacing, time));
   }
@@ -295,46 +460,86 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   Case judged = case_of(flow, given, times, judgement.not_judged);
   Method method{.name = what.name, .description = what.description, .ladders = {{ladder_of_files, {}}}};
   std::vector<Run> runs;
+  std::vector<std::pair<std::string, Filling>> fillings;
   for (GivenLevel& level : given.levels) {
     const std::string name = level_name(flow, level.spacing);
+    fillings.emplace_back(name, filling_of(flow, name, level, given.fields.value_or(std::vector<std::string>{})));
     runs.push_back(run_of(level, name, flow.judged.monitor));
     if (flow.across / level.spacing > flow.resolved * (1 - 1e-6))
       for (const Claim& claim : flow.of_resolved) judged.claims.push_back(claim.on(name));
+    else if (flow.of_coarse)
+      for (const Claim& claim : flow.of_coarse(flow.across / level.spacing)) judged.claims.push_back(claim.on(name));
     const double end = level.at.empty() ? times.back() : asked(level.at.rbegin()->first, times, runs.back().samples);
     method.levels.push_back({.name = name, .spacing = level.spacing, .acceptance = end, .report = end, .nightly = end});
     method.ladders[0].levels.push_back(name);
   }
-  method.claims = own_claims(flow, what, method.levels.back().name);
+  for (const auto& [name, filling] : fillings) {
+    std::ranges::copy(filling.claims, std::back_inserter(judged.claims));
+    for (const std::string& line : filling.told) judgement.words.push_back(line);
+  }
+  judged.measurements.push_back([&](const Level& level, const Run& run) {
+    std::vector<Value> values =
+        std::ranges::find(fillings, level.name, &std::pair<std::string, Filling>::first)->second.values;
+    for (Value& value : values) value.time = asked(value.time, times, run.samples);
+    return values;
+  });
+  method.claims = own_claims(flow, what);
   const Results results{method, what.suite, std::move(runs)};
   judgement.record =
       assess(flow.case_name(), judged, results, what.baselines ? std::optional(*what.baselines) : std::nullopt);
   judgement.record.another_code = true;
+  for (const auto& [name, filling] : fillings) {
+    say_where(name, filling, judgement.record);
+    say_briefly(name, judgement.record);
+  }
   std::vector<Claim> claims = judged.claims;
   std::ranges::copy(method.claims, std::back_inserter(claims));
+  const bool all_finished =
+      std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; });
+  take_rounding_for_converged(claims, judgement.record);
+  if (const GivenLevel& finest = given.levels.back(); what.at_most && finest.outcome == "finished")
+    limit_errors(*what.at_most, method.levels.back().name, judgement.record);
+  refuse_what_is_no_number(judgement.record);
+  if (!what.at_most && given.levels.size() < 3)
+    judgement.not_judged.emplace_back(
+        "how small the errors are, and how they fall: --at-most PERCENT or at_most in [claims] limits them, three "
+        "resolutions show the order");
   diagnose_failures(flow, results, claims, what.diagnose, judgement.record);
-  if (std::ranges::all_of(given.levels, [](const GivenLevel& level) { return level.outcome == "finished"; })) {
+  if (all_finished) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
-    refuse_to_claim_nothing(judgement.record);
+    refuse_to_claim_nothing(flow, judgement.record);
   }
   return judgement;
 }
 
 Judgement judge_files(const Flow& flow, const std::vector<std::filesystem::path>& files, const Mapping& mapping,
                       std::optional<double> spacing, const Judged& what) {
-  Given given;
-  programs::Work work(0);  // by the sizes of files
-  programs::Progress line("vnv judge");
-  for (const std::filesystem::path& file : files) work.expect(file, size_of(file));
-  for (const std::filesystem::path& file : files) {
-    work.begin(file);
-    line.show([&] { return work.sentence(); });
-    read_into(given, flow, mapping, file, spacing);
-    work.end(file);
+  const auto judge_in = [&](const Flow& read_by, const std::string& words) {
+    programs::Work work(0);  // by the sizes of files
+    programs::Progress line("vnv judge");
+    for (const std::filesystem::path& file : files) work.expect(file, size_of(file));
+    std::vector<Given> each;
+    for (const std::filesystem::path& file : files) {
+      work.begin(file);
+      line.show([&] { return work.sentence(); });
+      read_into(each.emplace_back(), read_by, mapping, file, spacing);
+      work.end(file);
+    }
+    line.clear();
+    Given given = together(std::move(each));
+    if (!words.empty()) given.say(words);
+    Judgement judgement = judge_given(read_by, std::move(given), what);
+    std::erase_if(judgement.record.verdicts, [](const Verdict& v) { return v.quantity == end_time_reached; });
+    return judgement;
+  };
+  try {
+    return judge_in(flow, "");
+  } catch (const LongerThanPeriod& longer) {
+    if (!flow.is_uniform_along_x || longer.axis != 0) throw;
+    Flow lengthened = flow;  // which changes nothing in its field
+    lengthened.domain.box.high.x() = lengthened.filled.high.x() = flow.domain.box.low.x() + longer.length;
+    return judge_in(lengthened, fmt::format("{} Judged so.", longer.what()));
   }
-  line.clear();
-  Judgement judgement = judge_given(flow, std::move(given), what);
-  std::erase_if(judgement.record.verdicts, [](const Verdict& v) { return v.quantity == end_time_reached; });
-  return judgement;
 }
 
 }  // namespace touchstone::vnv::doors

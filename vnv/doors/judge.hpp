@@ -23,6 +23,9 @@ struct GivenLevel {
   double spacing;                    // m
   std::map<double, Samples> at{};    // s
   std::string outcome = "finished";  // or why there is no answer
+  bool spacing_is_said = false;      // by the user, not counted from the rows at the first time
+  bool has_volumes = true;           // or masses and densities, at all times
+  bool has_particles = true;         // not cells of a mesh
   Cost cost{.cpu = not_a_number,
             .cpu_lowest = not_a_number,
             .cpu_highest = not_a_number,
@@ -44,8 +47,9 @@ struct Given {
   void say(const std::string& line);
 };
 
-/// Reads a file into the levels of its spacing [m], which is counted from the number of its rows where none is said.
-/// Throws Unreadable, and std::invalid_argument where spacing and time were there before.
+/// Reads a file into the level of its spacing [m], which is counted from the number of rows at its first time where
+/// none is said: rows that are lost later make no other level. Throws Unreadable, and std::invalid_argument where
+/// spacing and time were there before.
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> spacing);
 
@@ -54,7 +58,7 @@ struct Judged {
   std::string name = "files";  // of the code, as a method
   std::string description = "Files of another code.";
   Suite suite = Suite::report;
-  std::optional<double> at_most{};         // %  of each norm at the finest resolution
+  std::optional<double> at_most{};         // %  of each error at the finest resolution
   std::optional<double> order_at_least{};  // of each norm of which the flow claims an order
   bool diagnose = false;                   // what does not fail, too
   const Baselines* baselines = nullptr;
@@ -69,6 +73,11 @@ struct Judgement {
 
 /// The quantity of the verdict that fails where nothing was claimed of a flow but that runs end.
 inline constexpr std::string_view anything_claimed = "anything claimed";
+/// That of the verdict that fails where a user's limit applies to nothing.
+inline constexpr std::string_view anything_limited = "errors that the limit applies to";
+
+/// Whether a claim speaks of a value, or of the order of it: else it is only printed.
+bool is_limited(const Value& value, const Record& record);
 
 /// Judges levels of equal spacing as times of one resolution, and several of them as a ladder. A sample within 1 % of a
 /// time that was asked for is judged at its own time and counts as of that.

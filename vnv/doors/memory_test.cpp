@@ -52,7 +52,7 @@ TEST(JudgingAFile, TakesThreeTimesItsNumbersAtMost) {
     const auto judge = [&] {
       const Judgement judgement =
           judge_files(flow_named("taylor_green"), {folder / name}, {.time = 1}, {}, {.at_most = 1, .diagnose = true});
-      if (judgement.record.values.size() != 3 || judgement.record.diagnoses.size() != 2)
+      if (judgement.record.values.empty() || judgement.record.diagnoses.size() != 2)
         throw Unreadable("not judged, or not diagnosed");
     };
     const auto numbers = static_cast<double>(8 * rows * static_cast<std::size_t>(columns));  // bytes

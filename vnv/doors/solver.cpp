@@ -143,7 +143,7 @@ void read_level(const Solver& solver, double spacing, const fs::path& folder, Gi
   for (const std::string& line : own.words) given.say(line);
   GivenLevel level{.spacing = spacing};
   if (why.empty()) {
-    level.at = std::move(own.levels.front().at);
+    level = std::move(own.levels.front());
     given.fields = own.fields;
   } else {
     level.outcome = fmt::format("{}{}", no_answer, why);

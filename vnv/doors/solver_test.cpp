@@ -60,6 +60,7 @@ TEST_F(OtherSolvers, AreRunMeasuredAndJudgedAtEachResolution) {
   EXPECT_EQ(record.case_name + "." + record.method, "shear_wave.frozen");
   const double nu = frozen_solver.flow.fluid.kinematic_viscosity(), k = 2 * std::numbers::pi;
   for (const Value& value : record.values) {
+    if (value.quantity.kind != Kind::norm) continue;
     EXPECT_NEAR(value.value, 100 * std::expm1(k * k * nu * 0.1), 1e-6) << value.quantity.heading();
     EXPECT_EQ(value.time, 0.1);
   }
@@ -169,10 +170,9 @@ TEST_F(OtherSolvers, KeepBaselinesInAFolderOfTheirOwn) {
 TEST_F(OtherSolvers, DoNotPassByEndingAndMayHaveTheirValuesAccepted) {
   const Solver one = solver(std::string(frozen), "across = [10, 20, 40]", "across = [10]");
   const Record record = run(one);
-  ASSERT_EQ(record.verdicts.size(), 2u);
-  EXPECT_EQ(record.verdicts[0].outcome, Outcome::holds) << "its run ends";
-  EXPECT_EQ(record.verdicts[1].quantity, anything_claimed);
-  EXPECT_EQ(record.verdicts[1].outcome, Outcome::fails);
+  for (const Verdict& v : record.verdicts)
+    EXPECT_EQ(v.outcome, v.quantity == anything_claimed ? Outcome::fails : Outcome::holds) << v.sentence;
+  EXPECT_EQ(record.verdicts.back().quantity, anything_claimed);
   accept(one, record, "first values");
   for (const Verdict& v : run(one).verdicts) EXPECT_EQ(v.outcome, Outcome::holds) << v.sentence;
 }
@@ -183,11 +183,14 @@ TEST_F(OtherSolvers, MayBeHeldToALimitOfTheirOwnWhereTheFlowHasOneForFineResolut
   in_cavity.replace(in_cavity.find("times = [0.1]"), 13, "times = [12]");
   in_cavity.replace(in_cavity.find("time = 0.1"), 10, "time = 12");
   const Record record = run(solver(in_cavity + "[claims]\nat_most = 2\n"));
-  ASSERT_EQ(record.verdicts.size(), 5u) << "that three runs end, and two limits at the finest";
-  for (const std::size_t k : {3u, 4u}) {
-    EXPECT_EQ(record.verdicts[k].author, "baseline: limit of the user");
-    EXPECT_EQ(record.verdicts[k].outcome, Outcome::fails) << "water at rest is 100 % off";
+  long limited = 0;
+  for (const Verdict& v : record.verdicts) {
+    if (v.author != "baseline: limit of the user") continue;
+    ++limited;
+    EXPECT_EQ(v.level, "40 across");
+    EXPECT_EQ(v.outcome, Outcome::fails) << "water at rest is 100 % off";
   }
+  EXPECT_EQ(limited, 4) << "L2 and Linf on two lines";
 }
 
 TEST_F(OtherSolvers, AreAskedForMoreTimesWhereHistoriesAreJudged) {

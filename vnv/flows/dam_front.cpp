@@ -71,6 +71,11 @@ double near_wall(const FrontHistory& front, double tank) {
 
 enum Column { half_full, percentile, farthest, mass, inside };
 
+/// A slab is blind to a sheet of one particle, a percentile of few particles to the last of them.
+double front_of_either(const Samples& samples, double slab_side) {
+  return std::max(half_full_slab(samples, slab_side), percentile_front(samples));
+}
+
 DataTable measured_by_lobovsky(const DamFront& dam) {
   const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv", of_600_mm);
   require_geometry(table, "column_length", dam.column_length, 1e-3);
@@ -192,13 +197,28 @@ std::vector<Value> DamFront::lead(const Level& level, const Run& run) const {
         slowest = std::min(slowest, front_at(front, late));
     const double slab_side = 2 * level.spacing;
     if (!(slowest * column_length < tank_length - 2 * slab_side)) continue;  // nearer to it the slab is in a splash
-    // A slab is blind to a sheet of one particle, a percentile of few particles to the last of them.
-    const double front = std::max(half_full_slab(samples, slab_side), percentile_front(samples));
-    const double lead = front / column_length - slowest;
+    const double lead = front_of_either(samples, slab_side) / column_length - slowest;
     if (least.empty() || !(lead >= least[0].value))  // no front is the worst
       least = {{level.name, level.spacing, samples.time, least_lead, lead}};
   }
   return least;
+}
+
+std::vector<Value> DamFront::off(const Level& level, const Run& run) const {
+  std::vector<Value> largest;
+  for (const Experiment& one : experiments_of(column_height / column_length)) {
+    if (!one.is_front || one.name.starts_with("Martin")) continue;
+    const double last = std::min(judged_times.high, near_wall(one.measured, tank_length / column_length));
+    for (const Samples& samples : run.samples) {
+      const double T = scaled_time(samples.time);
+      if (T < std::max(judged_times.low, one.measured.T.front()) || T > last) continue;
+      const double front = front_of_either(samples, 2 * level.spacing) / column_length,
+                   error = std::abs(front - front_at(one.measured, T));
+      if (largest.empty() || !(error <= largest[0].value))
+        largest = {{level.name, level.spacing, samples.time, largest_error, error}};
+    }
+  }
+  return largest;
 }
 
 std::vector<Value> DamFront::kept(const Level& level, const Run& run) const {

@@ -64,6 +64,13 @@ struct DamFront {
   std::vector<Value> lead(const Level& level, const Run& run) const;
   inline static const Quantity least_lead{"least lead of front L over the slowest experiment, its clock 0.3 late"};
 
+  /// How far that front is at the most from the experiment whose clock starts with the gate, Lobovský et al. (2014) or
+  /// Koshizuka & Oka (1995), at the times of the samples with T in [1, 1.5] until the measured one is near the far
+  /// wall.
+  std::vector<Value> off(const Level& level, const Run& run) const;
+  inline static const Quantity largest_error{"largest error of front L for T in [1, 1.5], without time shift", "",
+                                             Kind::error};
+
   /// Mass and number of particles, of a run with `monitored`.
   std::vector<Value> kept(const Level& level, const Run& run) const;
 

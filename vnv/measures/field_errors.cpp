@@ -62,4 +62,33 @@ Measurement pressure_errors(PressureTruth truth) {
   };
 }
 
+Measurement part_of_exact_pressure(PressureTruth truth, bool less_mean) {
+  return [truth = std::move(truth), less_mean](const Level& level, const Run& run) {
+    std::vector<Value> found;
+    for (const Samples& s : run.samples) {
+      const Scalars volumes = s.volumes();
+      Scalars exact(s.size());
+      for (Eigen::Index p = 0; p < s.size(); ++p) exact[p] = truth(s.x.col(p), s.time);
+      if (less_mean) exact -= (exact * volumes).sum() / volumes.sum();
+      const double scale = (volumes * exact.square()).sum();
+      norms::require_scale("part_of_exact_pressure", scale);
+      found.push_back(
+          {level.name, level.spacing, s.time, part_of_pressure, (volumes * s.pressure * exact).sum() / scale});
+    }
+    return found;
+  };
+}
+
+Measurement mean_pressure(const Quantity& quantity, double unit) {
+  return [=](const Level& level, const Run& run) {
+    std::vector<Value> found;
+    for (const Samples& s : run.samples) {
+      const Scalars volumes = s.volumes();
+      found.push_back(
+          {level.name, level.spacing, s.time, quantity, (volumes * s.pressure).sum() / volumes.sum() / unit});
+    }
+    return found;
+  };
+}
+
 }  // namespace touchstone::vnv

@@ -28,4 +28,13 @@ Measurement velocity_errors(VelocityTruth truth);
 /// of pressure move anything: the volume means of both are taken off.
 Measurement pressure_errors(PressureTruth truth);
 
+/// How much of the exact pressure is in the one found: the coefficient of the least-squares fit of the latter by the
+/// former, 1 if it is right, 0 without pressure, -1 of the wrong sign; noise hardly changes it. With `less_mean` only
+/// differences of pressure count.
+inline const Quantity part_of_pressure{"part of the exact pressure that is found"};
+Measurement part_of_exact_pressure(PressureTruth truth, bool less_mean);
+
+/// The volume mean of the pressure over that of a unit [Pa].
+Measurement mean_pressure(const Quantity& quantity, double unit);
+
 }  // namespace touchstone::vnv

@@ -102,8 +102,9 @@ double farthest_of_body(const Samples& samples, double reach) {
 }
 
 double level_between(const Samples& samples, double low, double high) {
-  const Scalars x = samples.x.row(0).transpose();
-  return (x >= low && x < high).select(samples.volumes(), 0).sum() / (high - low);
+  const Scalars x = samples.x.row(0).transpose(), volumes = samples.volumes(), half = volumes.sqrt() / 2;
+  const Scalars inside = ((x + half).min(high) - (x - half).max(low)).max(0);
+  return (volumes.sqrt() * inside).sum() / (high - low);
 }
 
 double half_full_slab(const Samples& samples, double cell) {

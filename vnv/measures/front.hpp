@@ -23,7 +23,8 @@ double percentile_front(const Samples& samples);
 /// The farthest particle of the body of most particles: those closer than `reach` [m] to one of a body belong to it.
 double farthest_of_body(const Samples& samples, double reach);
 
-/// The mean height [m] of the water that stands over a part of the floor.
+/// The mean height [m] of the water that stands over a part of the floor, of particles that are squares: one that
+/// stands across an end counts by the part within.
 double level_between(const Samples& samples, double low, double high);
 
 /// The middle of the farthest slab that is half full: one cell [m] long, one cell high, standing on the floor, anywhere

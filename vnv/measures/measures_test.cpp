@@ -190,6 +190,11 @@ TEST(LevelBetween, IsTheVolumeOverTheFloor) {
   EXPECT_NEAR(level_between(column, 0.5, 2.5), 0.25, 1e-13);
 }
 
+TEST(LevelBetween, IsExactOfALatticeWhoseParticlesStandAcrossTheEnds) {
+  for (int across = 11; across < 61; across += 2)
+    EXPECT_NEAR(level_between(block({0, 0}, {1, 1}, 1.0 / across), 0, 0.1), 1, 1e-12) << across;
+}
+
 TEST(PercentileFront, HasNearlyAllOfTheVolumeBehindIt) {
   auto s = disordered(column, 0.4);
   s.mass.head(100) *= 3;

@@ -30,7 +30,7 @@ COMPLETED = {  # what is offered for the last word, in a folder with two files a
     "judge poi": "poiseuille",
     "judge --set H = 1 poi": "poiseuille",
     "judge couette 'my '": "my runs.csv",
-    "judge couette a.csv --axes y": "yx yz",
+    "judge couette a.csv --axes y": "yx yz y-x y-z",
     "scene st": "standing_wave stokes_first stokes_second",
     "explain tay": "taylor_green",
     "run ''": "folder mine.toml",

@@ -1,0 +1,151 @@
+#include "vnv/doors/filling.hpp"
+
+#include "solvers/lattice.hpp"
+#include "vnv/measures/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::vnv::doors {
+namespace {
+
+constexpr double room = 0.03;            // of mass and rows, for what another discretisation of a scene makes
+constexpr double densest_lattice = 1.2;  // rows of one by a lattice of squares; hexagons: 2 / sqrt(3)
+constexpr double least_rows = 4;         // fewer cannot show that they fill a plane
+constexpr double other_depth = 3;        // masses by such a factor off are of a layer of another depth
+
+bool holds(const std::vector<std::string>& fields, const std::string& name) {
+  return std::ranges::find(fields, name) != fields.end();
+}
+
+/// What the scene holds at a resolution: rows, and the area [m²] that they stand for.
+struct Expected {
+  double rows, fewest, most, area;
+
+  Expected(const Flow& flow, double spacing) {
+    const Vec2 size = flow.filled.size();
+    rows = flow.filled_area() / (spacing * spacing);
+    area = flow.filled_area();
+    Vec2 counts = (size / spacing).array().round().max(1);
+    if ((spacing <= size.array()).all() && counts.prod() < 1e8) {
+      const Lattice regular = lattice(flow.filled, spacing);
+      rows = static_cast<double>(flow.start.places_on(regular.places()).cols());
+      area = rows * regular.volume();
+    }
+    double lines_on_walls = 0;
+    for (const int axis : {0, 1})
+      if (!flow.domain.periodic(axis)) lines_on_walls += counts[1 - axis];
+    fewest = std::min((1 - room) * rows, rows - lines_on_walls);
+    most = std::max(densest_lattice * rows, rows + counts.sum() + 1);
+  }
+};
+
+double median(Scalars values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Takes the worst of each quantity: the farthest from `right`.
+class Worst {
+ public:
+  void take(const Value& value, const std::string& where, double right = 0) {
+    const auto known = std::ranges::find(found_.values, value.quantity, &Value::quantity);
+    if (known == found_.values.end()) {
+      found_.values.push_back(value);
+      found_.where.emplace_back(value.quantity.name, where);
+    } else if (!(std::abs(value.value - right) <= std::abs(known->value - right)) && !std::isnan(known->value)) {
+      *known = value;
+      std::ranges::find(found_.where, value.quantity.name, &std::pair<std::string, std::string>::first)->second = where;
+    }
+  }
+  void claim(const Claim& claim) {
+    const auto known = std::ranges::find(found_.claims, claim.quantity, &Claim::quantity);
+    if (known == found_.claims.end())
+      found_.claims.push_back(claim.on(level_));
+    else if (claim.upper > known->upper)  // of a cloud, which stood on a grid at another time
+      known->upper = claim.upper;
+  }
+  void tell(const std::string& line) {
+    if (!holds(found_.told, line)) found_.told.push_back(line);
+  }
+
+  explicit Worst(std::string level) : level_(std::move(level)) {}
+  Filling found_{};
+  std::string level_;
+};
+
+}  // namespace
+
+bool is_of_filling(const std::string& quantity) {
+  for (const Quantity& one : {rows_found, mass_found, mass_kept, density_found, largest_hole, rows_in_one_place,
+                              rows_crowded, empty_places_of_grid})
+    if (one.name == quantity) return true;
+  return false;
+}
+
+Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel& given,
+                   const std::vector<std::string>& fields) {
+  Worst worst(level);
+  if (given.at.empty()) return worst.found_;
+  const Expected expected(flow, given.spacing);
+  const Samples& first = given.at.begin()->second;
+  const double rows_at_first = static_cast<double>(first.size()), mass_at_first = first.mass.sum(),
+               mass_of_scene = flow.fluid.density * expected.area, ratio = mass_at_first / mass_of_scene;
+  const bool is_of_one_metre = ratio > 1 / other_depth && ratio < other_depth;
+  const bool is_box = flow.shape.empty() && !flow.has_free_surface();
+  const Author kept = theory("mass is conserved");
+  if (given.has_volumes && !is_of_one_metre)
+    worst.tell(
+        fmt::format("masses are {:.3g} times those of a layer 1 m deep: compared with those at the first time", ratio));
+  for (const auto& [time, samples] : given.at) {
+    const auto value = [&](const Quantity& quantity, double found) {
+      return Value{level, given.spacing, time, quantity, found};
+    };
+    const double rows = static_cast<double>(samples.size());
+    if (given.has_volumes) {
+      const double mass = samples.mass.sum();
+      const Quantity& quantity = is_of_one_metre ? mass_found : mass_kept;
+      const double of_it = is_of_one_metre ? mass_of_scene : mass_at_first;
+      worst.take(value(quantity, 100 * (mass / of_it - 1)), "");
+      // Of a shape, what a coarse lattice cuts off its edge: up to half of the cells on it.
+      const double of_edge = flow.area == 0 ? 0 : (expected.rows - expected.fewest) / expected.rows / 2,
+                   percent = 100 * std::max(room, of_edge);
+      worst.claim(between(quantity, -percent, percent, kept));
+    }
+    if (given.has_particles) {
+      const bool is_counted = !given.has_volumes && (given.spacing_is_said || given.at.size() > 1);
+      const double right = is_counted && given.spacing_is_said ? expected.rows : rows_at_first;
+      worst.take(value(rows_found, rows),
+                 fmt::format("{:.0f} {}", right,
+                             right == rows_at_first ? "at the first time" : "in the scene at this resolution"),
+                 right);
+      if (!is_counted) {
+        worst.claim(at_least(rows_found, least_rows, theory("fewer rows cannot show that they fill a plane")));
+      } else {
+        const double of_surface = is_box ? 0 : expected.rows - expected.fewest;
+        const double low = given.spacing_is_said ? expected.fewest : rows_at_first - of_surface,
+                     high = given.spacing_is_said ? expected.most : rows_at_first + of_surface;
+        worst.claim(between(rows_found, std::ceil(std::max(low, least_rows)), std::floor(high), kept));
+      }
+      const std::optional<Region> region = flow.region_at(time);
+      const Coverage coverage =
+          coverage_of(samples.x, given.spacing, region.value_or(Region{.domain = flow.domain, .is_known = false}));
+      for (const Value& one : values_of(coverage, {.name = level, .spacing = given.spacing}, time))
+        if (region || one.quantity != largest_hole) worst.take(one, where_is(coverage, one.quantity.name));
+      for (const Claim& claim : fills_its_region(coverage, rows_at_first))
+        if (region || claim.quantity == rows_in_one_place || claim.quantity == rows_crowded) worst.claim(claim);
+    }
+    if (holds(fields, "density")) {
+      const bool has_pressure = holds(fields, "pressure") && samples.pressure.allFinite();
+      const double law = has_pressure ? flow.fluid.density_at(median(samples.pressure)) : flow.fluid.density;
+      worst.take(value(density_found, 100 * (median(samples.density) / law - 1)), "");
+      worst.claim(between(density_found, -100 * room, 100 * room, theory("the density follows from the pressure")));
+    }
+  }
+  return std::move(worst.found_);
+}
+
+}  // namespace touchstone::vnv::doors

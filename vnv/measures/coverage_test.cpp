@@ -1,0 +1,154 @@
+#include "vnv/measures/coverage.hpp"
+
+#include "solvers/lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace touchstone::vnv {
+namespace coverage_test {
+
+/// A square of 1 m, periodic along x, with so many rows across.
+struct Square {
+  long across;
+  Domain domain{.box = {.high = {1, 1}}, .periodic_x = true};
+
+  double spacing() const { return 1.0 / static_cast<double>(across); }
+  Vectors regular() const { return lattice(domain.box, spacing()).places(); }
+  /// Each row moved by up to a part of a spacing along both axes.
+  Vectors shaken(double part, unsigned seed) const {
+    std::mt19937 draw(seed);
+    std::uniform_real_distribution<double> any(-part * spacing(), part * spacing());
+    Vectors places = regular();
+    for (double& one : places.reshaped()) one = std::clamp(one + any(draw), 0.0, 1 - 1e-9);
+    return places;
+  }
+  Coverage of(const Vectors& places) const { return coverage_of(places, spacing(), {domain}); }
+};
+
+Vectors without(const Vectors& places, const std::function<bool(const Vec2&)>& is_gone) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index p = 0; p < places.cols(); ++p)
+    if (!is_gone(places.col(p))) kept.push_back(p);
+  return places(Eigen::all, kept);
+}
+
+TEST(Coverage, OfALatticeIsWithoutHolesAtAnyResolution) {
+  for (const long across : {4, 7, 15, 33, 60, 101}) {
+    const Coverage found = Square{across}.of(Square{across}.regular());
+    EXPECT_EQ(found.grid_places, across * across);
+    EXPECT_EQ(found.empty_places + found.in_one_place, 0);
+    EXPECT_NEAR(found.hole, std::sqrt(2), 1e-5) << across;
+  }
+}
+
+TEST(Coverage, OfACloudKeepsTheLimitsThatAreClaimed) {
+  for (const long across : {5, 15, 60})
+    for (unsigned seed = 0; seed < 5; ++seed)
+      for (const double part : {0.05, 0.25, 0.5}) {
+        const Square square{across};
+        const Coverage found = square.of(square.shaken(part, seed));
+        const auto rows = static_cast<double>(across * across);
+        EXPECT_LT(found.hole, largest_sound_hole(rows)) << across << ", " << part;
+        EXPECT_LT(found.crowded, most_crowded(rows)) << across << ", " << part;
+        EXPECT_EQ(found.grid_places + found.in_one_place, 0);
+      }
+}
+
+TEST(Coverage, FindsTheDiameterOfAHoleAndWhereItIs) {
+  for (const double width : {3.0, 4.0, 7.5})
+    for (const long across : {20, 60}) {
+      const Square square{across};
+      for (const Vec2& centre : {Vec2(0.503, 0.47), Vec2(0.01, 0.6)}) {  // also over the periodic boundary
+        const double radius = width / 2 * square.spacing();
+        const auto apart = [&](const Vec2& x) {
+          Vec2 d = x - centre;
+          d.x() -= std::round(d.x());
+          return d.norm();
+        };
+        const Coverage found =
+            square.of(without(square.shaken(0.25, 1), [&](const Vec2& x) { return apart(x) < radius; }));
+        EXPECT_GE(found.hole, width - 0.01);
+        EXPECT_LT(found.hole, width + 1.5);
+        EXPECT_LT(apart(found.hole_at), square.spacing());
+      }
+    }
+}
+
+TEST(Coverage, OfAnUprightGridComparesGapsWithThoseBesideThem) {
+  const Square square{20};
+  const auto graded = [](double y) { return (1 - std::cos(std::numbers::pi * y)) / 2; };
+  Vectors places = square.regular();
+  for (double& y : places.row(1).reshaped()) y = graded(y);
+  EXPECT_LT(square.of(places).hole, std::numbers::sqrt2 * widest_sound_gap) << "a graded mesh";
+  const auto in_line = [&](double y) { return [=](const Vec2& x) { return std::abs(x.y() - y) < 1e-9; }; };
+  EXPECT_NEAR(square.of(without(square.regular(), in_line(0.525))).hole, 2 * std::numbers::sqrt2, 1e-5);
+  const Coverage at_wall = square.of(without(square.regular(), in_line(0.025)));
+  EXPECT_NEAR(at_wall.hole, 1.5 * std::numbers::sqrt2, 1e-5);
+  EXPECT_NEAR(at_wall.hole_at.y(), 0.0375, 1e-6);
+  const Coverage without_one =
+      square.of(without(square.regular(), [](const Vec2& x) { return (x - Vec2(0.325, 0.475)).norm() < 1e-9; }));
+  EXPECT_EQ(without_one.empty_places, 1);
+  EXPECT_NEAR((without_one.empty_at - Vec2(0.325, 0.475)).norm(), 0, 1e-6);
+}
+
+TEST(Coverage, CountsRowsInOnePlaceButNotNodesOfBothEndsOfAPeriod) {
+  const Square square{12};
+  for (const bool is_shaken : {false, true}) {
+    const Vectors places = is_shaken ? square.shaken(0.2, 3) : square.regular();
+    Vectors more(2, places.cols() + 3);
+    more << places, places.col(5), places.col(50), places.col(5);
+    EXPECT_EQ(square.of(more).in_one_place, 3) << is_shaken;
+  }
+  Vectors nodes(2, 13 * 13);
+  for (Eigen::Index k = 0; k < 169; ++k)
+    nodes.col(k) = Vec2(static_cast<double>(k % 13 % 12), static_cast<double>(k / 13)) / 12;
+  EXPECT_EQ(square.of(nodes).in_one_place, 0);
+  EXPECT_EQ(square.of(nodes).empty_places, 0);
+}
+
+TEST(Coverage, CallsPairsCrowdedAndARefinedPartNot) {
+  const Square square{20};
+  Vectors pairs = square.shaken(0.1, 2);
+  for (Eigen::Index p = 1; p < pairs.cols(); p += 2) pairs.col(p) = pairs.col(p - 1) + Vec2(1e-3, 1e-3);
+  EXPECT_EQ(square.of(pairs).crowded, 1);
+  Vectors refined(2, 400 + 1600);
+  refined << square.shaken(0.1, 2), 0.2 * Square{40}.shaken(0.1, 4);
+  EXPECT_LT(square.of(refined).crowded, 0.05);
+}
+
+TEST(Coverage, EndsAtASurface) {
+  const Square square{30};
+  const Vectors lower = without(square.shaken(0.2, 5), [](const Vec2& x) { return x.y() > 0.6; });
+  const auto below = [&](double height) {
+    return coverage_of(lower, square.spacing(),
+                       {.domain = square.domain, .depth = [=](const Vec2& x) { return height - x.y(); }})
+        .hole;
+  };
+  EXPECT_LT(below(0.6), 2.5);
+  EXPECT_GT(below(0.75), 4);
+  EXPECT_NEAR(square.of(lower).hole, 30 * 0.4 + 0.5, 1) << "all of the square";
+}
+
+TEST(Coverage, OfOneRowIsAllAround) {
+  Vectors one(2, 1);
+  one << 0.5, 0.5;
+  EXPECT_GT(Square{10}.of(one).hole, 3);
+  EXPECT_EQ(Square{10}.of(one).in_one_place, 0);
+}
+
+TEST(Coverage, MayBeMeasuredOfARunOfOurOwn) {
+  const Square square{10};
+  vnv::Run run;  // not that of a test
+  run.samples = {{.time = 1, .x = square.shaken(0.1, 1)}, {.time = 2, .x = square.shaken(0.1, 2)}};
+  const std::vector<Value> found = coverage_in({square.domain})({.name = "M1", .spacing = 0.1}, run);
+  ASSERT_EQ(found.size(), 6u);
+  EXPECT_EQ(found[0].quantity, largest_hole);
+  EXPECT_EQ(found[3].time, 2);
+}
+
+}  // namespace coverage_test
+}  // namespace touchstone::vnv
