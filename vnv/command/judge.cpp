@@ -4,6 +4,7 @@
 #include "vnv/command/junit.hpp"
 #include "vnv/command/settings.hpp"
 #include "vnv/command/solvers.hpp"
+#include "vnv/command/values.hpp"
 #include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
@@ -31,17 +32,6 @@ doors::Mapping mapping_of(const JudgeOptions& options) {
 }
 
 std::optional<double> where_positive(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
-
-void print_values(const Record& record) {
-  fmt::print("\n{:24} {:>12} {:32} {:>12}\n", "level", "time [s]", "quantity", "value");
-  for (const Value& v : record.values)
-    fmt::print("{:24} {:12.6g} {:32} {:12.6g}{}\n", v.level, v.time, v.quantity.heading(), v.value,
-               doors::is_limited(v, record) ? "" : "  not limited");
-  for (const ObservedOrder& order : record.orders)
-    if (order.levels.size() > 2)
-      fmt::print("observed order of {} at {:g} s: {:.3f} +- {:.2g} over {} resolutions\n", order.quantity, order.time,
-                 order.order, order.half_width, order.levels.size());
-}
 
 /// Each cause that was fitted, by itself or with another, with its 95 % interval.
 void print(const Diagnosis& diagnosis) {

@@ -5,6 +5,7 @@
 #include "vnv/command/outcome.hpp"
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/command/values.hpp"
 #include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
@@ -134,6 +135,7 @@ void run_solver(const doors::Solver& solver, const RunOptions& options, Sum& sum
   if (const auto& files = judgement.files; !files.empty())
     fmt::print("  {}{}\n", files.front(), files.size() > 1 ? fmt::format(", and {} more", files.size() - 1) : "");
   for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
+  print_values(judgement.record);
   for (const std::string& line : judgement.not_judged) fmt::print("  not judged: {}\n", line);
   add(sum, name, outcome_in(judgement.record), false);
 }
