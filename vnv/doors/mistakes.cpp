@@ -86,7 +86,10 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
                      : i == j ? fmt::format("{} of the box along x and y", quarters(i))
                               : fmt::format("{} of the box along x and {} along y", quarters(i), quarters(j));
     const Vec2 shift = 0.25 * size.cwiseProduct(Vec2(i, j));
-    add("shifted", fmt::format("{} is shifted by {}", field, by),
+    const Vec2 origin = shift - size.cwiseProduct(Vec2(i > 1, j > 1));  // of the data: the nearest, but for periods
+    add("shifted",
+        fmt::format("{} is shifted by {}: with its origin at ({:.4g}, {:.4g}) m it fits", field, by, origin.x(),
+                    origin.y()),
         [=, periodic = domain](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
           Vec2 from = x - shift;
           for (const int axis : {0, 1})

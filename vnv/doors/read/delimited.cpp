@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "vnv/doors/read/columns.hpp"
@@ -63,6 +64,16 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
   return names;
 }
 
+/// In a comment that says nothing else: "time = 20 s", "t: 20".
+std::optional<double> time_in(std::string_view words) {
+  const std::size_t sign = words.find_first_of("=:");
+  if (sign == words.npos || !names_time(trimmed(words.substr(0, sign)))) return std::nullopt;
+  std::string_view value = trimmed(words.substr(sign + 1));
+  if (value.ends_with(" s")) value = trimmed(value.substr(0, value.size() - 2));
+  const std::optional<double> time = number(value);
+  return time && std::isfinite(*time) ? time : std::nullopt;
+}
+
 class Table {
  public:
   Table(const std::filesystem::path& file, std::string_view bytes, const Limits& limits)
@@ -75,6 +86,10 @@ class Table {
       const std::string_view words =
           is_comment ? line.substr(std::min(line.find_first_not_of("#% \t\r"), line.size())) : line;
       if (words.empty()) return;
+      if (const auto time = is_comment ? time_in(words) : std::nullopt) {
+        time_ = time;
+        return;
+      }
       std::string_view rest = trimmed(words);
       separator_ = separator_of(rest);
       if (is_comment || !number(next_cell(rest, separator_))) {
@@ -102,6 +117,8 @@ class Table {
       refuse(file_.string(), fmt::format("no row of numbers, expected a table of text, {}", known_formats));
     Dataset whole{.source = file_.string(),
                   .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
+                  .time = time_,
+                  .index = number_of(file_),
                   .arrays = std::move(columns_)};
     return parted_by_time(std::move(whole));
   }
@@ -130,6 +147,7 @@ class Table {
   std::string_view bytes_;
   const Limits& limits_;
   std::string heading_{};
+  std::optional<double> time_{};  // s  in a comment
   char separator_ = ' ';
   std::vector<Array> columns_{};
 };

@@ -49,6 +49,16 @@ TEST(Delimited, PartsRowsByTheirTime) {
   EXPECT_EQ(found[1].array("x")->values, (std::vector<double>{1, 3}));
 }
 
+TEST(Delimited, HasATimeThatACommentSaysAndTheNumberThatEndsItsName) {
+  for (const char* text : {"# t = 20\nx y\n1 2\n", "x,y\n1,2\n", "# Time: 20 s\n# x y\n1 2\n"}) {
+    const Dataset found = read_delimited("PartFluid_0020.csv", text, {}).at(0);
+    EXPECT_EQ(found.index, 20) << text;
+    EXPECT_EQ(found.time, text[0] == '#' ? std::optional(20.0) : std::nullopt) << text;
+    EXPECT_EQ(found.arrays.at(0).name, "x") << text;
+  }
+  EXPECT_EQ(read("# time = 20 ms\n# x y\n1 2\n").at(0).time, std::nullopt) << "in a unit that a user says";
+}
+
 TEST(Delimited, IsRefusedInOneLine) {
   EXPECT_EQ(refusal("x,y\n1,2\n3,four\n"), "run.csv:3: column y: 'four', expected a number");
   EXPECT_EQ(refusal("x,y\n1,2\n3\n"), "run.csv:3: column y: '', expected a number");

@@ -86,7 +86,11 @@ class File {
       }
     std::ranges::sort(all, {}, &Dataset::index);
     if (!all.empty()) return all;
-    const std::optional<double> time = time_in(root);
+    std::optional<double> time = time_in(root);
+    if (!time && has("Header")) {  // of Gadget and Swift
+      const Open header(H5Gopen2(root, "Header", H5P_DEFAULT), H5Gclose, where("Header"));
+      time = time_in(header);
+    }
     const auto add = [&](Dataset one) {
       if (!one.time) one.time = time;
       if (!one.arrays.empty()) all.push_back(std::move(one));
