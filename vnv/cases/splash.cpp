@@ -31,8 +31,9 @@ enum Column { front, kinetic, level_left, level_right, run_up };
 
 std::vector<double> monitored(const Samples& s) {
   const double work = s.mass.sum() * dam_break::g * h0 / 2;  // J/m  that the column holds at the start
-  return {half_full_slab(s, cell), kinetic_energy(s) / work, level_between(s, 0, tank_length / 4),
-          level_between(s, 0.75 * tank_length, tank_length), height_at_far_wall(s)};
+  const double quarter = tank_length / 4;
+  return {half_full_slab(s, cell), kinetic_energy(s) / work, volume_behind(s, quarter) / quarter,
+          (s.volumes().sum() - volume_behind(s, 3 * quarter)) / quarter, height_at_far_wall(s)};
 }
 
 /// The monitored quantity of a column at a time, or just before.

@@ -59,7 +59,8 @@ std::vector<Experiment> experiments_of(double aspect) {
 }
 
 double residual_height(const DamFront& dam, const Samples& samples) {
-  return level_between(samples, 0, dam.column_length / 10) / dam.column_height;
+  const double strip = dam.column_length / 10;
+  return volume_behind(samples, strip) / strip / dam.column_height;
 }
 
 /// T until which a measured front is judged: after that it may have met the far wall.

@@ -101,10 +101,10 @@ double farthest_of_body(const Samples& samples, double reach) {
   return samples.x(0, largest).maxCoeff();
 }
 
-double level_between(const Samples& samples, double low, double high) {
-  const Scalars x = samples.x.row(0).transpose(), volumes = samples.volumes(), half = volumes.sqrt() / 2;
-  const Scalars inside = ((x + half).min(high) - (x - half).max(low)).max(0);
-  return (volumes.sqrt() * inside).sum() / (high - low);
+double volume_behind(const Samples& samples, double x) {
+  const Scalars volumes = samples.volumes(), sides = volumes.sqrt();
+  const Scalars behind = (x - samples.x.row(0).transpose().array() + sides / 2).max(0).min(sides);
+  return (sides * behind).sum();
 }
 
 double half_full_slab(const Samples& samples, double cell) {

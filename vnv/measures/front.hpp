@@ -23,9 +23,9 @@ double percentile_front(const Samples& samples);
 /// The farthest particle of the body of most particles: those closer than `reach` [m] to one of a body belong to it.
 double farthest_of_body(const Samples& samples, double reach);
 
-/// The mean height [m] of the water that stands over a part of the floor, of particles that are squares: one that
-/// stands across an end counts by the part within.
-double level_between(const Samples& samples, double low, double high);
+/// The volume [m²] of the water behind x [m], of particles that are squares: one that stands across counts by its part.
+/// Over a length from a wall on it is the mean height there.
+double volume_behind(const Samples& samples, double x);
 
 /// The middle of the farthest slab that is half full: one cell [m] long, one cell high, standing on the floor, anywhere
 /// along x, and full when the fluid in it has the volume cell².

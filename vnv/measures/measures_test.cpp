@@ -185,14 +185,15 @@ TEST(FarthestOfBody, FollowsAThinSheetAndNotALargerDropBehindAGap) {
   EXPECT_NEAR(farthest_of_body(moved(sheet, {-3, 0}), cell), -1.525, 1e-14);
 }
 
-TEST(LevelBetween, IsTheVolumeOverTheFloor) {
-  EXPECT_NEAR(level_between(column, 0, 0.2), 1, 1e-13);
-  EXPECT_NEAR(level_between(column, 0.5, 2.5), 0.25, 1e-13);
+TEST(VolumeBehind, IsThatOfTheParticlesAndOfTheirParts) {
+  EXPECT_NEAR(volume_behind(column, 0.2), 0.2, 1e-13);
+  EXPECT_NEAR(volume_behind(column, 2.5), 1, 1e-13);
+  EXPECT_EQ(volume_behind(column, -0.1), 0);
 }
 
-TEST(LevelBetween, IsExactOfALatticeWhoseParticlesStandAcrossTheEnds) {
+TEST(VolumeBehind, IsExactOfALatticeWhoseParticlesStandAcross) {
   for (int across = 11; across < 61; across += 2)
-    EXPECT_NEAR(level_between(block({0, 0}, {1, 1}, 1.0 / across), 0, 0.1), 1, 1e-12) << across;
+    EXPECT_NEAR(volume_behind(block({0, 0}, {1, 1}, 1.0 / across), 0.1), 0.1, 1e-13) << across;
 }
 
 TEST(PercentileFront, HasNearlyAllOfTheVolumeBehindIt) {
