@@ -2,6 +2,7 @@
 /// flows, files. Which of them, the name of the value says, as the help prints it.
 
 #include "vnv/command/commands.hpp"
+#include "vnv/doors/fields.hpp"
 #include "vnv/doors/flow.hpp"
 #include "vnv/programs/programs.hpp"
 
@@ -26,7 +27,7 @@ struct Values {
 
 const std::map<std::string, Values>& kinds_of_values() {
   static const std::map<std::string, Values> kinds{{"AFTER", {.paths = Paths::files}},
-                                                   {"AXES", {.words = {"xy", "xz", "yx", "yz", "zx", "zy"}}},
+                                                   {"AXES", {.words = doors::names_of_planes()}},
                                                    {"BEFORE", {.paths = Paths::files}},
                                                    {"CASE", {.words = doors::flow_names(), .listed = Listed::cases}},
                                                    {"ENGINE", {.words = engines}},
