@@ -1,5 +1,6 @@
 #include "vnv/command/order_table.hpp"
 
+#include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/quantity.hpp"
 
@@ -135,7 +136,7 @@ bool is_aside(std::string_view heading) {
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}: {}", where, why));
+  throw std::invalid_argument(printable(fmt::format("{}: {}", where, why)));
 }
 
 /// The names in a heading of so many columns, or of some more that a row leaves out as they are no errors; none where
@@ -180,7 +181,7 @@ std::vector<TableColumn> columns_of(const std::filesystem::path& file) {
     if (columns.empty()) {
       const Words names = names_in(heading, separator, cells.size());
       for (std::size_t k = 0; k < std::max(names.size(), cells.size()); ++k)
-        columns.push_back({names.empty() ? fmt::format("column {}", k + 1) : names[k], {}});
+        columns.push_back({names.empty() ? fmt::format("column {}", k + 1) : printable(names[k]), {}});
       for (std::size_t k = 0; k < columns.size(); ++k)
         if (is_aside(columns[k].name)) skipped.push_back(k);
     }

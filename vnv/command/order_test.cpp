@@ -111,6 +111,7 @@ TEST_F(OrderOfATable, AsksWhereTheResolutionIsNotKnown) {
 
 TEST_F(OrderOfATable, IsRefusedOfWhatIsNoLadder) {
   EXPECT_NE(said("spacing\n0.1\n0.2\n").find("no row of numbers"), std::string::npos);
+  EXPECT_EQ(said("h,\x1b[2J\n0.1,1\n0.2,\x1b[2J\n").find('\x1b'), std::string::npos) << "a terminal obeys it";
   EXPECT_NE(said("spacing,CPU time\n0.1,1\n0.2,1\n").find("no column of errors"), std::string::npos);
   EXPECT_NE(said("spacing,L2\n-0.1,1\n0.2,2\n").find("row 1: spacing = -0.1, expected a positive number"),
             std::string::npos);
