@@ -88,7 +88,7 @@ TEST(WorkPrecision, ComparesWhatOneMachineRanAndSaysWhich) {
 TEST(WorkPrecision, RanksMethodsByTheTimeToAnError) {
   CaseRecords records = two_methods();
   add_work_precision(records);
-  const vnv::Table& costs = find_table(records, "work_prices");
+  const vnv::Table costs = find_table(records, "work_prices");
   ASSERT_EQ(costs.rows.size(), 4u);
   EXPECT_EQ(std::get<std::string>(costs.rows[0][1]), "mpm");
   EXPECT_EQ(std::get<std::string>(costs.rows[0][2]), "2 (0.9 to 4.4)");
@@ -143,7 +143,7 @@ TEST(WorkPrecision, AsksForErrorsThatTwoMethodsReachAndRanksByWhatHalfOfThemDo) 
   CaseRecords records = one_declares();
   for (auto& value : records.records[1].values) value.value /= 100;
   add_work_precision(records);
-  const vnv::Table& costs = find_table(records, "work_prices");
+  const vnv::Table costs = find_table(records, "work_prices");
   EXPECT_EQ(costs.columns, (std::vector<std::string>{"rank", "method", "CPU to 1 % [s]", "CPU to 0.3 % [s]",
                                                      "CPU to 0.1 % [s]", "smallest error"}));
   EXPECT_TRUE(costs.caption.ends_with("Ranked by the time to 0.1 %.")) << costs.caption;

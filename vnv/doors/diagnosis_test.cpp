@@ -543,7 +543,7 @@ TEST(Diagnosis, NamesNoiseWithTheCauseBesideIt) {
   RestOfError noise(random, flow.domain, false, 0.01);
   for (Samples& s : samples) add(s, norm_of(flow.exact[0], s), noise.at(s.x), 1);
   const Diagnosis found = diagnosed(flow.exact[0], {&samples.back()}, flow.domain, flow.across / 40, 0.3);
-  const Explanation& viscosity = of(found, "viscosity");
+  const Explanation viscosity = of(found, "viscosity");
   ASSERT_TRUE(viscosity.named && viscosity.causes.size() == 2) << found.sentence;
   EXPECT_NEAR(viscosity.causes[0].value, 3, viscosity.causes[0].half_width);
   EXPECT_NEAR(viscosity.causes[1].value, 1, 3 * viscosity.causes[1].half_width);
