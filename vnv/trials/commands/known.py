@@ -121,10 +121,10 @@ BY_NIGHT = [
 ]
 MORE_VISCOUS, SLOWER, RENAMED = "losses/more_viscous.fault", "losses/slower_by_a_tenth.fault", "faults/harmless/local_renamed.fault"
 GATES = [  # of the last two commits of a clone
-    in_clone("vnv gate HEAD~1 HEAD", "^same or better: ", change=RENAMED, also=" --case couette"),
+    in_clone("vnv gate HEAD~1 HEAD", r"^same\b.*: ", change=RENAMED, also=" --case couette"),
     in_clone("vnv gate HEAD~1 HEAD", r"^couette\.mpm .*L2 .*: worse: ", status=1, change=MORE_VISCOUS, also=" --case couette"),
     in_clone("vnv gate HEAD~1 HEAD", r"^couette\.mpm: user CPU time .*: worse: ", status=1, change=SLOWER, also=" --case couette"),
-    in_clone("vnv gate HEAD~1 HEAD --case poiseuille --case couette", "^same or better: ", change=RENAMED),
-    in_clone("vnv gate HEAD~1 HEAD --markdown review.md", r"same or better(.*\n)*\*\*same or better\*\*", change=RENAMED, then="cat review.md"),
-    in_clone("vnv gate HEAD~1 HEAD", "^same or better: ", change=RENAMED),
+    in_clone("vnv gate HEAD~1 HEAD --case poiseuille --case couette", r"^same\b.*: ", change=RENAMED),
+    in_clone("vnv gate HEAD~1 HEAD --markdown review.md", r"^same\b(.*\n)*\*\*same", change=RENAMED, then="cat review.md"),
+    in_clone("vnv gate HEAD~1 HEAD", r"^same\b.*: ", change=RENAMED),
 ]
