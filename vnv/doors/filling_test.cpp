@@ -1,4 +1,5 @@
 #include "vnv/doors/filling.hpp"
+#include "vnv/doors/testing.hpp"
 
 #include "solvers/lattice.hpp"
 #include "vnv/files/whole_file.hpp"
@@ -23,16 +24,7 @@ Samples exact_on(const Flow& flow, double across, double time) {
   s.pressure.resize(s.size());
   for (Eigen::Index p = 0; p < s.size(); ++p) s.pressure[p] = flow.start.pressure_at(s.x.col(p));
   s.density = s.mass = Scalars::Constant(s.size(), flow.fluid.density);
-  for (const Exact& exact : flow.exact) {
-    const FieldTruth truth = exact.with({});
-    for (Eigen::Index p = 0; p < s.size(); ++p) {
-      const Vec2 value = truth(s.x.col(p), time);
-      if (exact.field == "velocity")
-        s.v.col(p) = value;
-      else
-        s.pressure[p] = value.x();
-    }
-  }
+  set_exact_fields(flow, s);
   return s;
 }
 

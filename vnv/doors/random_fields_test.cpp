@@ -3,6 +3,7 @@
 
 #include "solvers/lattice.hpp"
 #include "vnv/doors/judge.hpp"
+#include "vnv/doors/testing.hpp"
 #include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
@@ -33,14 +34,7 @@ Samples right(const Flow& flow, double spacing, double time) {
     s.v.col(p) = flow.start.velocity_at(s.x.col(p));
     s.pressure[p] = flow.start.pressure_at(s.x.col(p));
   }
-  for (const Exact& exact : flow.exact) {
-    const FieldTruth truth = exact.with({});
-    for (Eigen::Index p = 0; p < s.size(); ++p)
-      if (exact.field == "velocity")
-        s.v.col(p) = truth(s.x.col(p), time);
-      else
-        s.pressure[p] = truth(s.x.col(p), time).x();
-  }
+  set_exact_fields(flow, s);
   s.density.setConstant(flow.fluid.density);
   s.mass.setConstant(flow.fluid.density * flow.filled_area() / static_cast<double>(s.size()));
   return s;

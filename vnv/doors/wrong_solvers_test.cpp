@@ -1,5 +1,6 @@
 #include "solvers/lattice.hpp"
 #include "vnv/doors/judge.hpp"
+#include "vnv/doors/testing.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/flows/dam_break.hpp"
 #include "vnv/flows/gravity_wave.hpp"
@@ -27,16 +28,7 @@ Samples with_exact_fields(const Flow& flow, const Vectors& places, double volume
   s.pressure = Scalars::Zero(s.size());
   s.density = Scalars::Constant(s.size(), flow.fluid.density);
   s.mass = s.density * volume;
-  for (const Exact& exact : flow.exact) {
-    const FieldTruth truth = exact.with({});
-    for (Eigen::Index p = 0; p < s.size(); ++p) {
-      const Vec2 value = truth(s.x.col(p), t);
-      if (exact.field == "velocity")
-        s.v.col(p) = value;
-      else
-        s.pressure[p] = value.x();
-    }
-  }
+  set_exact_fields(flow, s);
   return s;
 }
 
