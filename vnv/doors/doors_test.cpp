@@ -159,7 +159,41 @@ TEST_F(Doors, ReadOtherUnitsFromHeadingsOrAsTheUserSays) {
   Mapping mapping;
   mapping.units = {{"length", "um"}};
   EXPECT_NEAR(judged("poiseuille", {poiseuille(20, 0.03, 1e-6, "any")}, mapping).record.values[0].value, 3, 1e-9);
-  EXPECT_TRUE(says(refusal("poiseuille", poiseuille(20, 0, 1e-3, "m")), "they fit times 0.001: --unit length=mm?"));
+  EXPECT_TRUE(says(refusal("poiseuille", poiseuille(20, 0, 1e-3, "m")), "they fit with --unit length=mm"));
+}
+
+TEST_F(Doors, OfferWhatMakesAllOfItFit) {
+  struct Written {
+    double unit;  // m
+    bool swapped;
+    Vec2 origin;  // m, as written
+    std::string hint;
+    Mapping mapping;
+  };
+  const std::vector<Written> all{
+      {1, true, {0, 0}, "they fit with --axes yx", {.axes = "yx"}},
+      {1e-3, true, {0, 0}, "they fit with --unit length=mm --axes yx", {.units = {{"length", "mm"}}, .axes = "yx"}},
+      {1, false, {0, -5e-4}, "they fit with --origin 0 -0.0005", {.origin = {0, -5e-4}}},
+      {1, true, {2e-3, 0}, "they fit with --axes yx --origin 0 0.002", {.axes = "yx", .origin = {0, 2e-3}}},
+      {1e-2,
+       false,
+       {0, 1},
+       "they fit with --unit length=cm --origin 0 1",
+       {.units = {{"length", "cm"}}, .origin = {0, 1}}},
+  };
+  for (const Written& one : all) {
+    std::string text = "x,y,v_x,v_y\n";
+    const Vectors places = lattice({.high = {0.5e-3, 1e-3}}, 5e-5).places();
+    for (const auto& x : places.colwise()) {
+      const Vec2 row = ((one.swapped ? x.reverse().eval() : Vec2(x)) + one.origin) / one.unit;
+      const double v = exact(x.y(), 1);
+      text += fmt::format("{},{},{},{}\n", row.x(), row.y(), one.swapped ? 0 : v, one.swapped ? v : 0);
+    }
+    const std::filesystem::path file = write("elsewhere.csv", text);
+    const std::string line = refusal("poiseuille", file);
+    EXPECT_TRUE(line.ends_with(one.hint)) << line;
+    EXPECT_LT(judged("poiseuille", {file}, one.mapping).record.values[0].value, 1e-9) << one.hint;
+  }
 }
 
 TEST_F(Doors, MultiplyAKinematicPressureByTheDensity) {

@@ -278,32 +278,53 @@ std::string labels_of(const Dataset& data) {
   return words;
 }
 
-/// What places outside the domain might be: in another unit, if a power of ten brings them in.
-std::string guess_of_unit(const Vectors& x, const Domain& domain) {
-  for (const auto& [factor, unit] : {std::pair(1e-3, "mm"), std::pair(1e-2, "cm"), std::pair(1e-6, "um")}) {
-    bool fits = true;
-    for (Eigen::Index p = 0; p < x.cols(); ++p) fits &= domain.box.contains(factor * x.col(p));
-    if (fits) return fmt::format("; they fit times {:g}: --unit length={}?", factor, unit);
-  }
-  return "";
-}
-
-/// Where the origin of places might be that fill the domain, but elsewhere.
-std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin, const Vec2& way) {
+/// What the user might say so that all places, as a file has them along the axes of a plane, lie in the domain and
+/// reach over it: another unit, the axes the other way round, another origin, or several of these; as few as will do.
+std::string guess_of_convention(const Vectors& places, double to_si, const Plane& plane, const Mapping& mapping,
+                                const Domain& domain) {
   constexpr double most = 1 + 1e-9, least = 0.8;  // of the domain that rows of a filled one reach over
-  const Vec2 low = x.rowwise().minCoeff(), high = x.rowwise().maxCoeff(), size = domain.box.size();
-  for (const int axis : {0, 1}) {
-    if (domain.periodic(axis)) continue;
-    const double spread = high[axis] - low[axis];
-    if (!(spread <= most * size[axis] && spread >= least * size[axis])) return "";
-    origin[axis] += way[axis] * ((low[axis] + high[axis]) / 2 - (domain.box.low[axis] + size[axis] / 2));
-  }
-  return fmt::format("; they fit with --origin {:.6g} {:.6g}", origin.x(), origin.y());
+  constexpr double some = 0.05;                   // that fluid with a free surface does
+  const Vec2 size = domain.box.size();
+  std::string guess;
+  std::size_t fewest = 4;
+  for (const bool swapped : {false, true})
+    for (const auto& [unit, si] : units.at("length"))
+      for (const bool moved : {false, true}) {
+        const std::size_t count = swapped + (si != to_si) + moved;
+        if (count == 0 || count >= fewest) continue;
+        const Vec2 way = swapped ? plane.way.reverse() : plane.way;
+        Vec2 origin = mapping.origin;
+        bool fits = true, is_filled = true;
+        for (const int axis : {0, 1}) {
+          const auto row = places.row(swapped ? 1 - axis : axis) * si;
+          const double low = row.minCoeff(), high = row.maxCoeff(), spread = high - low;
+          if (domain.periodic(axis)) {
+            const bool may_be_one_column = !swapped && !domain.periodic(1 - axis);
+            fits &= spread <= 1.5 * size[axis] && (may_be_one_column || spread >= size[axis] / 2);
+            continue;
+          }
+          is_filled &= spread <= most * size[axis] && spread >= least * size[axis];
+          fits &= spread >= some * size[axis];
+          if (moved)
+            origin[axis] = way[axis] * ((low + high) / 2 - (domain.box.low[axis] + size[axis] / 2));
+          else
+            fits &= low - way[axis] * origin[axis] >= domain.box.low[axis] - 1e-9 * size[axis] &&
+                    high - way[axis] * origin[axis] <= domain.box.high[axis] + 1e-9 * size[axis];
+        }
+        if (!fits || ((moved || swapped) && !is_filled)) continue;
+        fewest = count;
+        guess = "; they fit with";
+        if (si != to_si) guess += fmt::format(" --unit length={}", unit);
+        if (swapped) guess += fmt::format(" --axes {}{}", plane.name(1), plane.name(0));
+        if (moved) guess += fmt::format(" --origin {:.6g} {:.6g}", origin.x(), origin.y());
+      }
+  return guess;
 }
 
 /// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
 /// they are written unwrapped, the corners of the box about them stay empty.
-void require_periods(const std::string& source, const Vectors& x, const Domain& domain) {
+void require_periods(const std::string& source, const Vectors& x, const Domain& domain,
+                     const std::function<std::string()>& guess) {
   for (const int axis : {0, 1}) {
     if (!domain.periodic(axis)) continue;
     const double period = domain.box.size()[axis];
@@ -318,10 +339,11 @@ void require_periods(const std::string& source, const Vectors& x, const Domain& 
     if (!(length > 1.5 * period)) continue;
     const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
     const bool fills_it = found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
-    if (fills_it)
-      throw LongerThanPeriod(fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m: --set L={:.4g}?", source,
-                                         length, "xy"[axis], period, length),
-                             axis, length);
+    if (!fills_it) continue;
+    const std::string line =
+        fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m", source, length, "xy"[axis], period);
+    if (const std::string all_fits = guess(); !all_fits.empty()) throw Unreadable(line + all_fits);
+    throw LongerThanPeriod(fmt::format("{}: --set L={:.4g}?", line, length), axis, length);
   }
 }
 
@@ -404,8 +426,13 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     return all;
   };
   s.x = vectors(places, "position", "length");
+  const auto guess = [&] {
+    std::string as_found;
+    const double to_si = factor(places, "length", mapping, density, as_found);
+    return guess_of_convention(vectors(places, "position", "length") / to_si, to_si, plane, mapping, domain);
+  };
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  if (!is_mesh) require_periods(data.source, s.x, domain);
+  if (!is_mesh) require_periods(data.source, s.x, domain, guess);
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
@@ -422,11 +449,11 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   });
   if (outside > 0) {
     if (!mapping.inside || outside == count)
-      throw Unreadable(fmt::format(
-          "{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
-          "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
-          data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(), domain.box.high.y(),
-          labels_of(data), guess_of_unit(s.x, domain) + guess_of_origin(s.x, domain, mapping.origin, plane.way)));
+      throw Unreadable(
+          fmt::format("{}: {} of {} rows lie outside the domain, ({:g}, {:g}) to ({:g}, {:g}) m: say which are "
+                      "fluid, --only NAME=VALUE{} or --inside, or where the origin is, --origin{}",
+                      data.source, outside, count, domain.box.low.x(), domain.box.low.y(), domain.box.high.x(),
+                      domain.box.high.y(), labels_of(data), guess()));
     say("left out", fmt::format("{} of {} rows, outside the domain", outside, count));
     count = 0;
     each_row([&](std::size_t row, Eigen::Index p) {
