@@ -135,7 +135,7 @@ Build Revisions::build(const std::string& commit, const Choice& choice, std::ost
     fs::create_directories((kept / part).parent_path());
     fs::copy(from / part, kept / part, fs::copy_options::recursive);
   };
-  keep(scratch_.path(), "build/vnv");
+  keep(source(), "build/vnv");
   keep(source(), "vnv/cases");
   keep(source(), "data");
   return build_in(kept / "build", kept, choice);

@@ -44,7 +44,7 @@ class Revisions {
 
  private:
   std::filesystem::path source() const { return scratch_ / "source"; }
-  std::filesystem::path folder() const { return scratch_ / "build"; }
+  std::filesystem::path folder() const { return source() / "build"; }  // as in a clone: see CMakeLists.txt on ccache
   void check_out(const std::string& commit) const;
   void run(const programs::Words& words, const std::string& what) const;
   void forget_source() const;
