@@ -4,6 +4,7 @@
 #include "vnv/harness/environment.hpp"
 #include "vnv/harness/run_levels.hpp"
 #include "vnv/judge/order.hpp"
+#include "vnv/measures/coverage.hpp"
 #include "vnv/studies/ensemble.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,7 @@ void measure_runs(const Case& declared, const Method& method, const std::vector<
     }
     if (declared.monitor.evaluate && !run.history.time.empty())
       record.histories.push_back(history_of(declared, record.case_name + "." + record.method, run));
+    std::ranges::move(coverage_of(*level, run), std::back_inserter(record.values));
     record.runs.push_back(run.summary);
     record.runs.back().cost.harness += measuring.seconds();
   }
@@ -169,6 +171,7 @@ void ask_for_acceptance(long count, const std::string& shown, Suite suite, Recor
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
   std::vector<Value> not_accepted;
   for (const Value& e : record.values) {
+    if (claim_of_coverage(e.quantity.name, 0)) continue;
     const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity.heading());
     const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
     if (last)
@@ -230,6 +233,18 @@ void judge_ends(const Method& method, Record& record) {
   }
 }
 
+/// The fluid of every simulation is claimed to stay together, unless it is made to see whether it diverges.
+void judge_coverage(const Method& method, const std::vector<Run>& runs, Record& record) {
+  for (const Value& e : record.values) {
+    const auto run = std::ranges::find(runs, e.level, [](const Run& one) { return one.summary.level; });
+    if (run == runs.end() || !run->room) continue;
+    if (std::ranges::find(method.levels, e.level, &Level::name)->may_diverge) continue;
+    const auto rows = static_cast<double>(run->summary.cost.particles);
+    if (const auto claim = claim_of_coverage(e.quantity.name, rows))
+      record.verdicts.push_back(judge(*claim, {record.case_name, record.method, e.level, e.spacing, e.time}, e.value));
+  }
+}
+
 }  // namespace
 
 std::string stem_of_files(const std::string& name, const std::string& level) {
@@ -272,6 +287,7 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
   if (suite == Suite::work) {
     judge_all(method.claims_of_work);
   } else {
+    judge_coverage(method, runs, record);
     judge_all(declared.claims);
     judge_all(method.claims);
   }
@@ -285,7 +301,9 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
 }
 
 bool claims_more_than_ends(const Record& record) {
-  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run.name; });
+  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) {
+    return v.quantity == end_of_run.name || claim_of_coverage(v.quantity, 0);
+  });
 }
 
 std::vector<std::string> complaints(const Record& record, const AcceptedClaims& accepted) {
@@ -309,6 +327,7 @@ std::vector<std::string> complaints(const Record& record, const AcceptedClaims& 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
   std::vector<Baseline> rows;
   for (const Value& e : record.values) {
+    if (claim_of_coverage(e.quantity.name, 0)) continue;
     const std::string heading = e.quantity.heading();
     const auto wider = std::ranges::find_if(tolerance.exceptions, [&](const Tolerance::Exception& exception) {
       return heading.find(exception.words) != heading.npos;

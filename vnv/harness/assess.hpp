@@ -24,7 +24,7 @@ Record assess(const std::string& case_name, const Case& declared, const Method& 
 Record assess(const std::string& case_name, const Case& declared, const Results& results,
               const std::optional<Baselines>& baselines);
 
-/// Whether anything was claimed of a method but that its runs end.
+/// Whether anything was claimed of a method but that its runs end, their fluid together.
 bool claims_more_than_ends(const Record& record);
 
 /// Why a method does not pass, line by line: nothing was claimed of it but ends, a claim does not hold, or all hold and

@@ -1,4 +1,6 @@
 #include "vnv/harness/assess.hpp"
+#include "solvers/lattice.hpp"
+#include "vnv/measures/coverage.hpp"
 #include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
@@ -166,6 +168,37 @@ TEST(Assess, DistinguishesAClaimFromTheEndOfARun) {
   EXPECT_FALSE(claims_more_than_ends(only_ends));
   declared.claims = {at_most(l2, 1, theory(""))};
   EXPECT_TRUE(claims_more_than_ends(assessed(declared)));
+}
+
+TEST(Assess, ClaimsThatTheFluidOfARunStaysTogetherByTheoryAlone) {
+  Case declared = second_order();
+  declared.methods[0].run = [](const Level& level, const Schedule& when) {
+    Run run{.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished"}};
+    run.room = Room{{.box = {.high = {1, 1}}}, {.high = {1, 1}}};
+    Samples sound{.time = 0.5, .x = lattice(run.room->filled, level.spacing).places()}, torn = sound;
+    torn.time = 1;
+    if (level.name == "fine")
+      for (const Index p : {33, 34, 35, 43, 44, 45, 53, 54, 55}) torn.x.col(p) = torn.x.col(0);
+    run.samples = {sound, torn};
+    run.summary.cost.particles = sound.size();
+    return run;
+  };
+  const Record record = assessed(declared, Baselines{});
+  const auto outcome = [&](const std::string& level, const Quantity& quantity) {
+    for (const Verdict& v : record.verdicts)
+      if (v.level == level && v.quantity == quantity.name) return v.outcome;
+    return Outcome::inconclusive;
+  };
+  for (const Quantity& one : {largest_hole, rows_in_one_place, rows_crowded})
+    EXPECT_EQ(outcome("coarse", one), Outcome::holds) << one.name;
+  EXPECT_EQ(outcome("fine", largest_hole), Outcome::fails);
+  EXPECT_EQ(outcome("fine", rows_in_one_place), Outcome::fails);
+  EXPECT_FALSE(claims_more_than_ends(record));
+  for (const Verdict& v : record.verdicts)
+    if (v.quantity == never_accepted) {
+      EXPECT_EQ(v.value, 2) << "the errors of two levels";
+    }
+  EXPECT_EQ(baselines_from(record, {}).size(), 2u);
 }
 
 TEST(Assess, LetsNoMethodPassWithFewerClaimsThanAccepted) {

@@ -65,7 +65,7 @@ class Replay {
   Record operator()(const Parts& parts) {
     parts_ = &parts;
     results_.runs.clear();
-    for (const RunSummary& run : parts.runs) results_.runs.push_back({.summary = run});
+    for (const RunSummary& run : parts.runs) results_.runs.push_back({.summary = run, .room = Room{}});
     return assess(case_name_, played_, results_, baselines_);
   }
 
@@ -284,12 +284,21 @@ void lose_edges(Run& run, double factor) {
   }
 }
 
+/// So large a part of the particles stands where their neighbours do.
+void pair_up(Run& run, double factor) {
+  for (Samples& s : run.samples) {
+    const auto pairs =
+        static_cast<Eigen::Index>(std::min(1.0, std::abs(factor - 1)) * static_cast<double>(s.size() / 2));
+    for (Eigen::Index p = 0; p < pairs; ++p) s.x.col(2 * p) = s.x.col(2 * p + 1);
+  }
+}
+
 /// Also what is zero.
 void move_found(Run& run, double factor) {
   for (Value& value : run.found) value.value = factor * value.value + factor - 1;
 }
 
-constexpr std::array<Field, 11> fields{{
+constexpr std::array<Field, 12> fields{{
     {"velocity",
      [](Run& run, double factor) {
        for (Samples& s : run.samples) s.v *= factor;
@@ -309,6 +318,7 @@ constexpr std::array<Field, 11> fields{{
     {"what was found", move_found},
     {"monitored, shifted with time,", shift_monitored},
     {"height that particles fill", lose_edges},
+    {"place of pairs", pair_up},
     {"steps",
      [](Run& run, double factor) {
        run.summary.cost.steps = std::lround(factor * static_cast<double>(run.summary.cost.steps));

@@ -4,6 +4,7 @@
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 #include <cereal/archives/binary.hpp>
+#include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
 
@@ -43,8 +44,11 @@ void serialize(auto& archive, RunSummary& s) {
 void serialize(auto& archive, Quantity& q) { archive(q.name, q.unit, q.kind, q.better); }
 void serialize(auto& archive, Value& v) { archive(v.level, v.spacing, v.time, v.quantity, v.value); }
 void serialize(auto& archive, Curve& c) { archive(c.figure, c.label, c.role, c.x, c.y, c.points); }
+void serialize(auto& archive, Room& r) {
+  archive(r.domain.box.low, r.domain.box.high, r.domain.periodic_x, r.domain.periodic_y, r.filled.low, r.filled.high);
+}
 void serialize(auto& archive, History& h) { archive(h.time, h.values); }
-void serialize(auto& archive, Run& r) { archive(r.summary, r.samples, r.history, r.found, r.curves); }
+void serialize(auto& archive, Run& r) { archive(r.summary, r.samples, r.history, r.found, r.curves, r.room); }
 
 }  // namespace vnv
 }  // namespace touchstone

@@ -363,12 +363,23 @@ std::vector<Value> values_of(const Coverage& coverage, const Level& level, doubl
   return found;
 }
 
-std::vector<Claim> fills_its_region(const Coverage& coverage, double rows) {
+std::optional<Claim> claim_of_coverage(const std::string& quantity, double rows) {
   const Author filled = theory("an incompressible fluid fills its domain");
+  if (quantity == largest_hole.name) return at_most(largest_hole, largest_sound_hole(rows), filled);
+  if (quantity == rows_in_one_place.name)
+    return at_most(rows_in_one_place, 0, theory("no two parts of a fluid are in one place"));
+  if (quantity == rows_crowded.name) return at_most(rows_crowded, 100 * most_crowded(rows), filled);
+  if (quantity == empty_places_of_grid.name) return at_most(empty_places_of_grid, 0, filled);
+  return std::nullopt;
+}
+
+std::vector<Claim> fills_its_region(const Coverage& coverage, double rows) {
   const bool is_grid = coverage.grid_places > 0;  // which may be stretched and graded
-  return {at_most(largest_hole, is_grid ? std::numbers::sqrt2 * widest_sound_gap : largest_sound_hole(rows), filled),
-          at_most(rows_in_one_place, 0, theory("no two parts of a fluid are in one place")),
-          is_grid ? at_most(empty_places_of_grid, 0, filled) : at_most(rows_crowded, 100 * most_crowded(rows), filled)};
+  std::vector<Claim> claims;
+  for (const Quantity& one : {largest_hole, rows_in_one_place, is_grid ? empty_places_of_grid : rows_crowded})
+    claims.push_back(*claim_of_coverage(one.name, rows));
+  if (is_grid) claims.front().upper = std::numbers::sqrt2 * widest_sound_gap;
+  return claims;
 }
 
 std::string where_is(const Coverage& coverage, const std::string& quantity) {
@@ -379,14 +390,26 @@ std::string where_is(const Coverage& coverage, const std::string& quantity) {
   return "";
 }
 
-Measurement coverage_in(const Region& region) {
-  return [region](const Level& level, const Run& run) {
-    std::vector<Value> found;
-    for (const Samples& samples : run.samples)
-      std::ranges::copy(values_of(coverage_of(samples.x, level.spacing, region), level, samples.time),
-                        std::back_inserter(found));
-    return found;
+std::vector<Value> coverage_of(const Level& level, const Run& run) {
+  if (!run.room || run.samples.empty()) return {};
+  const double places = run.room->domain.box.size().prod() / (level.spacing * level.spacing);
+  const bool is_full = run.room->is_full() &&
+                       static_cast<double>(run.samples.front().size()) > 0.9 * places;  // else of a shape, as a drop
+  double hole = 0, in_one_place = 0, crowded = 0;
+  for (const Samples& samples : run.samples) {
+    const Coverage found = coverage_of(samples.x, level.spacing, {.domain = run.room->domain, .is_known = is_full});
+    hole = std::max(hole, found.hole);
+    in_one_place = std::max(in_one_place, static_cast<double>(found.in_one_place));
+    crowded = std::max(crowded, 100 * found.crowded);
+  }
+  std::vector<Value> values;
+  const auto add = [&](const Quantity& quantity, double value) {
+    values.push_back({level.name, level.spacing, run.samples.back().time, quantity, value});
   };
+  if (is_full) add(largest_hole, hole);
+  add(rows_in_one_place, in_one_place);
+  add(rows_crowded, crowded);
+  return values;
 }
 
 }  // namespace touchstone::vnv

@@ -7,6 +7,7 @@
 #include "vnv/case.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace touchstone::vnv {
@@ -83,7 +84,12 @@ std::vector<Claim> fills_its_region(const Coverage& coverage, double rows);
 /// Where that is which a quantity speaks of: "about (0.25, 0.4) m"; empty for another.
 std::string where_is(const Coverage& coverage, const std::string& quantity);
 
-/// The same of each time of a run of our own, in a region that stays as it is.
-Measurement coverage_in(const Region& region);
+/// The worst of all times of a run of our own: holes where the fluid fills its domain, rows that are crowded or in one
+/// place wherever it is. Nothing of a run that is of no simulation.
+std::vector<Value> coverage_of(const Level& level, const Run& run);
+
+/// What is claimed of one of these values, of any method with so many rows; nothing of another quantity. Theory limits
+/// them, and no baseline.
+std::optional<Claim> claim_of_coverage(const std::string& quantity, double rows);
 
 }  // namespace touchstone::vnv

@@ -140,14 +140,28 @@ TEST(Coverage, OfOneRowIsAllAround) {
   EXPECT_EQ(Square{10}.of(one).in_one_place, 0);
 }
 
-TEST(Coverage, MayBeMeasuredOfARunOfOurOwn) {
+TEST(Coverage, OfARunIsTheWorstOfItsTimesAndKnowsHolesOfAFullDomainAlone) {
   const Square square{10};
+  const Level level{.name = "M1", .spacing = 0.1};
   vnv::Run run;  // not that of a test
-  run.samples = {{.time = 1, .x = square.shaken(0.1, 1)}, {.time = 2, .x = square.shaken(0.1, 2)}};
-  const std::vector<Value> found = coverage_in({square.domain})({.name = "M1", .spacing = 0.1}, run);
-  ASSERT_EQ(found.size(), 6u);
+  run.samples = {{.time = 1, .x = square.shaken(0.1, 1)}, {.time = 2, .x = square.shaken(0.3, 2)}};
+  run.samples[0].x.col(7) = run.samples[0].x.col(8);
+  EXPECT_TRUE(coverage_of(level, run).empty()) << "of no simulation";
+  run.room = Room{square.domain, square.domain.box};
+  const std::vector<Value> found = coverage_of(level, run);
+  ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0].quantity, largest_hole);
-  EXPECT_EQ(found[3].time, 2);
+  EXPECT_EQ(found[0].value, std::max(square.of(run.samples[0].x).hole, square.of(run.samples[1].x).hole));
+  EXPECT_EQ(found[1].quantity, rows_in_one_place);
+  EXPECT_EQ(found[1].value, 1);
+  EXPECT_EQ(found[2].quantity, rows_crowded);
+  EXPECT_GE(found[2].value, 2);
+  EXPECT_EQ(found[2].time, 2);
+  run.room->filled.high.y() /= 2;
+  EXPECT_EQ(coverage_of(level, run).front().quantity, rows_in_one_place);
+  run.room = Room{square.domain, square.domain.box};
+  run.samples[0].x.conservativeResize(Eigen::NoChange, 80);
+  EXPECT_EQ(coverage_of(level, run).front().quantity, rows_in_one_place) << "a shape in it";
 }
 
 }  // namespace coverage_test

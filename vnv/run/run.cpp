@@ -157,6 +157,7 @@ Run simulate(const MakeSimulation& make, const Schedule& when, Stepping stepping
   Monitored monitored(make(), when.name, when.times.back(), stepping);
   const Simulation& simulation = monitored.simulation();
   run.summary.time_step = simulation.time_step();
+  run.room = simulation.room();
   const CostMeter meter;
   std::string fault;
   try {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,7 @@ struct Run {
   History history{};
   std::vector<Value> found{};   // values that the run itself measured, such as a critical time step
   std::vector<Curve> curves{};  // that the run itself drew, of figures that a plot of the case declares
+  std::optional<Room> room{};   // of its fluid; none if it is of no simulation
 
   /// Adds a value that the run itself measured.
   void add(const Quantity& quantity, double value) { found.push_back({"", 0, not_a_number, quantity, value}); }

@@ -21,6 +21,14 @@ struct Medium {
   double sound_speed;  // m/s
 };
 
+/// Where the fluid of a simulation may be, and what of it is filled at the start.
+struct Room {
+  Domain domain{};
+  Box filled{};
+
+  bool is_full() const { return filled.low == domain.box.low && filled.high == domain.box.high; }
+};
+
 /// Any solver of solvers/, its type forgotten: what runs it is compiled once. A step costs one virtual call more.
 class Simulation {
  public:
@@ -36,6 +44,7 @@ class Simulation {
   long boundary_particles() const { return solver_->boundary_particles(); }
   Samples samples() const { return solver_->samples(); }  // throws Diverged
   Medium medium() const { return solver_->medium(); }
+  Room room() const { return solver_->room(); }
   /// No signal is faster [m/s]. Cheap.
   double fastest_signal() const { return solver_->fastest_signal(); }
   /// Signals, sound with the flow that carries it, are faster than this [m/s] at a fraction of the particles only. As
@@ -55,6 +64,7 @@ class Simulation {
     virtual long boundary_particles() const = 0;
     virtual Samples samples() const = 0;
     virtual Medium medium() const = 0;
+    virtual Room room() const = 0;
     virtual double fastest_signal() const = 0;
     virtual double signal_speed(double share) const = 0;
     virtual void change_time_step(double time_step) = 0;
@@ -70,6 +80,7 @@ class Simulation {
     long boundary_particles() const override { return solver.boundary_particles(); }
     Samples samples() const override { return solver.samples(); }
     Medium medium() const override { return {solver.scene().fluid.density, solver.scene().fluid.sound_speed()}; }
+    Room room() const override { return {solver.scene().domain, solver.scene().filled}; }
     double fastest_signal() const override { return signal_speed_of(solver.extremes()); }
     double signal_speed(double share) const override {
       const Samples all = solver.samples();
