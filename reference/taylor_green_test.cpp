@@ -41,13 +41,14 @@ TEST(TaylorGreen, LosesNoVolume) {
 
 TEST(TaylorGreen, KeepsItsMomentum) {
   for (const double t : times)
-    for (const auto [x, y] : places) {
+    for (const auto& place : places) {
+      const double x = place[0], y = place[1];
       const auto u = [t](double a, double b) { return flow.v_x(a, b, t); };
       const auto v = [t](double a, double b) { return flow.v_y(a, b, t); };
       const auto p = [t](double a, double b) { return flow.p(a, b, t); };
       const double here_u = u(x, y), here_v = v(x, y);
-      const double change_u = slope([&, x = x, y = y](double s) { return flow.v_x(x, y, s); }, t, step),
-                   change_v = slope([&, x = x, y = y](double s) { return flow.v_y(x, y, s); }, t, step);
+      const double change_u = slope([&](double s) { return flow.v_x(x, y, s); }, t, step),
+                   change_v = slope([&](double s) { return flow.v_y(x, y, s); }, t, step);
       EXPECT_NEAR(change_u + here_u * along_x(u, x, y) + here_v * along_y(u, x, y),
                   -along_x(p, x, y) / flow.rho + flow.nu * laplacian(u, x, y), 1e-5);
       EXPECT_NEAR(change_v + here_u * along_x(v, x, y) + here_v * along_y(v, x, y),
