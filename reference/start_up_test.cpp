@@ -48,7 +48,7 @@ struct OfPoiseuille {
   static constexpr double force = flow.F, plate = 0;                            // m/s², m/s
   static constexpr double velocity = flow.F * flow.H * flow.H / (8 * flow.nu);  // m/s  the largest
   static double acceleration(double /*t*/) { return flow.F; }                   // m/s²
-  static Poiseuille channel(double H, double drive, double nu) { return {.H = H, .F = drive, .nu = nu}; }
+  static Poiseuille channel(double H, double F, double nu) { return {.H = H, .F = F, .nu = nu}; }
   static constexpr auto name = "Poiseuille", drive = "F [m/s²]";
 };
 struct OfCouette {
@@ -56,7 +56,7 @@ struct OfCouette {
   static constexpr double force = 0, plate = flow.V;           // m/s², m/s
   static constexpr double velocity = flow.V;                   // m/s  the largest
   static double acceleration(double t) { return flow.V / t; }  // m/s²
-  static Couette channel(double H, double drive, double nu) { return {.H = H, .V = drive, .nu = nu}; }
+  static Couette channel(double H, double V, double nu) { return {.H = H, .V = V, .nu = nu}; }
   static constexpr auto name = "Couette", drive = "V [m/s]";
 };
 

@@ -41,7 +41,8 @@ TEST(TaylorGreen, LosesNoVolume) {
 
 TEST(TaylorGreen, KeepsItsMomentum) {
   for (const double t : times)
-    for (const auto [x, y] : places) {
+    for (const auto& place : places) {
+      const double x = place[0], y = place[1];
       const auto u = [t](double a, double b) { return flow.v_x(a, b, t); };
       const auto v = [t](double a, double b) { return flow.v_y(a, b, t); };
       const auto p = [t](double a, double b) { return flow.p(a, b, t); };

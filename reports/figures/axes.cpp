@@ -93,7 +93,7 @@ std::pair<double, double> Extent::range(double air) const {
   return axis_.logarithmic ? std::pair(low / 2, high * 2) : std::pair(low - 0.5, low + 0.5);
 }
 
-double tick_step(double span, double most_steps) { return above(span / most_steps); }
+double tick_step(double span, double at_most) { return above(span / at_most); }
 
 std::string range_command(const char* name, double low, double high) {
   return fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, low, high);

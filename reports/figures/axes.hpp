@@ -29,7 +29,7 @@ class Extent {
 };
 
 /// The distance of ticks, 1, 2 or 5 times a power of ten, that makes at most so many steps of a span.
-double tick_step(double span, double most_steps);
+double tick_step(double span, double at_most);
 
 /// "set xrange [0:1]" for the axis "x".
 std::string range_command(const char* name, double low, double high);

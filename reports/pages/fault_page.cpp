@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <ranges>
 #include <vector>
 
 namespace touchstone::reports {
@@ -34,7 +33,7 @@ HtmlCell tests_cell(const FaultTrial& trial, bool noticed) {
                        [&](const FaultTest& t) { return t.noticed == noticed; });
   std::ranges::stable_sort(tests, {}, [](const FaultTest& t) { return std::isnan(t.margin) ? INFINITY : t.margin; });
   std::string html;
-  for (const FaultTest& test : tests | std::views::take(most_tests_listed)) html += test_html(test);
+  for (std::size_t t = 0; t < tests.size() && t < most_tests_listed; ++t) html += test_html(tests[t]);
   if (tests.size() > most_tests_listed)
     html += fmt::format("<small>and {} more</small>", tests.size() - most_tests_listed);
   return words_cell("<div class=\"tests\">" + html + "</div>");

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <ranges>
 #include <set>
 #include <tuple>
 
@@ -169,7 +168,7 @@ std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<
                         rounded(std::abs(one.at_end->value), "%"), cases[c].name, escape(cases[c].title())));
   std::ranges::stable_sort(found, std::greater(), &std::pair<double, std::string>::first);
   std::string items;
-  for (const auto& [error, item] : found | std::views::take(most)) items += item;
+  for (std::size_t m = 0; m < found.size() && m < most; ++m) items += found[m].second;
   if (items.empty()) return "";
   return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {}{}</p>\n", far_off,
                      counted(std::ssize(found), "method"), found.size() > most ? ", the farthest:" : "") +

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string_view>
 #include <tuple>
 
@@ -106,8 +105,8 @@ std::string changes_html(const std::vector<Change>& changes, const History& hist
                   "first value after the change, and their ratio; in red where a claim fails.",
                   {"night", "revision", "case", "method", "quantity", "before", "after", "ratio"}};
   const auto groups = grouped(changes);
-  for (const Group& group : groups | std::views::take(most_changes_listed))
-    table.rows.push_back(change_row(group, history));
+  for (std::size_t g = 0; g < groups.size() && g < most_changes_listed; ++g)
+    table.rows.push_back(change_row(groups[g], history));
   if (groups.size() <= most_changes_listed) return to_html(table);
   return to_html(table) +
          fmt::format(

@@ -53,7 +53,7 @@ auto inviscid(const Scene<Tait, Uniform>& scene, const Level& at, double time_st
                                             sph::momentum(), Parts::parts(scene.fluid, h, at.spacing));
 }
 struct WithoutDiffusion {
-  static auto parts(const auto&, double, double) { return sph::Parts{.pressure = sph::PressureSum{}}; }
+  static auto parts(const auto&, double, double) { return sph::Parts(sph::PressureSum{}); }
 };
 
 const std::string with_friction_of_walls = "with skin friction of floor and side walls",

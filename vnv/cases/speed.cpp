@@ -387,22 +387,17 @@ std::vector<Method> of_accurate_sph() {
   const std::string second = "Smoothed particle hydrodynamics of second order", transport = "Transport-velocity SPH";
   return {
       rates("sph_delta", "delta-SPH in the dam break, 47 to 58 neighbours, two passes",
-            race_free_surface([](double h, double) {
-              return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in_dam(h)};
-            }),
+            race_free_surface([](double h, double) { return sph::Parts(sph::PressureSum{}, diffusion_in_dam(h)); }),
             in_dam, 6),
       rates("sph_corrected", "delta-SPH with corrected gradients in the dam break",
             race_free_surface([](double h, double) {
-              return sph::Parts{
-                  .pressure = sph::BonetLokPressure{}, .diffusion = diffusion_in_dam(h), .gradient = sph::BonetLok{}};
+              return sph::Parts(sph::BonetLokPressure{}, diffusion_in_dam(h), sph::BonetLok{});
             }),
             in_dam, 7),
       rates("sph_shifted", "delta-SPH with shifted particles in the dam break",
             race_free_surface([](double h, double spacing) {
-              return sph::Parts{.pressure = sph::PressureSum{},
-                                .diffusion = diffusion_in_dam(h),
-                                .gradient = sph::PlainGradient{},
-                                .shifting = sph::TangentialShifting{spacing}};
+              return sph::Parts(sph::PressureSum{}, diffusion_in_dam(h), sph::PlainGradient{},
+                                sph::TangentialShifting{spacing});
             }),
             in_dam, 8.2),
       rates(

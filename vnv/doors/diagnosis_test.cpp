@@ -507,7 +507,7 @@ TEST(Diagnosis, NamesMistakesOfPlaceAndTime) {
       lacks(said_of(patch, [](Samples& s) { s.v = s.v.colwise().reverse().eval(); }), {"v_x and v_y are swapped"}), "");
   EXPECT_EQ(lacks(said_of(patch, [](Samples& s) { s.v.row(1) *= -1; }), {"v_y has the wrong sign"}), "");
   const auto at = [](const Flow& flow, const auto& time) {
-    return [&flow, time, truth = flow.exact[0].with({})](Samples& s) {
+    return [time, truth = flow.exact[0].with({})](Samples& s) {
       for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = truth(s.x.col(p), time(s.time));
     };
   };

@@ -101,8 +101,8 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
     worst.tell(
         fmt::format("masses are {:.3g} times those of a layer 1 m deep: compared with those at the first time", ratio));
   for (const auto& [time, samples] : given.at) {
-    const auto value = [&](const Quantity& quantity, double found) {
-      return Value{level, given.spacing, time, quantity, found};
+    const auto value = [&, at = time](const Quantity& quantity, double found) {
+      return Value{level, given.spacing, at, quantity, found};
     };
     const double rows = static_cast<double>(samples.size());
     if (given.has_volumes) {

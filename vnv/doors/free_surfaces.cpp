@@ -229,8 +229,8 @@ Flow rotating_patch(Settings& set) {
   flow.aside = {between(mean, 0.2, 2.5,
                         theory("what turns pulls inwards; of our own methods it is 0.6 to 1.2 times that "
                                "until omega t = 1"))};
-  const auto spreads = [](double room) {
-    return between(second_moment, -room, room,
+  const auto spreads = [](double most) {
+    return between(second_moment, -most, most,
                    baseline("four of our own methods differ by 0.013 at 40 across, and are up to 0.12 behind at 20"));
   };
   flow.of_resolved = {at_most(angular_momentum_error, 1, theory("no external torque")), spreads(0.05)};

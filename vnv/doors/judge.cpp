@@ -91,12 +91,13 @@ double size_of(const std::filesystem::path& file) {
 GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
   const auto is_equal = [&](const GivenLevel& level) { return std::abs(level.spacing / one.spacing - 1) < 0.01; };
   if (const auto equal = std::ranges::find_if(levels, is_equal); equal != levels.end()) return *equal;
-  const auto& [time, samples] = *one.at.begin();
+  const double time = one.at.begin()->first;
+  const auto rows = one.at.begin()->second.size();
   GivenLevel* before = nullptr;
   for (GivenLevel& level : levels) {
     const auto is_of_time = [&](const auto& at) { return std::abs(at.first - time) <= time_tolerance * time; };
-    const auto rows = samples.size(), first = level.at.begin()->second.size();
     if (one.spacing_is_said || std::ranges::any_of(level.at, is_of_time) || level.at.begin()->first > time) continue;
+    const auto first = level.at.begin()->second.size();
     if (rows < first && 2 * rows >= first && (!before || level.spacing > before->spacing)) before = &level;
   }
   return before ? *before

@@ -48,10 +48,11 @@ TEST(JudgingAFile, TakesThreeTimesItsNumbersAtMost) {
 #endif
   const programs::ScratchFolder folder;
   for (const auto& [name, text, columns] : {std::tuple("all.csv", &csv, 6), std::tuple("all.vtp", &vtp, 7)}) {
-    files::write_whole(folder / name, text());
+    const std::filesystem::path file = folder / name;
+    files::write_whole(file, text());
     const auto judge = [&] {
       const Judgement judgement =
-          judge_files(flow_named("taylor_green"), {folder / name}, {.time = 1}, {}, {.at_most = 1, .diagnose = true});
+          judge_files(flow_named("taylor_green"), {file}, {.time = 1}, {}, {.at_most = 1, .diagnose = true});
       if (judgement.record.values.empty() || judgement.record.diagnoses.size() != 2)
         throw Unreadable("not judged, or not diagnosed");
     };

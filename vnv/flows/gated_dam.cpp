@@ -239,12 +239,12 @@ std::vector<Observable> observables_300() {
 
   // Of two runs the difference by sqrt(2) is the standard deviation of one; D, their mean, has it by sqrt(2) again.
   for (std::size_t k = 0; k < gauges.size(); ++k)
-    for (const auto& [from, to] : std::vector<std::pair<double, double>>{{2.5, 3.5}, {3.5, 4.5}, {4.5, 5}}) {
-      const auto of = [=, from = from, to = to](const Observed& observed) {
+    for (const auto& [begin, end] : std::vector<std::pair<double, double>>{{2.5, 3.5}, {3.5, 4.5}, {4.5, 5}}) {
+      const auto of = [=, from = begin, to = end](const Observed& observed) {
         return time_mean(observed.levels[k], from, to);
       };
       const double one = of(first), two = of(second);
-      all.push_back({{fmt::format("level h/H at H{}, mean over T_H {:g} to {:g}", k + 1, from, to)},
+      all.push_back({{fmt::format("level h/H at H{}, mean over T_H {:g} to {:g}", k + 1, begin, end)},
                      of,
                      (one + two) / 2,
                      k == 0 ? not_a_number : std::max(std::abs(one - two) / 2, 0.0025),

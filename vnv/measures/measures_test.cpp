@@ -138,26 +138,26 @@ TEST(PerParticle, KeepsEachParticleWithItsVolume) {
   EXPECT_NEAR(std::accumulate(profile.weight.begin(), profile.weight.end(), profile.weight[4]), 0.5, 1e-14);
 }
 
-const auto column = block({0, 0}, {1, 1}, 0.05);  // an upright face at x = 1
+const auto water_column = block({0, 0}, {1, 1}, 0.05);  // an upright face at x = 1
 constexpr double cell = 0.1;
 
 TEST(Fronts, MoveWithTheFluid) {
-  const auto pushed = moved(column, {0.0371, 0});
-  EXPECT_NEAR(farthest_particle(pushed) - farthest_particle(column), 0.0371, 1e-14);
-  EXPECT_NEAR(percentile_front(pushed) - percentile_front(column), 0.0371, 1e-14);
-  EXPECT_NEAR(half_full_slab(pushed, cell) - half_full_slab(column, cell), 0.0371, 1e-13);
+  const auto pushed = moved(water_column, {0.0371, 0});
+  EXPECT_NEAR(farthest_particle(pushed) - farthest_particle(water_column), 0.0371, 1e-14);
+  EXPECT_NEAR(percentile_front(pushed) - percentile_front(water_column), 0.0371, 1e-14);
+  EXPECT_NEAR(half_full_slab(pushed, cell) - half_full_slab(water_column, cell), 0.0371, 1e-13);
 }
 
 TEST(Fronts, DoNotDependOnTheOrderOfTheParticles) {
-  auto reversed = column;
-  reversed.x = column.x.rowwise().reverse().eval();
-  EXPECT_EQ(farthest_particle(reversed), farthest_particle(column));
-  EXPECT_EQ(percentile_front(reversed), percentile_front(column));
-  EXPECT_NEAR(half_full_slab(reversed, cell), half_full_slab(column, cell), 1e-13);
+  auto reversed = water_column;
+  reversed.x = water_column.x.rowwise().reverse().eval();
+  EXPECT_EQ(farthest_particle(reversed), farthest_particle(water_column));
+  EXPECT_EQ(percentile_front(reversed), percentile_front(water_column));
+  EXPECT_NEAR(half_full_slab(reversed, cell), half_full_slab(water_column, cell), 1e-13);
 }
 
 TEST(Fronts, OnlyTheFarthestParticleFollowsADrop) {
-  const auto spray = joined(column, drop({1.7, 0}, 0.05));
+  const auto spray = joined(water_column, drop({1.7, 0}, 0.05));
   EXPECT_NEAR(farthest_particle(spray), 1.725, 1e-14);
   EXPECT_LT(percentile_front(spray), 1);
   EXPECT_NEAR(farthest_of_body(spray, cell), 0.975, 1e-14);
@@ -165,7 +165,7 @@ TEST(Fronts, OnlyTheFarthestParticleFollowsADrop) {
 }
 
 TEST(Fronts, AreNotANumberWithoutFluidOrWithAPlaceOrVolumeThatIsNone) {
-  std::vector<Samples> bad(4, column);
+  std::vector<Samples> bad(4, water_column);
   bad[0] = block({0, 0}, {0, 0}, 0.05);
   bad[1].x(0, 17) = nan;
   bad[2].x(1, 17) = -std::numeric_limits<double>::infinity();
@@ -179,16 +179,16 @@ TEST(Fronts, AreNotANumberWithoutFluidOrWithAPlaceOrVolumeThatIsNone) {
 }
 
 TEST(FarthestOfBody, FollowsAThinSheetAndNotALargerDropBehindAGap) {
-  const auto sheet = joined(column, block({1, 0}, {0.5, 0.05}, 0.05));
+  const auto sheet = joined(water_column, block({1, 0}, {0.5, 0.05}, 0.05));
   EXPECT_NEAR(farthest_of_body(sheet, cell), 1.475, 1e-14);
   EXPECT_NEAR(farthest_of_body(joined(sheet, block({1.6, 0}, {0.3, 0.3}, 0.05)), cell), 1.475, 1e-14);
   EXPECT_NEAR(farthest_of_body(moved(sheet, {-3, 0}), cell), -1.525, 1e-14);
 }
 
 TEST(VolumeBehind, IsThatOfTheParticlesAndOfTheirParts) {
-  EXPECT_NEAR(volume_behind(column, 0.2), 0.2, 1e-13);
-  EXPECT_NEAR(volume_behind(column, 2.5), 1, 1e-13);
-  EXPECT_EQ(volume_behind(column, -0.1), 0);
+  EXPECT_NEAR(volume_behind(water_column, 0.2), 0.2, 1e-13);
+  EXPECT_NEAR(volume_behind(water_column, 2.5), 1, 1e-13);
+  EXPECT_EQ(volume_behind(water_column, -0.1), 0);
 }
 
 TEST(VolumeBehind, IsExactOfALatticeWhoseParticlesStandAcross) {
@@ -197,7 +197,7 @@ TEST(VolumeBehind, IsExactOfALatticeWhoseParticlesStandAcross) {
 }
 
 TEST(PercentileFront, HasNearlyAllOfTheVolumeBehindIt) {
-  auto s = disordered(column, 0.4);
+  auto s = disordered(water_column, 0.4);
   s.mass.head(100) *= 3;
   const double front = percentile_front(s), all = s.volumes().sum();
   const auto volume_where = [&](auto chosen) { return chosen.select(s.volumes(), 0.0).sum(); };
@@ -210,7 +210,7 @@ TEST(PercentileFront, OfParticlesInOnePlaceIsThatPlace) {
 }
 
 TEST(PercentileFront, IsFoundAmongAllTheOthersWhenOneDropFlewFarAway) {
-  EXPECT_EQ(percentile_front(joined(column, drop({1e6, 0}, 0.01))), percentile_front(column));
+  EXPECT_EQ(percentile_front(joined(water_column, drop({1e6, 0}, 0.01))), percentile_front(water_column));
 }
 
 TEST(HalfFullSlab, StandsAtAnUprightFaceWhateverTheSpacing) {
@@ -222,24 +222,24 @@ TEST(HalfFullSlab, StandsAtAnUprightFaceWhateverTheSpacing) {
 
 TEST(HalfFullSlab, RunsAheadOnASheetByLessThanHalfACell) {
   const auto sheet = block({1, 0}, {0.6, 0.04}, 0.04);
-  const double front = half_full_slab(joined(column, sheet), cell);
+  const double front = half_full_slab(joined(water_column, sheet), cell);
   EXPECT_GT(front, 1.01);
   EXPECT_LT(front, 1 + cell / 2);
 }
 
 TEST(HalfFullSlab, FollowsASheetThickerThanHalfACell) {
   const auto sheet = block({1, 0}, {0.6, 0.06}, 0.06);
-  const double front = half_full_slab(joined(column, sheet), cell);
+  const double front = half_full_slab(joined(water_column, sheet), cell);
   EXPECT_LT(front, 1.6);
   EXPECT_GT(front, 1.6 - cell / 2);
 }
 
 TEST(HalfFullSlab, DoesNotSeeFluidAboveTheFirstCell) {
-  EXPECT_NEAR(half_full_slab(joined(column, block({1, 0.1}, {0.5, 0.5}, 0.05)), cell), 1, 1e-12);
+  EXPECT_NEAR(half_full_slab(joined(water_column, block({1, 0.1}, {0.5, 0.5}, 0.05)), cell), 1, 1e-12);
 }
 
 TEST(HalfFullSlab, MovesLittleWhenTheParticlesDo) {
-  const auto thin = joined(column, block({1, 0}, {0.6, 0.06}, 0.06));
+  const auto thin = joined(water_column, block({1, 0}, {0.6, 0.06}, 0.06));
   for (const double lift : {1e-6, 1e-4}) {
     EXPECT_NEAR(half_full_slab(moved(thin, {0, lift}), cell), half_full_slab(thin, cell), 10 * lift);
     EXPECT_NEAR(half_full_slab(disordered(thin, lift), cell), half_full_slab(thin, cell), 10 * lift);
@@ -247,7 +247,7 @@ TEST(HalfFullSlab, MovesLittleWhenTheParticlesDo) {
 }
 
 TEST(HalfFullSlab, FindsTheFarthestOfSeveral) {
-  const auto two = joined(column, block({2, 0}, {0.3, 0.3}, 0.05));
+  const auto two = joined(water_column, block({2, 0}, {0.3, 0.3}, 0.05));
   EXPECT_NEAR(half_full_slab(two, cell), 2.3, 1e-12);
 }
 
@@ -256,7 +256,7 @@ TEST(HalfFullSlab, IsNotANumberWhereTheFluidIsNowhereThickEnough) {
 }
 
 TEST(HalfFullSlab, RefusesACellThatIsNone) {
-  for (const double size : {0.0, -0.1, nan}) EXPECT_THROW(half_full_slab(column, size), std::invalid_argument);
+  for (const double size : {0.0, -0.1, nan}) EXPECT_THROW(half_full_slab(water_column, size), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,21 +21,18 @@ sph::Antuono diffusion_in(const FluidLaw& fluid, double h) {
 /// The parts of a method in a fluid, by smoothing length and spacing [m].
 struct OfDelta {
   static auto parts(const auto& fluid, double h, double) {
-    return sph::Parts{.pressure = sph::PressureSum{}, .diffusion = diffusion_in(fluid, h)};
+    return sph::Parts(sph::PressureSum{}, diffusion_in(fluid, h));
   }
 };
 struct OfShifted {
   static auto parts(const auto& fluid, double h, double spacing) {
-    return sph::Parts{.pressure = sph::PressureSum{},
-                      .diffusion = diffusion_in(fluid, h),
-                      .gradient = sph::PlainGradient{},
-                      .shifting = sph::TangentialShifting{spacing}};
+    return sph::Parts(sph::PressureSum{}, diffusion_in(fluid, h), sph::PlainGradient{},
+                      sph::TangentialShifting{spacing});
   }
 };
 struct OfCorrected {
   static auto parts(const auto& fluid, double h, double) {
-    return sph::Parts{
-        .pressure = sph::BonetLokPressure{}, .diffusion = diffusion_in(fluid, h), .gradient = sph::BonetLok{}};
+    return sph::Parts(sph::BonetLokPressure{}, diffusion_in(fluid, h), sph::BonetLok{});
   }
 };
 

@@ -64,8 +64,7 @@ LatticeMethod sph_with(const std::string& name, const std::string& part, double 
 }
 
 constexpr auto usual_parts = [](const Newtonian& fluid, double h) {
-  return sph::Parts{.pressure = sph::PressureSum{},
-                    .diffusion = sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h}};
+  return sph::Parts(sph::PressureSum{}, sph::Antuono{.delta = 0.1, .sound_speed = fluid.sound_speed(), .h = h});
 };
 template <class Kernel>
 LatticeMethod sph_with_kernel(const std::string& name, const std::string& part, double ratio) {
@@ -89,9 +88,8 @@ std::vector<LatticeMethod> parts_on_lattice() {
       mpm_with<Hat, mpm::Flip, mpm::AffineDensity>("mpm_affine_density", "densities smoothed over nodes"),
       sph_with_kernel<sph::CubicSpline>("sph_cubic", "the cubic spline", 1.5),
       sph_with_kernel<sph::QuinticSpline>("sph_quintic", "the quintic spline", 1.5),
-      sph_with<sph::WendlandC2, KickDriftKick>(
-          "sph_without_diffusion", "no diffusion of density", 2,
-          [](const Newtonian&, double) { return sph::Parts{.pressure = sph::PressureSum{}}; }),
+      sph_with<sph::WendlandC2, KickDriftKick>("sph_without_diffusion", "no diffusion of density", 2,
+                                               [](const Newtonian&, double) { return sph::Parts(sph::PressureSum{}); }),
       sph_moved_by<PredictorCorrector>("sph_predictor_corrector", "the midpoint rule"),
       sph_moved_by<AdamsBashforth>("sph_adams_bashforth", "third-order Adams-Bashforth"),
   };

@@ -19,10 +19,14 @@ namespace touchstone::sph {
 template <class Pressure = PressureSum, class Diffusion = NoDiffusion, class Gradient = PlainGradient,
           class Shifting = NoShifting>
 struct Parts {
-  Pressure pressure{};
-  Diffusion diffusion{};
-  Gradient gradient{};
-  Shifting shifting{};
+  Pressure pressure;
+  Diffusion diffusion;
+  Gradient gradient;
+  Shifting shifting;
+
+  /// Those types are deduced that are given, in this order.
+  constexpr explicit Parts(Pressure p = {}, Diffusion d = {}, Gradient g = {}, Shifting s = {})
+      : pressure(std::move(p)), diffusion(std::move(d)), gradient(std::move(g)), shifting(std::move(s)) {}
 };
 
 /// What the parts of a method read decides what its passes find and its particles keep.
@@ -70,7 +74,8 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     };
   };
   const Slope<Kernel> slope(h);
-  const auto of_pair = [terms, parts, mass = near.all.mass, slope, per_h = 1 / h](const auto& i, const auto& j) {
+  const double per_h = 1 / h;
+  const auto of_pair = [=, mass = near.all.mass](const auto& i, const auto& j) {  // what these parts need of it
     auto ij = pair_of(i, j, mass);
     using Real = std::remove_cvref_t<decltype(ij.r)>;
     std::array<Real, At::count> sums;
@@ -299,7 +304,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
 };
 
 /// sph::free_surface<sph::WendlandC2>(scene, {.spacing = ...}, sph::momentum(sph::ArtificialViscosity{...}),
-/// sph::Parts{.pressure = sph::PressureSum{}, .diffusion = sph::Antuono{...}}), sums in `Real`.
+/// sph::Parts(sph::PressureSum{}, sph::Antuono{...})), sums in `Real`.
 template <class Kernel, class Integrator = KickDriftKick, class Real = double, class FluidLaw, class Force, class Terms,
           class PartsOfMethod>
 auto free_surface(const Scene<FluidLaw, Force>& scene, const Settings& settings, const Terms& terms,

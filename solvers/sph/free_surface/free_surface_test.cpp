@@ -18,12 +18,9 @@ namespace free_surface_test {
 constexpr double spacing = 0.05, h = 2 * spacing, c = 20, g = 9.81;
 constexpr Tait water{.density = 1000, .bulk_modulus = 1000 * c * c / 7};
 constexpr Antuono diffusion{.sound_speed = c, .h = h};
-constexpr Parts delta{.pressure = PressureSum{}, .diffusion = diffusion};
-constexpr Parts delta_plus{.pressure = PressureSum{},
-                           .diffusion = diffusion,
-                           .gradient = PlainGradient{},
-                           .shifting = TangentialShifting{spacing}};
-constexpr Parts corrected{.pressure = BonetLokPressure{}, .diffusion = diffusion, .gradient = BonetLok{}};
+constexpr Parts delta(PressureSum{}, diffusion);
+constexpr Parts delta_plus(PressureSum{}, diffusion, PlainGradient{}, TangentialShifting{spacing});
+constexpr Parts corrected(BonetLokPressure{}, diffusion, BonetLok{});
 
 /// Water at rest under gravity.
 const Scene<Tait, Uniform> tank{

@@ -17,12 +17,9 @@ namespace budget_test {
 constexpr double spacing = 0.05, h = 2 * spacing, c = 30, g = 9.81;
 constexpr double potential = 1000 * 0.5 * 0.5 * g * 0.5 / 2;  // J/m  that the column begins with
 constexpr Antuono diffusion{.sound_speed = c, .h = h};
-constexpr Parts delta{.pressure = PressureSum{}, .diffusion = diffusion};
-constexpr Parts shifted{.pressure = PressureSum{},
-                        .diffusion = diffusion,
-                        .gradient = PlainGradient{},
-                        .shifting = TangentialShifting{spacing}};
-constexpr Parts corrected{.pressure = BonetLokPressure{}, .diffusion = diffusion, .gradient = BonetLok{}};
+constexpr Parts delta(PressureSum{}, diffusion);
+constexpr Parts shifted(PressureSum{}, diffusion, PlainGradient{}, TangentialShifting{spacing});
+constexpr Parts corrected(BonetLokPressure{}, diffusion, BonetLok{});
 
 /// A column of water that meets the far wall at about 0.3 s.
 const Scene<Tait, Uniform> dam{

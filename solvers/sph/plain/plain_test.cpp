@@ -160,26 +160,18 @@ TEST(PlainSph, IsWhatSphForFreeSurfacesDoes) {
   const auto artificial = [](double ratio) {
     return momentum(ArtificialViscosity{.alpha = 0.05, .sound_speed = c, .h = ratio * spacing});
   };
-  expect_free_surface_as_plain<WendlandC2>(2, artificial(2),
-                                           Parts{.pressure = PressureSum{}, .diffusion = diffusion(2)});
+  expect_free_surface_as_plain<WendlandC2>(2, artificial(2), Parts(PressureSum{}, diffusion(2)));
   expect_free_surface_as_plain<CubicSpline, PredictorCorrector>(1.5, momentum(MorrisViscosity{mu}),
-                                                                Parts{.pressure = PressureSum{}});
-  expect_free_surface_as_plain<QuinticSpline>(
-      1.2, momentum(MonaghanClearyViscosity{.mu = mu}),
-      Parts{.pressure = PressureDifference{}, .diffusion = diffusion(1.2), .gradient = BonetLok{}});
+                                                                Parts(PressureSum{}));
+  expect_free_surface_as_plain<QuinticSpline>(1.2, momentum(MonaghanClearyViscosity{.mu = mu}),
+                                              Parts(PressureDifference{}, diffusion(1.2), BonetLok{}));
+  expect_free_surface_as_plain<WendlandC2>(2, momentum(MonaghanClearyViscosity{.mu = mu}),
+                                           Parts(BonetLokPressure{}, diffusion(2), BonetLok{}));
   expect_free_surface_as_plain<WendlandC2>(
-      2, momentum(MonaghanClearyViscosity{.mu = mu}),
-      Parts{.pressure = BonetLokPressure{}, .diffusion = diffusion(2), .gradient = BonetLok{}});
-  expect_free_surface_as_plain<WendlandC2>(2, artificial(2),
-                                           Parts{.pressure = PressureSum{},
-                                                 .diffusion = diffusion(2),
-                                                 .gradient = PlainGradient{},
-                                                 .shifting = TangentialShifting{spacing}});
-  expect_free_surface_as_plain<CubicSpline>(1.5, momentum(MonaghanClearyViscosity{.mu = mu}),
-                                            Parts{.pressure = BonetLokPressure{},
-                                                  .diffusion = NoDiffusion{},
-                                                  .gradient = BonetLok{},
-                                                  .shifting = TangentialShifting{spacing}});
+      2, artificial(2), Parts(PressureSum{}, diffusion(2), PlainGradient{}, TangentialShifting{spacing}));
+  expect_free_surface_as_plain<CubicSpline>(
+      1.5, momentum(MonaghanClearyViscosity{.mu = mu}),
+      Parts(BonetLokPressure{}, NoDiffusion{}, BonetLok{}, TangentialShifting{spacing}));
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ FILE* popen(const char* command, const char* mode) {
   return fails("fork") ? nullptr : real<decltype(popen)>("popen")(command, mode);
 }
 int posix_spawn(pid_t* process, const char* path, const posix_spawn_file_actions_t* actions,
-                const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) noexcept {
+                const posix_spawnattr_t* attributes, char* const* arguments, char* const* environment) {
   using Spawn =
       int(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*, char* const*, char* const*);
   return fails("fork") ? errno : real<Spawn>("posix_spawn")(process, path, actions, attributes, arguments, environment);
