@@ -3,6 +3,7 @@
 #include "vnv/gate/turns.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -146,6 +147,35 @@ TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
   EXPECT_EQ(figure.verdicts[0].sentence.find("worse: "), 0u);
   EXPECT_EQ(figure.verdicts[1].sentence.find("flow.mpm M1: L2 v_x [%] at 1 s"), 0u);
   EXPECT_EQ(figure.tables.at(0).rows.size(), 1u);
+}
+
+TEST_F(Gate, CountsWhatBecameWorseInconclusiveBetterStayedOrIsUnjudged) {
+  vnv::Record before = plain();
+  before.values.clear();
+  vnv::Record after = before;
+  for (const double factor : {1.1, 1.2, 1.3, 0.5, 0.6, 1.0, 1.0, 1.0, 1.0}) {  // 3 worse, 2 better, 4 the same
+    const vnv::Quantity quantity{fmt::format("error {}", before.values.size()), "%", vnv::Kind::error};
+    before.values.push_back({"M1", 1e-5, 1, quantity, 0.4});
+    after.values.push_back({"M1", 1e-5, 1, quantity, 0.4 * factor});
+  }
+  for (int k = 0; k < 5; ++k)  // unjudged
+    after.values.push_back({"M1", 1e-5, 1, {fmt::format("new {}", k), "%", vnv::Kind::error}, 1});
+  vnv::Verdict holds;
+  holds.case_name = "flow", holds.method = "mpm", holds.level = "M1", holds.quantity = "L2 v_x", holds.unit = "%";
+  holds.author = "theory: so", holds.time = 1, holds.value = 0.4, holds.upper = 0.5,
+  holds.outcome = vnv::Outcome::holds;
+  before.verdicts = {holds};
+  holds.upper = 0.7;  // a looser limit: inconclusive
+  after.verdicts = {holds};
+  const std::string was = record_file("before.json", before), is = record_file("after.json", after);
+  EXPECT_EQ(gate(was, is), worse);
+  const std::string summary = "16 things compared: 3 worse, 1 inconclusive, 2 better, 5 same, 5 unjudged\n";
+  EXPECT_TRUE(output().ends_with(": " + summary)) << output();
+  EXPECT_NE(output().find("worse, 3 of 14"), std::string::npos) << "in the row of the method, of its errors\n"
+                                                                << output();
+  EXPECT_EQ(gate(is, is), same_or_better);
+  EXPECT_TRUE(output().ends_with(": 16 things compared: 0 worse, 0 inconclusive, 0 better, 16 same, 0 unjudged\n"))
+      << output();
 }
 
 TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
