@@ -1,6 +1,7 @@
 #include "vnv/flows/buchner_dam.hpp"
 
 #include "vnv/files/tables.hpp"
+#include "vnv/measures/impact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,23 @@ TEST(OpenDam, TellsOfAnImpactEachPartByItsOwnTimes) {
     for (const Part& part : parts)
       EXPECT_NEAR(value_of(found, part.name), part.from < to && from < part.to ? 1.5 : 1, 0.02)
           << part.name << " with more from " << from;
+  }
+}
+
+TEST(OpenDam, TakesForTheWayFromGaugeToWallTheTimesOfOneExperiment) {
+  const auto measured = [](const char* file, const std::vector<std::string>& headings) {
+    return read_table(data_folder() / "experiments" / file, headings);
+  };
+  const Series h2 = series_of(
+                   measured("zhou_1999_levels.csv", {"gauge", "t [s]", "T_H [-]", "h [m]"}).only("gauge", "h2"),
+                   "T_H [-]", "h [m]"),
+               p = series_of(measured("zhou_1999_pressure.csv", {"t [s]", "T_H [-]", "p [Pa]", "P2 [-]"}), "T_H [-]",
+                             "P2 [-]");
+  const double way = impacts::first_above(p, 0.2) - impacts::first_above(h2, 0.02);
+  for (const double earlier : {0.0, 0.08}) {
+    const std::vector<Value> found = found_of_measured(earlier);
+    EXPECT_NEAR(value_of(found, travel.name) * way,
+                value_of(found, "rise of the pressure, T_H") - value_of(found, "arrival T_H at h2"), 1e-9);
   }
 }
 

@@ -148,7 +148,7 @@ std::map<std::string, double> ensemble_of_runs(double times, double late, double
   Results results{method, Suite::validation, {}};
   for (int start = 1; start <= 6; ++start)  // about the median
     results.runs.push_back(run_like_the_repeats(fmt::format("80 across, start {}", start),
-                                                times * (1 + 0.005 * (start - 3.5)) * (start == 6 ? last : 1), late));
+                                                times * (1 + 0.005 * (start - 3.5)) * (start >= 5 ? last : 1), late));
   std::map<std::string, double> found;
   for (const Value& value : ensemble_values(results, {})) found[value.quantity.name] = value.value;
   return found;
@@ -162,7 +162,7 @@ TEST(AnEnsemble, ThatIsTheExperimentIsWithinItsBandAndNotUnlikeIt) {
   EXPECT_LT(higher.at(median_inside_band.name), 0.2);
   EXPECT_GE(higher.at(unlike_repeats.name), 8);
   EXPECT_NEAR(ensemble_of_runs(1, 0.1, 100).at(median_inside_band.name), 1, 0.02)
-      << "one start far off leaves the median where it is";
+      << "two starts far off leave the median where it is";
 }
 
 TEST(AnEnsemble, IsSetNoEarlierThanItsClockIsInDoubt) {

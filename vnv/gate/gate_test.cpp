@@ -1,5 +1,6 @@
 #include "vnv/gate/gate.hpp"
 
+#include "vnv/gate/front.hpp"
 #include "vnv/gate/turns.hpp"
 #include "vnv/record/record.hpp"
 
@@ -189,6 +190,29 @@ TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
   const vnv::Record figure = vnv::read_record(request_.figure);
   EXPECT_EQ(figure.figures.at(0).y.label, "L2 v_x [%]");
   EXPECT_EQ(figure.verdicts.at(0).outcome, vnv::Outcome::holds);
+}
+
+TEST(Front, HasTheTimesOfItsOwnCaseAndMethodAndTheLastErrorOfEachRun) {
+  const auto record = [](const std::string& case_name, const std::string& method, double cpu) {
+    vnv::Record made = plain();
+    made.case_name = case_name;
+    made.method = method;
+    made.runs[0].cost.cpu = cpu;
+    made.values.push_back(made.values[0]);
+    made.values.back().time = 2;
+    made.values.back().value = 0.1 * cpu;
+    return made;
+  };
+  const Records once{record("flow", "mpm", 1), record("other", "mpm", 5), record("flow", "sph", 7)};
+  Records again = once;
+  for (vnv::Record& one : again) one.runs[0].cost.cpu *= 3;
+  const vnv::Record front = front_of({once, again}, {});
+  ASSERT_EQ(front.curves.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double cpu = once[k].runs[0].cost.cpu;
+    EXPECT_EQ(front.curves[k].x, std::vector<double>{2 * cpu}) << "the median of both runs";
+    EXPECT_EQ(front.curves[k].y, std::vector<double>{0.1 * cpu}) << "at the last time";
+  }
 }
 
 TEST_F(Gate, RefusesWhatCannotBeCompared) {

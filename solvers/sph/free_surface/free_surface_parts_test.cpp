@@ -347,8 +347,8 @@ TEST(Walls, BalanceWaterAtRestAlsoInTheCornersAndBesideTheSurface) {
   EXPECT_GT(in_corners, 10);
 }
 
-/// Water on both sides of a gate at x = 0.5 m, which is up to 0.2 m, as high as the water behind it, or to `lowest`,
-/// and ends at `highest` [m].
+/// Water on both sides of a gate at x = 0.5 m that is up to `lowest` and ends at `highest` [m]; behind it there is
+/// water below it, or above it where it stands on the floor.
 Near beside_a_gate(double lowest = 0.2, double highest = 1e9) {
   const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 1};
   Scene<Tait> scene{.domain = {.box = square},
@@ -358,7 +358,7 @@ Near beside_a_gate(double lowest = 0.2, double highest = 1e9) {
                     .start = {.places = [=](const Vectors& lattice) {
                       Vectors all(2, 0);
                       for (Index i = 0; i < lattice.cols(); ++i)
-                        if (lattice(0, i) < 0.5 || lattice(1, i) < std::min(0.2, highest) || highest < 1) {
+                        if (lattice(0, i) < 0.5 || (lowest > 0 ? lattice(1, i) < lowest : lattice(1, i) > highest)) {
                           all.conservativeResize(2, all.cols() + 1);
                           all.rightCols(1) = lattice.col(i);
                         }
