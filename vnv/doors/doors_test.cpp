@@ -203,7 +203,7 @@ TEST_F(Doors, JudgeEachFlowByItsOwnInitialState) {
       const Judgement judgement = judge_files(flow, {file}, at_start);
       for (const Value& value : judgement.record.values) {
         if (value.quantity.kind == Kind::norm || value.quantity.kind == Kind::deviation) {
-          EXPECT_LT(std::abs(value.value), 1e-9) << flow.case_name() << ": " << value.quantity.name;
+          EXPECT_LT(value.value, 1e-10) << flow.case_name() << ": " << value.quantity.name;
         }
         if (value.quantity.name == mass_found.name) {
           EXPECT_NEAR(value.value, 0, 1e-9) << flow.case_name();
