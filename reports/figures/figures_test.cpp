@@ -184,6 +184,14 @@ TEST(Clouds, StandInRowsUnderOneBar) {
   EXPECT_EQ(count(plot.script, "unset colorbox"), 1);
 }
 
+TEST(Clouds, AreWrittenInTheUnitsOfTheirAxes) {
+  vnv::Record record = cloud_record();
+  record.figures[0].y.scale = 10;
+  record.figures[0].colour.scale = 0.5;
+  const Plot plot = plot_clouds(record.figures[0], {"poiseuille", {record}});
+  EXPECT_TRUE(contains(plot.data, "\n\"MPM, t = 0 s\",1000,10,1\n")) << plot.data;
+}
+
 TEST(Clouds, OfEqualPlaceAreDrawnOnce) {
   const vnv::Record record = cloud_record();
   const Plot plot = plot_clouds(record.figures[0], {"poiseuille", {record, record}});

@@ -49,6 +49,21 @@ TEST(TableOfErrors, HasSpacingsInMillimetresAndValuesInTheirUnit) {
                                                  {"period [s]", "0.625"}}));
 }
 
+TEST(TableOfErrors, HasARowForEachLevelAndAColumnForEachQuantityAndTime) {
+  const CaseRecords records = records_with([](vnv::Record& record) {
+    const vnv::Quantity l2{"L2 v_x", "%", vnv::Kind::norm}, linf{"Linf v_x", "%", vnv::Kind::norm};
+    record.values = {{"M1", 2e-3, 0.5, l2, 1}, {"M1", 2e-3, 0.5, linf, 2}, {"M2", 1e-3, 0.5, l2, 3},
+                     {"M1", 2e-3, 1, l2, 4},   {"M2", 1e-3, 1, l2, 5},     {"M2", 1e-3, 1, linf, 6}};
+  });
+  EXPECT_EQ(last_row(errors_html(records)), (Row{{"method", "mpm"},
+                                                 {"level", "M2"},
+                                                 {"spacing [mm]", "1"},
+                                                 {"L2 vx [%]0.5\u202fs", "3"},
+                                                 {"L2 vx [%]1\u202fs", "5"},
+                                                 {"Linf vx [%]0.5\u202fs", ""},
+                                                 {"Linf vx [%]1\u202fs", "6"}}));
+}
+
 TEST(TableOfOrders, HasTheFittedOrderItsFloorAndEachPairBesideItsOwnLevels) {
   const CaseRecords records = records_with([](vnv::Record& record) {
     vnv::ObservedOrder order = sample_order();

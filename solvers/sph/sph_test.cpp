@@ -194,13 +194,34 @@ TEST(Neighbours, StayListedForAsLongAsListsHold) {
     near.all.vy[i] = std::sin(2.4 * static_cast<double>(i));
   }
   constexpr double dt = 0.04 * spacing;  // at 1 m/s: lists hold for three steps
+  int made = 0;
   for (int step = 0; step < 12; ++step) {
+    const Listed before = all_listed(near, near.fluid_near_fluid);
     near.follow(step, step * dt, dt);
+    made += all_listed(near, near.fluid_near_fluid) != before;
     near.all.x.head(near.all.fluid) += dt * near.all.vx;
     near.all.y.head(near.all.fluid) += dt * near.all.vy;
     Listed listed = all_listed(near, near.fluid_near_fluid);
     for (const auto& [i, within] : all_within(near, endless, 2 * h, 0, near.all.fluid, 0, near.all.fluid))
       ASSERT_TRUE(std::ranges::includes(listed[i], within)) << "step " << step << ", particle " << i;
+  }
+  EXPECT_EQ(made, 3) << "as seldom as that";
+}
+
+TEST(Neighbours, AreListedTheFartherTheFasterTheyAre) {
+  const Domain endless{.box = box, .periodic_x = true, .periodic_y = true};
+  constexpr double least = 0.05 * spacing, greatest = 0.5 * spacing, dt = 1e-3;
+  Near near(Scene<Newtonian>{.domain = endless, .fluid = water, .filled = box}, spacing,
+            {.kernel = 2 * h, .wall = 0, .skin = least, .least_skin = least, .greatest_skin = greatest}, {});
+  for (const auto& [way, skin] : {std::pair(1e-9, least), std::pair(1.0, greatest),
+                                  std::pair(0.04 * spacing * spacing / (10 * h), 0.2 * spacing)}) {
+    near.all.vx.setConstant(0.6 * way / dt);  // of which skin² is five times the reach
+    near.all.vy.setConstant(-0.8 * way / dt);
+    near.all.x[0] += spacing;  // too far for any list
+    near.follow(0, 0, dt);
+    EXPECT_EQ(all_listed(near, near.fluid_near_fluid),
+              all_within(near, endless, 2 * h + skin, 0, near.all.fluid, 0, near.all.fluid))
+        << skin;
   }
 }
 
@@ -337,6 +358,23 @@ TEST(Ghosts, MirrorTheVelocityAtEachWall) {
     const bool below = near.boundary.ghosts[k].x.y() < 0;
     EXPECT_NEAR(near.seen[all.fluid + k].vx, below ? 5 : 1, 1e-9);
     EXPECT_NEAR(near.seen[all.fluid + k].vy, -0.5, 1e-9);
+  }
+}
+
+TEST(Ghosts, MirrorTheVelocityAtBothWallsOfACornerUnderALid) {
+  const std::vector<Wall> walls = {left_at(0, no_slip()), right_at(width, no_slip()),
+                                   ceiling_at(height, no_slip({3, 0}))};
+  Near near = disordered({.box = box}, walls);
+  near.all.vx = 1;
+  near.all.vy = 0.5;
+  see(near, Scalars::Zero(near.all.fluid));
+  mirror_to_ghosts<CubicSpline>(near, walls, h, 1000, 0);
+  for (Index k = 0; k < near.ghosts(); ++k) {
+    const Vec2& x = near.boundary.ghosts[k].x;
+    const auto& seen = near.seen[near.all.fluid + k];
+    const bool is_beside = x.x() < 0 || x.x() > width, is_above = x.y() > height;
+    EXPECT_NEAR(seen.vx, is_beside && is_above ? 2 * 3 + 1 : is_above ? 2 * 3 - 1 : -1, 1e-9) << x.transpose();
+    EXPECT_NEAR(seen.vy, is_beside && is_above ? 0.5 : -0.5, 1e-9) << x.transpose();
   }
 }
 

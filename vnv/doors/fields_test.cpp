@@ -47,6 +47,31 @@ TEST(Fields, AreOfTheRowsThatAWordNames) {
   EXPECT_NE(refusal(oil, {}).find("--only NAME=VALUE (array is oil, wall) or --inside"), std::string::npos);
 }
 
+TEST(Fields, AreNotThoseOfColumnsWhoseNamesOnlyBeginAlike) {
+  Dataset data{.source = "a.csv", .time = 1};
+  for (const char* name :
+       {"xmean", "x_old", "y0", "zone", "velmag", "vxmean", "vymean", "vx2", "vz_rms", "uvar", "p0", "pmean",
+        "press_old", "rho0", "rhomean", "mass_flow", "massfraction", "volume_fraction", "vol_old"})
+    data.arrays.push_back({.name = name, .values = {99, 99}});
+  for (const auto& [name, values] : std::vector<std::pair<std::string, std::vector<double>>>{{"x", {0.1, 0.2}},
+                                                                                             {"y", {0.3, 0.4}},
+                                                                                             {"vx", {1, 2}},
+                                                                                             {"vy", {3, 4}},
+                                                                                             {"p", {5, 6}},
+                                                                                             {"rho", {7, 8}},
+                                                                                             {"mass", {9, 10}}})
+    data.arrays.push_back({.name = name, .values = values});
+  for (const bool is_reversed : {false, true}) {
+    if (is_reversed) std::ranges::reverse(data.arrays);
+    const Samples s = reading_of(data, {}, domain, 1000).samples;
+    EXPECT_EQ(s.x, (Vectors(2, 2) << 0.1, 0.2, 0.3, 0.4).finished());
+    EXPECT_EQ(s.v, (Vectors(2, 2) << 1, 2, 3, 4).finished());
+    EXPECT_EQ(s.pressure.matrix(), Vec2(5, 6));
+    EXPECT_EQ(s.density.matrix(), Vec2(7, 8));
+    EXPECT_EQ(s.mass.matrix(), Vec2(9, 10));
+  }
+}
+
 /// Cells of a mesh, half of which water, the rest air, but for one at the surface.
 Dataset water_and_air() {
   return {.source = "a.vtu",
@@ -94,6 +119,33 @@ TEST(Fields, OfALayerOfBodiesAreWeighedByVolumesOverItsDepth) {
   layer.layer = {};
   EXPECT_EQ(reading_of(layer, {.units = {{"length", "mm"}}}, domain, 1000).words.back(),
             "volume: cell volumes, as of a layer 1 m deep");
+}
+
+TEST(Fields, MayBeOfALayerAlongAnyAxis) {
+  struct Case {
+    std::array<std::size_t, 2> along;  // those of the file that are x and y of the flow
+    std::string axes;
+  };
+  for (const auto& [along, axes] : {Case{{0, 2}, ""}, {{0, 2}, "xz"}, {{2, 0}, "zx"}, {{1, 2}, "yz"}, {{2, 1}, "zy"}}) {
+    const std::size_t across = 3 - along[0] - along[1];
+    Dataset layer{.source = "a.vtu", .time = 1, .rows_are = Rows::cells};
+    layer.cell_dimensions = 3;
+    layer.layer[across] = 0.5;
+    std::vector<double> places(6, 0.25), velocities(6, 99);
+    for (const std::size_t cell : {0u, 1u})
+      for (const std::size_t k : {0u, 1u}) {
+        places[3 * cell + along[k]] = 0.1 + 0.2 * static_cast<double>(cell) + 0.4 * static_cast<double>(k);
+        velocities[3 * cell + along[k]] = static_cast<double>(1 + cell + 2 * k);
+      }
+    layer.arrays = {{.name = cell_centres_array, .components = 3, .values = places},
+                    {.name = cell_volumes_array, .values = {0.02, 0.03}},
+                    {.name = "U", .components = 3, .values = velocities}};
+    const Reading reading = reading_of(layer, {.axes = axes}, domain, 1000);
+    EXPECT_TRUE(reading.samples.x.isApprox((Vectors(2, 2) << 0.1, 0.3, 0.5, 0.7).finished())) << axes;
+    EXPECT_EQ(reading.samples.v, (Vectors(2, 2) << 1, 2, 3, 4).finished()) << axes;
+    EXPECT_TRUE(reading.samples.mass.matrix().isApprox(Vec2(40, 60))) << axes;
+    EXPECT_EQ(reading.words.back(), "volume: cell volumes, of a layer 0.5 m deep") << axes;
+  }
 }
 
 TEST(Fields, AreOfColumnsThatTheUserLists) {

@@ -1,8 +1,11 @@
 #include "vnv/flows/buchner_dam.hpp"
 
 #include "vnv/files/tables.hpp"
+#include "vnv/measures/impact.hpp"
 
 #include <gtest/gtest.h>
+
+#include <functional>
 
 namespace touchstone::vnv::open_dam {
 namespace {
@@ -22,8 +25,10 @@ std::vector<double> row(const DamFront& dam) {
   return values;
 }
 
-/// What the comparison finds of a run that reads what was measured, but so much earlier, of T_H.
-std::vector<Value> found_of_measured(double earlier) {
+/// What the comparison finds of a run that reads what was measured, but so much earlier, of T_H, and with pressures on
+/// the disc times a factor at some T_H.
+std::vector<Value> found_of_measured(
+    double earlier, const std::function<double(double)>& times = [](double) { return 1.0; }) {
   const auto experiment = [](const char* name) { return data_folder() / "experiments" / name; };
   const DataTable table = read_table(experiment("zhou_1999_levels.csv"), {"gauge", "t [s]", "T_H [-]", "h [m]"});
   const Series h2 = series_of(table.only("gauge", "h2"), "T_H [-]", "h [m]"),
@@ -42,7 +47,7 @@ std::vector<Value> found_of_measured(double earlier) {
     };
     values[level_h2] = at(h2);
     values[level_h1] = at(h1);
-    values[pressure] = values[fitted] = 1000 * 9.81 * 0.6 * at(p);
+    values[pressure] = values[fitted] = 1000 * 9.81 * 0.6 * at(p) * times(T);
     run.history.time.push_back(T * unit);
     run.history.values.push_back(values);
   }
@@ -59,6 +64,44 @@ TEST(OpenDam, FindsAPlantedClockAndPutsItRight) {
     EXPECT_NEAR(value_of(found, "first peak, over the measured"), 1, 0.01);
     EXPECT_NEAR(value_of(found, "second peak, over the measured"), 1, 0.01);
     EXPECT_NEAR(value_of(found, plateau.name), 1, 0.005);
+  }
+}
+
+TEST(OpenDam, TellsOfAnImpactEachPartByItsOwnTimes) {
+  const double rise = value_of(found_of_measured(0), "rise of the pressure, T_H");
+  const auto half_as_much_more = [&](double from, double to) {
+    return found_of_measured(0, [=](double T) { return T >= rise + from && T <= rise + to ? 1.5 : 1.0; });
+  };
+  struct Part {
+    std::string name;
+    double from, to;  // of T_H after the rise
+  };
+  const std::vector<Part> parts{{"first peak, over the measured", 0, 1},
+                                {"impulse, 1 of T_H after the rise, over the measured", 0, 1},
+                                {plateau.name, 1, 2},
+                                {"second peak, over the measured", 2.5, 4.5}};
+  for (const auto& [from, to] : {std::pair(0.01, 1.0), {1.0, 2.0}, {2.0, 2.49}, {2.51, 4.5}}) {
+    const std::vector<Value> found = half_as_much_more(from, to);
+    for (const Part& part : parts)
+      EXPECT_NEAR(value_of(found, part.name), part.from < to && from < part.to ? 1.5 : 1, 0.02)
+          << part.name << " with more from " << from;
+  }
+}
+
+TEST(OpenDam, TakesForTheWayFromGaugeToWallTheTimesOfOneExperiment) {
+  const auto measured = [](const char* file, const std::vector<std::string>& headings) {
+    return read_table(data_folder() / "experiments" / file, headings);
+  };
+  const Series h2 = series_of(
+                   measured("zhou_1999_levels.csv", {"gauge", "t [s]", "T_H [-]", "h [m]"}).only("gauge", "h2"),
+                   "T_H [-]", "h [m]"),
+               p = series_of(measured("zhou_1999_pressure.csv", {"t [s]", "T_H [-]", "p [Pa]", "P2 [-]"}), "T_H [-]",
+                             "P2 [-]");
+  const double way = impacts::first_above(p, 0.2) - impacts::first_above(h2, 0.02);
+  for (const double earlier : {0.0, 0.08}) {
+    const std::vector<Value> found = found_of_measured(earlier);
+    EXPECT_NEAR(value_of(found, travel.name) * way,
+                value_of(found, "rise of the pressure, T_H") - value_of(found, "arrival T_H at h2"), 1e-9);
   }
 }
 

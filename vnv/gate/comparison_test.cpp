@@ -161,6 +161,17 @@ TEST(Comparison, LeavesBaselinesTheirToleranceButNoMore) {
   EXPECT_EQ(moved(-0.0011), Change::better);
 }
 
+TEST(Comparison, LetsAValueMoveByTheNarrowestOfItsBaselines) {
+  for (const bool is_narrow_first : {true, false}) {
+    Record before = plain(), after;
+    before.verdicts.insert(before.verdicts.begin() + (is_narrow_first ? 2 : 1),
+                           verdict("M2", "L2 v_x", 0.1, 0.09, 0.11, "baseline: wide"));
+    after = before;
+    after.values[1].value *= 1.0011;
+    EXPECT_EQ(changes(before, after).front().change, Change::worse) << is_narrow_first;
+  }
+}
+
 TEST(Comparison, ComparesErrorsWithASignByTheirSize) {
   const auto moved = [](double to) { return changes_by([to](Record& r) { r.values[2].value = to; }).front().change; };
   EXPECT_EQ(moved(0.1), Change::better);

@@ -1,8 +1,10 @@
 #include "vnv/gate/gate.hpp"
 
+#include "vnv/gate/front.hpp"
 #include "vnv/gate/turns.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -148,6 +150,35 @@ TEST_F(Gate, WritesMarkdownJsonAndTheFront) {
   EXPECT_EQ(figure.tables.at(0).rows.size(), 1u);
 }
 
+TEST_F(Gate, CountsWhatBecameWorseInconclusiveBetterStayedOrIsUnjudged) {
+  vnv::Record before = plain();
+  before.values.clear();
+  vnv::Record after = before;
+  for (const double factor : {1.1, 1.2, 1.3, 0.5, 0.6, 1.0, 1.0, 1.0, 1.0}) {  // 3 worse, 2 better, 4 the same
+    const vnv::Quantity quantity{fmt::format("error {}", before.values.size()), "%", vnv::Kind::error};
+    before.values.push_back({"M1", 1e-5, 1, quantity, 0.4});
+    after.values.push_back({"M1", 1e-5, 1, quantity, 0.4 * factor});
+  }
+  for (int k = 0; k < 5; ++k)  // unjudged
+    after.values.push_back({"M1", 1e-5, 1, {fmt::format("new {}", k), "%", vnv::Kind::error}, 1});
+  vnv::Verdict holds;
+  holds.case_name = "flow", holds.method = "mpm", holds.level = "M1", holds.quantity = "L2 v_x", holds.unit = "%";
+  holds.author = "theory: so", holds.time = 1, holds.value = 0.4, holds.upper = 0.5,
+  holds.outcome = vnv::Outcome::holds;
+  before.verdicts = {holds};
+  holds.upper = 0.7;  // a looser limit: inconclusive
+  after.verdicts = {holds};
+  const std::string was = record_file("before.json", before), is = record_file("after.json", after);
+  EXPECT_EQ(gate(was, is), worse);
+  const std::string summary = "16 things compared: 3 worse, 1 inconclusive, 2 better, 5 same, 5 unjudged\n";
+  EXPECT_TRUE(output().ends_with(": " + summary)) << output();
+  EXPECT_NE(output().find("worse, 3 of 14"), std::string::npos) << "in the row of the method, of its errors\n"
+                                                                << output();
+  EXPECT_EQ(gate(is, is), same_or_better);
+  EXPECT_TRUE(output().ends_with(": 16 things compared: 0 worse, 0 inconclusive, 0 better, 16 same, 0 unjudged\n"))
+      << output();
+}
+
 TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
   vnv::Record record = plain();
   record.values.insert(record.values.begin(), record.values[0]);
@@ -159,6 +190,29 @@ TEST_F(Gate, DrawsTheFirstErrorThatIsNoRounding) {
   const vnv::Record figure = vnv::read_record(request_.figure);
   EXPECT_EQ(figure.figures.at(0).y.label, "L2 v_x [%]");
   EXPECT_EQ(figure.verdicts.at(0).outcome, vnv::Outcome::holds);
+}
+
+TEST(Front, HasTheTimesOfItsOwnCaseAndMethodAndTheLastErrorOfEachRun) {
+  const auto record = [](const std::string& case_name, const std::string& method, double cpu) {
+    vnv::Record made = plain();
+    made.case_name = case_name;
+    made.method = method;
+    made.runs[0].cost.cpu = cpu;
+    made.values.push_back(made.values[0]);
+    made.values.back().time = 2;
+    made.values.back().value = 0.1 * cpu;
+    return made;
+  };
+  const Records once{record("flow", "mpm", 1), record("other", "mpm", 5), record("flow", "sph", 7)};
+  Records again = once;
+  for (vnv::Record& one : again) one.runs[0].cost.cpu *= 3;
+  const vnv::Record front = front_of({once, again}, {});
+  ASSERT_EQ(front.curves.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double cpu = once[k].runs[0].cost.cpu;
+    EXPECT_EQ(front.curves[k].x, std::vector<double>{2 * cpu}) << "the median of both runs";
+    EXPECT_EQ(front.curves[k].y, std::vector<double>{0.1 * cpu}) << "at the last time";
+  }
 }
 
 TEST_F(Gate, RefusesWhatCannotBeCompared) {

@@ -30,6 +30,15 @@ TEST(AnImpact, IsToldByItsFirstPeak) {
   EXPECT_NEAR(found.plateau, 20, 1e-12) << "from 1.52 to 2.52 s";
 }
 
+TEST(AnImpact, HasForItsPlateauTheMeanOverTimeOfAWindowThatBeginsAtItsArrival) {
+  // Falls from 100 Pa at 1.1 s by 20 Pa in a second, sampled unevenly; at 20 Pa, on the way up, it arrives at 1.02 s.
+  const Series falls{{0, 1, 1.1, 1.6, 1.7, 3, 4}, {0, 0, 100, 90, 88, 62, 42}};
+  ImpactSearch search_of_it = search;
+  EXPECT_NEAR(impact_of(falls, search_of_it).plateau, 100 - 20 * (1.52 + 0.5 - 1.1), 1e-12);
+  search_of_it.plateau_from = 1, search_of_it.plateau_to = 1.2;
+  EXPECT_NEAR(impact_of(falls, search_of_it).plateau, 100 - 20 * (1.02 + 1.1 - 1.1), 1e-12);
+}
+
 TEST(AnImpact, TakesALaterPeakOnlyIfItIsLookedForThatLong) {
   ImpactSearch longer = search;
   longer.peak_within = 4;

@@ -54,6 +54,26 @@ TEST(FittedWallPressure, IsReadAtTheWallAndNotBeforeIt) {
   EXPECT_NEAR(fitted_wall_pressure(s, {wall, 0.1, diameter}, 0.01), 5000 * wall, 1e-7);
 }
 
+TEST(FittedWallPressure, OfAnyFieldIsThatOfTheAffineFunctionOfLeastSquaresByItsWeights) {
+  constexpr double spacing = 0.01, height = 0.1, reach = diameter / 2 + 2.5 * spacing;
+  Samples s = at_rest(spacing, 0.002);
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    s.pressure(p) = 1e6 * (std::pow(s.x(0, p) - wall, 2) + std::pow(s.x(1, p) - 0.07, 3));
+    s.mass(p) *= 1 + 0.5 * std::sin(40.0 * static_cast<double>(p));
+  }
+  std::vector<Eigen::Vector4d> rows;  // times the root of each weight: 1, along both axes, pressure
+  for (Eigen::Index p = 0; p < s.size(); ++p) {
+    const Vec2 way = Vec2(s.x.col(p)) - Vec2(wall, height);
+    if (way.norm() < reach)
+      rows.push_back(std::sqrt(s.mass(p)) * (1 - way.squaredNorm() / (reach * reach)) *
+                     Eigen::Vector4d(1, way.x(), way.y(), s.pressure(p)));
+  }
+  Eigen::MatrixX4d all(std::ssize(rows), 4);
+  for (Eigen::Index k = 0; k < all.rows(); ++k) all.row(k) = rows[static_cast<std::size_t>(k)];
+  const Eigen::Vector3d fitted = Eigen::MatrixX3d(all.leftCols<3>()).householderQr().solve(all.col(3));
+  EXPECT_NEAR(fitted_wall_pressure(s, {wall, height, diameter}, spacing), fitted(0), 1e-9 * std::abs(fitted(0)));
+}
+
 TEST(FittedWallPressure, OfTooFewParticlesForSlopesIsTheirMean) {
   Samples s = only(at_rest(0.01), {29});  // the lowest row ends at the wall
   ASSERT_NEAR(s.x(0, 0), wall - 0.005, 1e-12);

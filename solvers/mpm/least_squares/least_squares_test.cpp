@@ -94,6 +94,22 @@ TEST(LeastSquaresMpm, AWaveOfSoundDecaysByFourThirdsOfTheViscosityAlongBothAxes)
   }
 }
 
+TEST(LeastSquaresMpm, SoundAndShearDecayAsTheyShouldInCellsThatAreNotSquare) {
+  constexpr Settings oblong{.cell = 0.1, .spacing = 0.045, .time_step = 1e-3};
+  for (const int axis : {0, 1}) {
+    Vec2 size = Vec2::Constant(0.86);  // nine cells across, ten along
+    size[axis] = 1;
+    const double sound =
+        amplitude_of_sound(after<LeastSquaresMethod>(1000, endless(sound_wave(axis, 0.01), size), oblong)) / 0.01;
+    EXPECT_NEAR(sound, sound_left_after(1), 0.02 * sound_left_after(1)) << axis;
+    const double exact = std::exp(-oil.kinematic_viscosity() * 4 * std::numbers::pi * std::numbers::pi),
+                 shear = amplitude_of_wave(
+                             after<LeastSquaresMethod>(1000, endless(shear_wave(axis, 0.1), size), oblong), axis) /
+                         0.1;
+    EXPECT_NEAR(shear, exact, 0.03 * exact) << axis;
+  }
+}
+
 TEST(LeastSquaresMpm, ALinearProfileBetweenSlidingPlatesStaysToTheLastDigitsThroughRemeshing) {
   const Start linear{.velocity = [](const Vec2& x) -> Vec2 { return {2 * x.y() - 1, 0}; }};
   const Samples s = after<LeastSquaresMethod>(1000, between_plates(no_slip({-1, 0}), no_slip({1, 0}), linear));

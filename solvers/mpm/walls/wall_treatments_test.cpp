@@ -68,6 +68,14 @@ TEST(PrescribedMotion, AppliesBothWallsOfACornerInTurn) {
   PrescribedMotion::hold(left_at(0, free_slip()), corner);
   EXPECT_EQ(corner.before, Vec2(0, 0));
   EXPECT_EQ(corner.after, Vec2(0, 0));
+  for (const bool lid_is_last : {true, false}) {  // which drags the fluid in a corner only where it is the last
+    std::vector<Wall> walls{ceiling_at(1, no_slip(wall_velocity)), left_at(0, no_slip())};
+    if (lid_is_last) std::swap(walls[0], walls[1]);
+    NodeAtWall under_lid = node(false);
+    for (const Wall& wall : walls) PrescribedMotion::hold(wall, under_lid);
+    EXPECT_EQ(under_lid.after, lid_is_last ? wall_velocity : Vec2(0, 0));
+    EXPECT_EQ(under_lid.before, under_lid.after);
+  }
 }
 
 }  // namespace

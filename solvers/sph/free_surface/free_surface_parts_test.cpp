@@ -347,55 +347,59 @@ TEST(Walls, BalanceWaterAtRestAlsoInTheCornersAndBesideTheSurface) {
   EXPECT_GT(in_corners, 10);
 }
 
-/// Water on both sides of a gate at x = 0.5 m, which is up to 0.2 m, as high as the water behind it.
-Near beside_a_gate() {
+/// Water on both sides of a gate at x = 0.5 m that is up to `lowest` and ends at `highest` [m]; behind it there is
+/// water below it, or above it where it stands on the floor.
+Near beside_a_gate(double lowest = 0.2, double highest = 1e9) {
   const Settings settings{.spacing = spacing, .smoothing_length = h, .time_step = 1};
   Scene<Tait> scene{.domain = {.box = square},
                     .fluid = water,
                     .filled = {.high = {1, 0.4}},
                     .walls = {floor_at(0, free_slip()), right_at(0.5, free_slip())},
-                    .start = {.places = [](const Vectors& lattice) {
+                    .start = {.places = [=](const Vectors& lattice) {
                       Vectors all(2, 0);
                       for (Index i = 0; i < lattice.cols(); ++i)
-                        if (lattice(0, i) < 0.5 || lattice(1, i) < 0.2) {
+                        if (lattice(0, i) < 0.5 || (lowest > 0 ? lattice(1, i) < lowest : lattice(1, i) > highest)) {
                           all.conservativeResize(2, all.cols() + 1);
                           all.rightCols(1) = lattice.col(i);
                         }
                       return all;
                     }}};
-  scene.walls[1].extent = [](double time) -> Range { return {0.2 + time, 1e9}; };
+  scene.walls[1].extent = [=](double time) -> Range { return {lowest + time, highest}; };
   return Near(scene, spacing, reach_of<WendlandC2>(settings),
               lay_out_ghosts_and_gates(scene.domain, scene.walls, spacing, ghost_layers<WendlandC2>(settings)));
 }
 
 TEST(Gates, AreBetweenWhatDoesNotSeeEachOther) {
-  const Near near = beside_a_gate();
-  const Particles& all = near.all;
-  const auto gate_begins = all.fluid + near.ghosts() - static_cast<Index>(near.boundary.of_gates);
-  int below = 0, ghosts_seen = 0;
-  const auto check = [&](int i, int j) {
-    if (j >= all.nowhere()) return;
-    if (j >= all.fluid) {
-      ghosts_seen += j >= gate_begins;
-      ASSERT_TRUE(j < gate_begins || all.x[i] < 0.5);
-    } else if ((all.x[i] < 0.5) != (all.x[j] < 0.5)) {
-      const double share = (0.5 - all.x[i]) / (all.x[j] - all.x[i]);
-      ASSERT_LT(all.y[i] + share * (all.y[j] - all.y[i]), 0.2);
-      ++below;
-    }
-  };
-  const auto each_pair = [](const Near::Lists& lists, const auto& call) {
-    for (const auto& block : lists.parts[0].blocks) {
-      const auto rows = lists.parts[0].rows_of(block);
-      for (int k = Near::width; k < std::ssize(rows); ++k)
-        if (k % Near::width < block.particles) call(rows[k % Near::width], rows[k]);
-    }
-  };
-  each_pair(near.fluid_near_fluid, check);
-  each_pair(near.fluid_near_ghost,
-            [&](int ghost, int j) { ASSERT_TRUE(ghost < gate_begins || j >= all.fluid || all.x[j] < 0.5); });
-  EXPECT_GT(below, 50);
-  EXPECT_GT(ghosts_seen, 50);
+  for (const bool hangs : {true, false}) {  // from above down to 0.2 m, or it stands on the floor and ends there
+    const Near near = hangs ? beside_a_gate() : beside_a_gate(-1, 0.2);
+    const Particles& all = near.all;
+    const auto gate_begins = all.fluid + near.ghosts() - static_cast<Index>(near.boundary.of_gates);
+    int past_its_end = 0, ghosts_seen = 0;
+    const auto check = [&](int i, int j) {
+      if (j >= all.nowhere()) return;
+      if (j >= all.fluid) {
+        ghosts_seen += j >= gate_begins;
+        ASSERT_TRUE(j < gate_begins || all.x[i] < 0.5);
+      } else if ((all.x[i] < 0.5) != (all.x[j] < 0.5)) {
+        const double share = (0.5 - all.x[i]) / (all.x[j] - all.x[i]);
+        const double crossed_at = all.y[i] + share * (all.y[j] - all.y[i]);
+        ASSERT_TRUE(hangs ? crossed_at < 0.2 : crossed_at > 0.2) << crossed_at;
+        ++past_its_end;
+      }
+    };
+    const auto each_pair = [](const Near::Lists& lists, const auto& call) {
+      for (const auto& block : lists.parts[0].blocks) {
+        const auto rows = lists.parts[0].rows_of(block);
+        for (int k = Near::width; k < std::ssize(rows); ++k)
+          if (k % Near::width < block.particles) call(rows[k % Near::width], rows[k]);
+      }
+    };
+    each_pair(near.fluid_near_fluid, check);
+    each_pair(near.fluid_near_ghost,
+              [&](int ghost, int j) { ASSERT_TRUE(ghost < gate_begins || j >= all.fluid || all.x[j] < 0.5); });
+    EXPECT_GT(past_its_end, 50);
+    EXPECT_GT(ghosts_seen, 50);
+  }
 }
 
 TEST(Gates, HaveGhostsWhereTheyAre) {
@@ -406,6 +410,13 @@ TEST(Gates, HaveGhostsWhereTheyAre) {
     for (Index k = near.all.fluid; k < near.all.fluid + near.ghosts(); ++k)
       there += near.seen[k].y > 0 && near.seen[k].y < 1;
     EXPECT_EQ(there, 4 * std::lround(std::max(0.0, 0.8 - time) / spacing)) << time;
+  }
+  Near low = beside_a_gate(0.2, 0.6);
+  low.move_gates(0.1);
+  for (Index k = low.all.fluid + low.ghosts() - static_cast<Index>(low.boundary.of_gates);
+       k < low.all.fluid + low.ghosts(); ++k) {
+    const double y = low.boundary.ghosts[k - low.all.fluid].x.y();
+    EXPECT_EQ(low.seen[k].y == y, y > 0.3 && y < 0.6) << y;
   }
 }
 
@@ -452,6 +463,12 @@ TEST(Walls, MirrorTheVelocityAtEachWallAGhostIsBehind) {
   EXPECT_TRUE(slips[1].isApprox(Vec2(-2, -3), 1e-12));
   EXPECT_TRUE(slips[2].isApprox(Vec2(-2, 3), 1e-12));
   EXPECT_TRUE(sticks[0].isApprox(Vec2(-2, 3), 1e-12));
+  const auto slide = of([](const NearWall& fluid) -> Vec2 {  // alike along each wall, and no fluid crosses them
+    return 0.5 * Vec2(std::abs(fluid.n.y()), std::abs(fluid.n.x()));
+  });
+  EXPECT_TRUE(slide[0].isApprox(Vec2(1 - 2, 3), 1e-12));
+  EXPECT_TRUE(slide[1].isApprox(Vec2(-2, 1 + 3), 1e-12));
+  EXPECT_TRUE(slide[2].isApprox(Vec2(2 - 1, 1 - 3), 1e-12)) << "at the floor, and that at the wall beside it";
 }
 
 TEST(Walls, CarryALinearRiseOfDensityOn) {

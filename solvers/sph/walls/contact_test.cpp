@@ -93,8 +93,12 @@ TEST(Contact, WithAGateIsOnItsFaceAndWhereItIs) {
     return meet(all, {gate}, time).particles;
   };
   EXPECT_EQ(held({0.45, 0.3}, 5, 2), 1);
-  EXPECT_EQ(held({0.45, 0.3}, 5, 4), 0);   // above
+  EXPECT_EQ(held({0.45, 0.3}, 5, 4), 0);  // above
   EXPECT_EQ(held({0.55, 0.3}, 5, 2), 0);  // behind
+  gate.extent = [](double time) -> Range { return {0.1 * time, 0.1 * time + 0.2}; };
+  EXPECT_EQ(held({0.45, 0.39}, 5, 2), 1);
+  EXPECT_EQ(held({0.45, 0.41}, 5, 2), 0) << "over its upper end";
+  EXPECT_EQ(held({0.45, 0.41}, 5, 3), 1) << "which rises, too";
 }
 
 }  // namespace contact_test

@@ -11,6 +11,21 @@ from shared import BadInput, run
 MEMORY = 8 * 2**30  # bytes; a mutant may ask for any amount
 
 
+ROOMS = ("solvers", "reference", "vnv", "reports")
+CALLED_BY_NO_TEST = re.compile(r"vnv/(trials|cases|bench/instructions|doors/(examples|client|read/fuzz))(/|$)|reports(/browser)?$")
+
+
+def name_of_tests(file):
+    """The program of the unit tests of a file's folder."""
+    return "_".join((*pathlib.PurePath(file).parent.parts, "test"))
+
+
+def folders_of_sources(root):
+    """All but those of programs, and of what selftests compile."""
+    files = (file for room in ROOMS for end in ("cpp", "hpp") for file in (root / room).rglob(f"*.{end}") if "test" not in file.name)
+    return {folder for file in files if not CALLED_BY_NO_TEST.match(folder := str(file.relative_to(root).parent))}
+
+
 @dataclasses.dataclass(frozen=True)
 class Program:
     path: str  # below the build folder, as ninja names it
@@ -32,30 +47,41 @@ def with_limited_memory():
 
 
 class Nearest:
-    """What a complete build knows of its programs: the named cases, and those of unit tests that any of the modules is
-    compiled into."""
+    """What a complete build knows of its programs: the named cases, and all of unit tests."""
 
-    def __init__(self, source, build, cases, modules):
+    def __init__(self, source, build, cases):
         self.source, self.build = source, build
         self.headers = self.files_of_objects()
         self.compile_seconds = self.seconds_of_objects()
-        paths = sorted(str(file.relative_to(build)) for room in ("solvers", "reference", "vnv", "reports")
-                       for file in (build / room).glob("*_test"))
+        paths = sorted(str(file.relative_to(build)) for room in ROOMS for file in (build / room).glob("*_test"))
         self.programs = [Program(path, self.objects(path), 0) for path in [*paths, *(f"vnv/{case}" for case in cases)]]
-        self.programs = [program for program in self.programs if any(self.is_compiled_into(module + "/", program) for module in modules)]
 
     def changed_objects(self, file):
-        """Those that a file, or any of a folder, is compiled into."""
+        """Those that a file is compiled into."""
         path = str(self.source.resolve() / file)
-        if not file.endswith("/"):
-            return {name for name, files in self.headers.items() if path in files}
-        return {name for name, files in self.headers.items() if any(other.startswith(path + "/") for other in files)}
+        return {name for name, files in self.headers.items() if path in files}
 
-    def is_compiled_into(self, file, program):
-        """Whether the tests of a program, or the module that they are of, are compiled anew; of a case any of its objects."""
-        changed = program.objects & self.changed_objects(file)
-        own = (f"/{program.name}.dir/", f"/{program.name.removesuffix('_test')}.dir/")
-        return bool(changed) if program.is_case else any(folder in name for name in changed for folder in own)
+    def is_of_its_folder(self, name, program):
+        """Whether an object is made from sources in the folder whose tests the program has, or from these tests."""
+        root = self.source.resolve()
+        return any(file.endswith(".cpp") and file.startswith(f"{root}/") and name_of_tests(file[len(str(root)) + 1:]) == program.name
+                   for file in self.headers.get(name, ()))
+
+    def compiled_into(self, file):
+        """The programs of which the tests, or the sources that they are of, are compiled anew, and cases of which anything
+        is; where there are none, as of what main functions alone call, those that any such object is linked into."""
+        changed = self.changed_objects(file)
+        linked = [program for program in self.programs if program.objects & changed]
+        near = [program for program in linked
+                if program.is_case or any(self.is_of_its_folder(name, program) for name in program.objects & changed)]
+        return near if any(not program.is_case for program in near) else linked
+
+    def folders_without(self):
+        """Folders of sources of which no file is compiled into any of the programs."""
+        root = str(self.source.resolve())
+        reached = {str(pathlib.PurePath(file).parent)[len(root) + 1:] for program in self.programs for name in program.objects
+                   for file in self.headers.get(name, ()) if file.startswith(f"{root}/")}
+        return sorted(folders_of_sources(self.source) - reached)
 
     def files_of_objects(self):
         found, current = {}, None
@@ -90,9 +116,8 @@ class Nearest:
         """Programs that a file is compiled into: those of its own folder's tests first, then by their cost."""
         changed = self.changed_objects(file)
         cost = lambda program: program.seconds + sum(self.compile_seconds.get(name, 0) for name in program.objects & changed)
-        own = "_".join((*pathlib.PurePath(file).parent.parts, "test"))
-        return sorted((program for program in self.programs if self.is_compiled_into(file, program)),
-                      key=lambda program: (program.name != own, cost(program)))
+        own = name_of_tests(file)
+        return sorted(self.compiled_into(file), key=lambda program: (program.name != own, cost(program)))
 
     def failing_test(self, program, timeout):
         """The name of the first test that fails, or nothing, and the seconds that it took."""

@@ -12,6 +12,7 @@ Example: vnv/trials/mutants/try.py --scratch ~/mutants --keep --minutes 60
 
 import concurrent.futures
 import csv
+import itertools
 import json
 import math
 import os
@@ -29,13 +30,14 @@ import sites  # noqa: E402
 from scratch import ROOT, Scratch, digest, empty_records  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
-from nearest import Nearest  # noqa: E402
+from nearest import CALLED_BY_NO_TEST, ROOMS, Nearest  # noqa: E402
 
 KEPT, EQUIVALENT = FOLDER / "trials.csv", FOLDER / "equivalent.csv"
-SAMPLE = {"solvers/mpm": 50, "solvers/sph": 50, "solvers": 30, "reference": 40, "vnv/judge": 40}
-CASES = ("couette", "dam_break", "hydrostatic", "manufactured", "poiseuille", "rotating_patch", "shear_wave", "standing_wave",
-         "stokes_first", "taylor_green")
-NOTICED, SURVIVES, EQUAL, INVALID = "noticed", "survives", "equivalent", "does not compile"
+SAMPLE = {"solvers/mpm": 50, "solvers/sph": 50, "solvers": 30, "reference": 40, "vnv/judge": 40, "vnv/measures": 40, "vnv/doors": 40,
+          "vnv/flows": 40, "vnv/gate": 40, "vnv": 40, "reports": 40}
+CASES = ("cavity", "couette", "dam_break", "dam_break_buchner", "elliptic_drop", "hydrostatic", "manufactured", "oscillating_poiseuille",
+         "poiseuille", "rotating_patch", "shear_wave", "standing_wave", "stokes_first", "taylor_green")
+NOTICED, SURVIVES, EQUAL, INVALID, UNTESTED = "noticed", "survives", "equivalent", "does not compile", "in no near program"
 COLUMNS = ("module", "file", "line", "code", "becomes", "kind", "conclusion", "noticed by or why", "seconds [s]", "digest")
 
 
@@ -45,7 +47,8 @@ def module_of(file):
 
 
 def is_mutated(path):
-    return path.suffix in (".cpp", ".hpp") and "test" not in path.name
+    is_of_program = CALLED_BY_NO_TEST.match(str(path.parent)) or path.name == "main.cpp"
+    return path.suffix in (".cpp", ".hpp") and "test" not in path.name and not is_of_program
 
 
 def all_sites(root):
@@ -53,7 +56,7 @@ def all_sites(root):
     for top in sorted({module.split("/")[0] for module in SAMPLE}):
         for path in sorted((root / top).rglob("*")):
             file = str(path.relative_to(root))
-            if is_mutated(path) and (module := module_of(file)):
+            if is_mutated(pathlib.PurePath(file)) and (module := module_of(file)):
                 found[module] += sites.sites(file, path.read_text(encoding="utf-8"))
     return found
 
@@ -90,20 +93,22 @@ class Worker:
     def prepare(self):
         self.scratch.configure(self.build)
         self.scratch.jobs = os.cpu_count()
-        modules = ("solvers", "reference", "vnv", "reports") if self.options.faults else tuple(SAMPLE)  # faults lie anywhere
-        programs = [*sorted({module.split("/")[0] + "_unit" for module in modules}), *CASES]
-        if said := self.scratch.compile(self.build, programs):
+        if said := self.scratch.compile(self.build, [*(f"{room}_unit" for room in ROOMS), *CASES]):
             raise BadInput(f"{self.build}: {said}")
         self.scratch.jobs = 1
         empty_records(self.build)
-        self.nearest = Nearest(self.scratch.source, self.build, CASES, modules)
+        self.nearest = Nearest(self.scratch.source, self.build, CASES)
+        if without := self.nearest.folders_without():
+            raise BadInput(f"{', '.join(without)}: compiled into no program of tests, expected one at least")
         self.nearest.measure(self.options.timeout)
 
     def tried(self, change):
         """Conclusion, and the test that noticed."""
-        began = time.monotonic()
+        began, programs = time.monotonic(), self.nearest.of(change.changes[0].file)
+        if not programs:
+            return UNTESTED, "compiled into none of the programs"
         with self.scratch.with_change(change):
-            for program in self.nearest.of(change.changes[0].file):
+            for program in programs:
                 if said := self.scratch.compile(self.build, [program.path]):
                     return (NOTICED, f"the build: {said}") if "static assertion" in said else (INVALID, said)
                 failed, _ = self.nearest.failing_test(program, self.options.timeout)
@@ -135,6 +140,11 @@ def write(rows, file):
     os.replace(new, file)
 
 
+def in_turn(lists):
+    """One of each list, then another of each: of work that is cut off each has had its share."""
+    return [one for turn in itertools.zip_longest(*lists) for one in turn if one is not None]
+
+
 def summary(rows, least):
     """A line a module, and whether enough were noticed everywhere."""
     print(f"{'module':14} {'mutants':>7} {'equivalent':>10} {'noticed':>14}  95 % interval")
@@ -150,14 +160,6 @@ def summary(rows, least):
               f"{noticed:4} ({100 * noticed / len(judged):5.1f} %)  {100 * low:.1f} to {100 * high:.1f} %")
         enough &= noticed >= least / 100 * len(judged)
     return enough
-
-
-def drawn(options):
-    """The sites in the order in which they are tried: of each module its own."""
-    orders = all_sites(ROOT)
-    for module, found in orders.items():
-        random.Random(f"{options.seed} {module}").shuffle(found)
-    return orders
 
 
 class Trials:
@@ -176,8 +178,8 @@ class Trials:
         return row_of(site, EQUAL, why, 0) if why else self.rows.get(key_of(site))
 
     def sample(self):
-        """The rows of the sample as far as they are known, and the sites that are still to be tried."""
-        rows, fresh = [], []
+        """The rows of the sample as far as they are known, and the sites that are still to be tried, of all modules in turn."""
+        rows, fresh = [], {module: [] for module in SAMPLE}
         for module, count in SAMPLE.items():
             left = math.ceil(self.options.fraction * count) if module.startswith(self.options.only) else 0
             for site in self.drawn[module]:
@@ -185,13 +187,13 @@ class Trials:
                 if left == 0:
                     break
                 if row is None:
-                    fresh.append(site)
-                elif row["conclusion"] == INVALID:
+                    fresh[module].append(site)
+                elif row["conclusion"] in (INVALID, UNTESTED):
                     continue
                 else:
                     rows.append(row)
                 left -= 1
-        return rows, fresh
+        return rows, in_turn(fresh.values())
 
     def keep(self, row):
         with self.lock:
@@ -233,20 +235,40 @@ def try_sample(options):
     if fresh:
         print(f"{len(fresh)} of {len(rows) + len(fresh)} left: the same command goes on with them")
     if options.keep:
-        write(rows, KEPT)
+        kept = {row["digest"]: row for row in [*rows, *read_rows(KEPT)]}  # what came of other seeds stays
+        write((kept | {row["digest"]: row for row in rows}).values(), KEPT)
     return rows
+
+
+def faults_to_try(folder):
+    """Those of a folder, each of which fits today's sources, before anything is built."""
+    faults = [seeded.read(file, needs_tests=False) for file in sorted(folder.glob("*.fault"))]
+    if not faults:
+        raise BadInput(f"{folder}: no fault in it, expected *.fault")
+    for fault in faults:
+        seeded.changed(fault, ROOT)
+    return faults
 
 
 def try_faults(options):
     """Seeded faults of which nobody has said who notices; whether all were noticed."""
-    survivors = []
-    worker = Worker(options.scratch.resolve() / "0", options)
-    worker.prepare()
-    for fault in seeded.read_all(options.faults):
-        conclusion, by = worker.tried(fault)
-        print(f"{conclusion}: {fault.name}: {fault.title}  [{by}]", flush=True)
-        survivors += [fault.name] if conclusion != NOTICED else []
-    return not survivors
+    began, faults, results = time.monotonic(), faults_to_try(options.faults), options.scratch / "faults.json"
+    known = json.loads(results.read_text(encoding="utf-8")) if results.is_file() else {}
+    is_left = lambda fault: known.get(digest(fault.text), [SURVIVES])[0] != NOTICED if options.survivors else digest(fault.text) not in known
+    left = [fault for fault in faults if is_left(fault)]
+    if left and options.minutes > 0:
+        worker = Worker(options.scratch.resolve() / "0", options)
+        worker.prepare()
+        while left and time.monotonic() - began < 60 * options.minutes:
+            fault = left.pop(0)
+            known[digest(fault.text)] = conclusion, by = worker.tried(fault)
+            results.write_text(json.dumps(known), encoding="utf-8")
+            print(f"{conclusion}: {fault.name}: {fault.title}  [{by}]", flush=True)
+    if left:
+        print(f"{len(left)} of {len(faults)} left: the same command goes on with them")
+    conclusions = [known.get(digest(fault.text), [SURVIVES])[0] for fault in faults]
+    print(f"{conclusions.count(NOTICED)} of {len(faults) - len(left)} noticed")
+    return conclusions.count(NOTICED) == len(faults)
 
 
 def options_of(arguments):
