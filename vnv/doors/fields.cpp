@@ -302,8 +302,8 @@ std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin,
 }
 
 /// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
-/// they are written unwrapped, the corners of the box about them stay empty.
-void require_periods(const std::string& source, const Vectors& x, const Domain& domain) {
+/// they are written unwrapped, the corners of the box about them stay empty. A mesh does not move on.
+void require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool is_mesh) {
   for (const int axis : {0, 1}) {
     if (!domain.periodic(axis)) continue;
     const double period = domain.box.size()[axis];
@@ -316,9 +316,11 @@ void require_periods(const std::string& source, const Vectors& x, const Domain& 
     about.high.array() += spacing / 2;
     const double length = about.size()[axis];
     if (!(length > 1.5 * period)) continue;
-    const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
-    const bool fills_it = found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
-    if (fills_it)
+    const auto fills_it = [&] {
+      const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
+      return found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
+    };
+    if (is_mesh || fills_it())
       throw LongerThanPeriod(fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m: --set L={:.4g}?", source,
                                          length, "xy"[axis], period, length),
                              axis, length);
@@ -405,7 +407,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   };
   s.x = vectors(places, "position", "length");
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  if (!is_mesh) require_periods(data.source, s.x, domain);
+  require_periods(data.source, s.x, domain, is_mesh);
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
@@ -454,7 +456,12 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     std::string as = found.words;
     const double to_si = factor(found, field, mapping, density, as);
     Scalars all(count);
-    each_row([&](std::size_t row, Eigen::Index p) { all[p] = to_si * found(row, 0); });
+    each_row([&](std::size_t row, Eigen::Index p) {
+      all[p] = to_si * found(row, 0);
+      if (field != "pressure" && !std::isfinite(all[p]))  // by which rows are weighed; a pressure is judged
+        throw Unreadable(fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words,
+                                     found(row, 0)));
+    });
     say(field, as);
     reading.fields.push_back(field);
     return all;

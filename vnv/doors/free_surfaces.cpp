@@ -6,6 +6,7 @@
 #include "vnv/flows/gravity_wave.hpp"
 #include "vnv/flows/patch.hpp"
 #include "vnv/flows/water_at_rest.hpp"
+#include "vnv/measures/motion.hpp"
 #include "vnv/measures/roughness.hpp"
 
 namespace touchstone::vnv::doors {
@@ -108,10 +109,17 @@ Flow standing_wave(Settings& set) {
     return {between(period_error, -500 / across, 500 / across,
                     theory("first order with five times the error that is claimed at 100 across"))};
   };
-  const Quantity mean{"mean pressure over rho g h / 2"};
-  flow.aside = {between(mean, 0.8, 1.2, theory("the pressure carries the weight of the water"))};
+  flow.aside = {between(part_of_pressure, 0.8, 1.2, theory("the pressure carries the weight of the water")),
+                moves_by_its_velocity()};
+  const Moment standing{
+      .of = [k = wave.k()](const Vec2& x) { return x.y() * std::cos(k * x.x()); },
+      .slope = [k = wave.k()](const Vec2& x) { return Vec2(-k * x.y() * std::sin(k * x.x()), std::cos(k * x.x())); }};
   flow.measured = {{{}, errors_of_oscillation(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"},
-                   {{"pressure"}, mean_pressure(mean, wave.rho * wave.g * wave.depth / 2)}};
+                   {{"velocity"}, part_of_motion(standing), Span{0, 1.6 * scale, 30}, "the motion of the water"},
+                   {{"pressure"},
+                    part_of_exact_pressure([unit = wave.rho * wave.g, h = wave.depth](
+                                               const Vec2& x, double) { return unit * std::max(0.0, h - x.y()); },
+                                           false)}};
   return flow;
 }
 
@@ -290,7 +298,8 @@ Flow dam_break(Settings& set) {
       at_least(dam.least_lead, 0,
                literature("the time origin of such an experiment is uncertain by 0.3 in T (Martin & Moyce 1952)"))};
   const Quantity mean{"mean pressure over rho g h0 / 2"};
-  flow.aside = {between(mean, 0.1, 1.5, theory("the pressure carries the weight of the water, and moves it"))};
+  flow.aside = {between(mean, 0.1, 1.5, theory("the pressure carries the weight of the water, and moves it")),
+                moves_by_its_velocity()};
   for (const char* experiment : {"Lobovský et al. 2014", "Koshizuka & Oka 1995"})
     flow.of_resolved.push_back(at_most(
         dam.rms_of(dam.of_thin_slab, experiment), 0.17,
@@ -305,17 +314,23 @@ Flow dam_break(Settings& set) {
   flow.of_resolved.push_back(near_experiment(0.22));
   flow.of_coarse = [=](double across) { return std::vector{near_experiment(0.17 + 1.5 / across)}; };
   flow.resolved = 30;
-  const auto kept = [dam](const Quantity& quantity) {
-    return [=](const Level& level, const Run& run) {
-      std::vector<Value> found = dam.kept(level, run);
-      std::erase_if(found, [&](const Value& value) { return value.quantity != quantity; });
-      return found;
-    };
+  const auto mass_change = [dam](const Level& level, const Run& run) -> std::vector<Value> {
+    const double first = run.samples.front().mass.sum(), last = run.samples.back().mass.sum();
+    return {{level.name, level.spacing, run.summary.end_time, dam.mass_change, last / first - 1}};
+  };
+  const auto lost = [dam](const Level& level, const Run& run) {
+    std::vector<Value> found = dam.kept(level, run);
+    std::erase_if(found, [&](const Value& value) { return value.quantity != dam.lost; });
+    return found;
   };
   flow.measured = {
       {{}, [dam](const Level& level, const Run& run) { return dam.positions(level, run.samples.back()); }},
-      {{}, kept(dam.mass_change), Span{0, 0, 2}, "mass"},
-      {{"particles"}, kept(dam.lost), Span{0, 0, 2}, "the number of particles"},
+      {{}, mass_change, Span{0, 0, 2}, "mass"},
+      {{"particles"}, lost, Span{0, 0, 2}, "the number of particles"},
+      {{"velocity"},
+       part_of_motion({.of = [](const Vec2& x) { return x.x(); }, .slope = [](const Vec2&) { return Vec2(1, 0); }}),
+       Span{INFINITY, 0, 2},
+       "the motion of the water"},
       {{},
        [dam](const Level& level, const Run& run) { return dam.lead(level, run); },
        Span{INFINITY, 0, 1},  // at whatever times there are
