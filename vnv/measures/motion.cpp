@@ -15,9 +15,9 @@ Measurement part_of_motion(const Moment& moment) {
       }
       value /= s.mass.sum(), rate /= s.mass.sum();
       if (&s != &run.samples.front()) {
-        const double change = value - value_before;
-        moved += change * (rate_before + rate) / 2 * (s.time - time_before);
-        scale += change * change;
+        const double made = (value - value_before) / (s.time - time_before);
+        moved += made * (rate_before + rate) / 2;
+        scale += made * made;
       }
       value_before = value, rate_before = rate, time_before = s.time;
     }

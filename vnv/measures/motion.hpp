@@ -15,9 +15,9 @@ struct Moment {
 
 inline const Quantity part_of_motion_found{"part of the motion that the velocity makes", ""};
 
-/// How much of the change of a moment between the samples of a run its rate by their velocities makes, by least squares
-/// over the times: 1 of what moves with its velocity, 0 of a velocity that is zero, -1 of a reversed one. The rate is
-/// integrated by the trapezoidal rule: a fifth of a period between two times makes 0.86 of an oscillation. Throws
+/// How much of the rate at which a moment changes between the samples of a run their velocities make, by least squares
+/// over the times: 1 of what moves with its velocity, 0 of a velocity that is zero, -1 of a reversed one. Theirs is the
+/// mean of the rates before and after: with a fifth of a period between two times 0.86 of an oscillation. Throws
 /// std::invalid_argument where nothing changes.
 Measurement part_of_motion(const Moment& moment);
 
