@@ -302,25 +302,26 @@ std::string guess_of_origin(const Vectors& x, const Domain& domain, Vec2 origin,
 }
 
 /// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
-/// they are written unwrapped, the corners of the box about them stay empty. A mesh does not move on.
-void require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool is_mesh) {
+/// they are written unwrapped, the corners of the box about them stay empty. A mesh does not move on, nor have rows at
+/// the start: these fit into one period.
+void require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool has_not_moved) {
   for (const int axis : {0, 1}) {
     if (!domain.periodic(axis)) continue;
     const double period = domain.box.size()[axis];
     Box about{.low = x.rowwise().minCoeff(), .high = x.rowwise().maxCoeff()};
-    if (about.size()[axis] < period) continue;
+    if (about.size()[axis] <= period * (1 + 1e-6)) continue;
     double spacing = std::sqrt(about.size().prod() / static_cast<double>(x.cols()));
     for (int k = 0; k < 10; ++k)  // with half a spacing around them
       spacing = std::sqrt((about.size().array() + spacing).prod() / static_cast<double>(x.cols()));
     about.low.array() -= spacing / 2;
     about.high.array() += spacing / 2;
     const double length = about.size()[axis];
-    if (!(length > 1.5 * period)) continue;
+    if (!has_not_moved && !(length > 1.5 * period)) continue;
     const auto fills_it = [&] {
       const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
       return found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
     };
-    if (is_mesh || fills_it())
+    if (has_not_moved || fills_it())
       throw LongerThanPeriod(fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m: --set L={:.4g}?", source,
                                          length, "xy"[axis], period, length),
                              axis, length);
@@ -407,7 +408,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   };
   s.x = vectors(places, "position", "length");
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  require_periods(data.source, s.x, domain, is_mesh);
+  require_periods(data.source, s.x, domain, is_mesh || s.time == 0);
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();

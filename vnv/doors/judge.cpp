@@ -201,10 +201,6 @@ Case case_of(const Flow& flow, const Given& given, const std::vector<double>& ti
   Case judged = flow.judged;
   std::ranges::copy(flow.aside, std::back_inserter(judged.claims));
   judged.title = flow.title();
-  for (const std::string field : {"velocity", "pressure"})
-    if (given.fields && has(*given.fields, field) &&
-        std::ranges::none_of(flow.measured, [&](const Measured& one) { return has(one.fields, field); }))
-      not_judged.push_back(fmt::format("{}: nothing of it is measured in this flow", field));
   for (const Measured& one : flow.measured) {
     const auto missing = std::ranges::find_if(
         one.fields, [&](const std::string& name) { return given.fields && !has(*given.fields, name); });
@@ -507,11 +503,6 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   for (const auto& [name, filling] : fillings) {
     std::ranges::copy(filling.claims, std::back_inserter(judged.claims));
     for (const std::string& line : filling.told) judgement.words.push_back(line);
-    if (const std::string line =
-            "how many rows there should be: --spacing, volumes, or masses and densities say it; without them a fluid "
-            "that is thinned out evenly is not seen";
-        !filling.is_counted && !has(judgement.not_judged, line))
-      judgement.not_judged.push_back(line);
   }
   judged.measurements.push_back([&](const Level& level, const Run& run) {
     std::vector<Value> values =
@@ -537,6 +528,14 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
     limit_errors(*what.at_most, method.levels.back().name, judgement.record);
   refuse_what_is_no_number(judgement.record);
   refuse_what_is_worse_than_nothing(flow, judgement.record);
+  for (const std::string field : {"velocity", "pressure"})
+    if (given.fields && has(*given.fields, field) &&
+        std::ranges::none_of(flow.measured, [&](const Measured& one) { return has(one.fields, field); }))
+      judgement.not_judged.push_back(fmt::format("{}: nothing of it is measured in this flow", field));
+  if (!std::ranges::all_of(fillings, [](const auto& of_level) { return of_level.second.is_counted; }))
+    judgement.not_judged.emplace_back(
+        "how many rows there should be: --spacing, volumes, or masses and densities say it; without them a fluid that is "
+        "thinned out evenly is not seen");
   if (!what.at_most && given.levels.size() < 3)
     judgement.not_judged.emplace_back(
         "how small the errors are, and how they fall: --at-most PERCENT or at_most in [claims] limits them, three "

@@ -438,7 +438,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
     };
   };
   add({"rows twice", "one", twice(0, 0), [](const Planted& c) {
-         return c.has_particles()                 ? "red: in the place of another"
+         return c.has_particles()                 ? "red: in the place of another or refused"
                 : c.flow.name == "rotating_patch" ? "open: its momentum is no longer that of all of it"
                                                   : "green: less than 3 % of the volume";
        }});
