@@ -322,24 +322,27 @@ std::string guess_of_convention(const Vectors& places, double to_si, const Plane
 }
 
 /// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
-/// they are written unwrapped, the corners of the box about them stay empty.
-void require_periods(const std::string& source, const Vectors& x, const Domain& domain,
+/// they are written unwrapped, the corners of the box about them stay empty. A mesh does not move on, nor have rows at
+/// the start: these fit into one period.
+void require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool has_not_moved,
                      const std::function<std::string()>& guess) {
   for (const int axis : {0, 1}) {
     if (!domain.periodic(axis)) continue;
     const double period = domain.box.size()[axis];
     Box about{.low = x.rowwise().minCoeff(), .high = x.rowwise().maxCoeff()};
-    if (about.size()[axis] < period) continue;
+    if (about.size()[axis] <= period * (1 + 1e-6)) continue;
     double spacing = std::sqrt(about.size().prod() / static_cast<double>(x.cols()));
     for (int k = 0; k < 10; ++k)  // with half a spacing around them
       spacing = std::sqrt((about.size().array() + spacing).prod() / static_cast<double>(x.cols()));
     about.low.array() -= spacing / 2;
     about.high.array() += spacing / 2;
     const double length = about.size()[axis];
-    if (!(length > 1.5 * period)) continue;
-    const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
-    const bool fills_it = found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
-    if (!fills_it) continue;
+    if (!has_not_moved && !(length > 1.5 * period)) continue;
+    const auto fills_it = [&] {
+      const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
+      return found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
+    };
+    if (!has_not_moved && !fills_it()) continue;
     const std::string line =
         fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m", source, length, "xy"[axis], period);
     if (const std::string all_fits = guess(); !all_fits.empty()) throw Unreadable(line + all_fits);
@@ -432,7 +435,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     return guess_of_convention(vectors(places, "position", "length") / to_si, to_si, plane, mapping, domain);
   };
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  if (!is_mesh) require_periods(data.source, s.x, domain, guess);
+  require_periods(data.source, s.x, domain, is_mesh || s.time == 0, guess);
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
@@ -481,7 +484,12 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     std::string as = found.words;
     const double to_si = factor(found, field, mapping, density, as);
     Scalars all(count);
-    each_row([&](std::size_t row, Eigen::Index p) { all[p] = to_si * found(row, 0); });
+    each_row([&](std::size_t row, Eigen::Index p) {
+      all[p] = to_si * found(row, 0);
+      if (field != "pressure" && !std::isfinite(all[p]))  // by which rows are weighed; a pressure is judged
+        throw Unreadable(fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words,
+                                     found(row, 0)));
+    });
     say(field, as);
     reading.fields.push_back(field);
     return all;

@@ -27,7 +27,8 @@ struct Mapping {
 /// The axes of a plane in each order: "xz"; with a sign before those that run against the flow's: "-zx".
 std::vector<std::string> names_of_planes();
 
-/// Throws std::invalid_argument for axes, a field or a kind of unit that there is not, saying where and naming all of them.
+/// Throws std::invalid_argument for axes, a field or a kind of unit that there is not, saying where and naming all of
+/// them.
 void require_known_names(const Mapping& mapping, const std::string& where);
 
 /// The field of a velocity of which no more than its component along the flow's x need be there.

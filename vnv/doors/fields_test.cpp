@@ -177,6 +177,24 @@ TEST(Fields, MayLackTheVelocityAcross) {
   EXPECT_EQ(reading_of(with_velocity("w"), {.arrays = {{"velocity", "w"}}}, domain, 1000).fields, reading.fields);
 }
 
+TEST(Fields, ByWhichRowsAreWeighedAreNumbers) {
+  Dataset data = fluid_and_wall();
+  data.arrays[6].values[2] = NAN;
+  EXPECT_EQ(refusal(data, {}), "a.npz: row 3: rho = nan, expected a finite number");
+  data.arrays[6].values = {1001, NAN, 1002};
+  EXPECT_EQ(refusal(data, {}), "") << "of a row that is no fluid";
+  data.arrays[5].values[0] = NAN;
+  EXPECT_EQ(refusal(data, {}), "") << "a pressure is judged";
+}
+
+TEST(Fields, OfAMeshAreNotWrappedIntoAShorterPeriod) {
+  Dataset mesh = water_and_air();
+  for (double& x : mesh.arrays[0].values) x *= 1000;
+  const Domain periodic{.box = {.high = {1, 1}}, .periodic_x = true, .periodic_y = true};
+  EXPECT_THROW(reading_of(mesh, {}, periodic, 1000), LongerThanPeriod);
+  EXPECT_NEAR(reading_of(mesh, {.units = {{"length", "mm"}}}, periodic, 1000).samples.x(1, 3), 0.7, 1e-12);
+}
+
 TEST(Fields, AreTurnedWithAxesThatRunTheOtherWay) {
   Dataset data{.source = "a.csv",
                .time = 1.0,

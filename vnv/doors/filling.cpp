@@ -133,6 +133,7 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       const std::optional<Region> region = flow.region_at(time);
       const Coverage coverage =
           coverage_of(samples.x, given.spacing, region.value_or(Region{.domain = flow.domain, .is_known = false}));
+      worst.found_.is_counted &= given.has_volumes || given.spacing_is_said || coverage.grid_places > 0;
       for (const Value& one : values_of(coverage, {.name = level, .spacing = given.spacing}, time))
         if (region || one.quantity != largest_hole) worst.take(one, where_is(coverage, one.quantity.name));
       for (const Claim& claim : fills_its_region(coverage, rows_at_first))

@@ -15,6 +15,7 @@ struct Filling {
   std::vector<Claim> claims{};                               // on the level
   std::vector<std::pair<std::string, std::string>> where{};  // a quantity, and where its value is from
   std::vector<std::string> told{};
+  bool is_counted = true;  // else nothing says how much fluid there should be: evenly thinned out, it looks the same
 };
 
 // Quantities besides those of vnv/measures/coverage.hpp.

@@ -1,7 +1,6 @@
 #include "vnv/doors/filling.hpp"
-#include "vnv/doors/testing.hpp"
+#include "vnv/doors/right_data.hpp"
 
-#include "solvers/lattice.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/flows/driven_channel.hpp"
 #include "vnv/measures/coverage.hpp"
@@ -16,17 +15,6 @@ namespace touchstone::vnv::doors {
 namespace filling_test {
 
 const std::map<std::string, double> channel{{"H", 1}, {"L", 0.5}, {"nu", 0.01}, {"F", 0.01}};
-
-/// The exact velocity, and pressure where it is known, on a lattice with so many rows across.
-Samples exact_on(const Flow& flow, double across, double time) {
-  Samples s{.time = time, .x = flow.start.places_on(lattice(flow.filled, flow.across / across).places())};
-  s.v = Vectors::Zero(2, s.x.cols());
-  s.pressure.resize(s.size());
-  for (Eigen::Index p = 0; p < s.size(); ++p) s.pressure[p] = flow.start.pressure_at(s.x.col(p));
-  s.density = s.mass = Scalars::Constant(s.size(), flow.fluid.density);
-  set_exact_fields(flow, s);
-  return s;
-}
 
 Samples those(const Samples& s, const std::function<bool(Eigen::Index)>& are_kept) {
   std::vector<Eigen::Index> kept;
@@ -61,7 +49,7 @@ TEST(Filling, IsFoundWhereAllTheFluidIsThere) {
     const double time = name == "elliptic_drop" ? 0 : flow.judged.times.front();
     for (const double across : {8.0, 20.0, 41.0, 60.0})
       for (const double spacing : {not_a_number, flow.across / across}) {
-        const std::string found = complaints_of(judged(flow, {exact_on(flow, across, time)}, spacing));
+        const std::string found = complaints_of(judged(flow, {right_of(flow, across, time)}, spacing));
         EXPECT_EQ(found, "") << name << ", " << across << " across";
       }
   }
@@ -69,7 +57,7 @@ TEST(Filling, IsFoundWhereAllTheFluidIsThere) {
 
 TEST(Filling, MayBeOfNodesOfGradedGridsOrOfADisorderedCloud) {
   const Flow flow = flow_named("poiseuille", Settings(channel));
-  Samples nodes = exact_on(flow, 20, 20);
+  Samples nodes = right_of(flow, 20, 20);
   const FieldTruth truth = flow.exact[0].with({});
   const auto with_velocity = [&](Samples s) {
     for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = truth(s.x.col(p), s.time);
@@ -98,7 +86,7 @@ TEST(Filling, MayBeOfNodesOfGradedGridsOrOfADisorderedCloud) {
       << "without nodes on the plates";
   std::mt19937 draw(7);
   std::uniform_real_distribution<double> any(-0.025, 0.025);
-  Samples cloud = exact_on(flow, 20, 20);
+  Samples cloud = right_of(flow, 20, 20);
   for (Eigen::Index p = 0; p < cloud.size(); ++p)
     cloud.x.col(p) =
         Vec2(flow.domain.wrapped(0, cloud.x(0, p) + any(draw)), std::clamp(cloud.x(1, p) + any(draw), 0.0, 1.0));
@@ -107,7 +95,7 @@ TEST(Filling, MayBeOfNodesOfGradedGridsOrOfADisorderedCloud) {
 
 TEST(Filling, FailsWithoutAPartOfTheFluidAtAResolutionThatIsSaidOrNot) {
   const Flow flow = flow_named("poiseuille", Settings(channel));
-  const Samples all = exact_on(flow, 20, 20);
+  const Samples all = right_of(flow, 20, 20);
   std::mt19937 draw(7);
   std::vector<bool> is_in_tenth(static_cast<std::size_t>(all.size()), false);
   for (std::size_t k = 0; k < 20; ++k) is_in_tenth[10 * k + draw() % 10] = true;
@@ -141,7 +129,7 @@ TEST(Filling, FailsOfADisorderedCloudWithAHoleFourSpacingsWideAndSaysWhere) {
   std::mt19937 draw(3);
   std::uniform_real_distribution<double> any(-0.25, 0.25);
   for (const double across : {10.0, 40.0, 100.0}) {
-    Samples cloud = exact_on(flow, across, 0.1);
+    Samples cloud = right_of(flow, across, 0.1);
     for (double& x : cloud.x.reshaped()) x += any(draw) / across;
     for (double& x : cloud.x.reshaped()) x -= std::floor(x);
     const Vec2 centre(0.503, 0.497);
@@ -157,7 +145,7 @@ TEST(Filling, FailsOfADisorderedCloudWithAHoleFourSpacingsWideAndSaysWhere) {
 
 TEST(Filling, FailsWithRowsInOnePlaceCrowdedOrAlone) {
   const Flow flow = flow_named("taylor_green");
-  const Samples all = exact_on(flow, 20, 0.1);
+  const Samples all = right_of(flow, 20, 0.1);
   const auto with_places = [&](const Vectors& x) {
     Samples s = all;
     s.x = x;
@@ -182,7 +170,7 @@ TEST(Filling, FailsWithRowsInOnePlaceCrowdedOrAlone) {
 
 TEST(Filling, OfARunIsThatOfItsFirstTime) {
   const Flow flow = flow_named("poiseuille", Settings(channel));
-  const Samples first = exact_on(flow, 20, 5), last = exact_on(flow, 20, 20);
+  const Samples first = right_of(flow, 20, 5), last = right_of(flow, 20, 20);
   const auto without_ninth = those(last, [](Eigen::Index p) { return p % 11 != 5; });
   EXPECT_EQ(complaints_of(judged(flow, {first, last})), "");
   EXPECT_TRUE(says(complaints_of(judged(flow, {first, without_ninth})), "rows = 182 at 20 s, expected in [200, 200]"));
@@ -203,16 +191,39 @@ TEST(Filling, OfARunIsThatOfItsFirstTime) {
 
 TEST(Filling, OfWaterAtRestEndsAtItsSurface) {
   const Flow flow = flow_named("hydrostatic");
-  const Samples all = exact_on(flow, 40, 2);
+  const Samples all = right_of(flow, 40, 2);
   const auto lower = those(all, [&](Eigen::Index p) { return all.x(1, p) < 0.7; });
   EXPECT_TRUE(says(complaints_of(judged(flow, {lower})), "largest hole"));
   const auto holed = those(all, [&](Eigen::Index p) { return (all.x.col(p) - Vec2(0.25, 0.5)).norm() > 0.05; });
   EXPECT_TRUE(says(complaints_of(judged(flow, {holed})), "empty places of the grid"));
 }
 
+TEST(Filling, SaysWhereNothingTellsHowManyRowsThereShouldBe) {
+  const Flow flow = flow_named("taylor_green");
+  Samples cloud = right_of(flow, 20, 0.1, 0.25), grid = right_of(flow, 20, 0.1);
+  cloud = those(cloud, [](Eigen::Index p) { return p % 10 != 3; });
+  const auto judge = [&](const Samples& s, bool is_said, bool has_volumes) {
+    Given given{.fields = std::vector<std::string>{"particles", "velocity", velocity_along_x, "pressure"}};
+    given.levels.push_back({.spacing = 0.05, .spacing_is_said = is_said, .has_volumes = has_volumes});
+    given.levels[0].at.emplace(0.1, s);
+    return judge_given(flow, std::move(given), {.at_most = 1});
+  };
+  const auto is_told = [](const Judgement& judgement) {
+    return std::ranges::any_of(judgement.not_judged,
+                               [](const std::string& line) { return says(line, "how many rows there should be"); });
+  };
+  EXPECT_TRUE(is_told(judge(cloud, false, false)));
+  EXPECT_FALSE(is_told(judge(grid, false, false))) << "a grid shows its empty places";
+  for (const bool is_said : {false, true}) {
+    const Judgement judgement = judge(cloud, is_said, !is_said);
+    EXPECT_FALSE(is_told(judgement));
+    EXPECT_NE(complaints_of(judgement.record), "");
+  }
+}
+
 TEST(Filling, OfMassesIsThatOfTheSceneOrOfADepth) {
   const Flow flow = flow_named("taylor_green");
-  Samples s = exact_on(flow, 20, 0.1);
+  Samples s = right_of(flow, 20, 0.1);
   s.mass = Scalars::Constant(s.size(), flow.fluid.density / 400);
   EXPECT_EQ(complaints_of(judged(flow, {s}, not_a_number, true)), "");
   s.mass *= 0.96;

@@ -35,6 +35,7 @@ std::vector<Dataset> rows_to_judge(std::vector<Dataset> all) {
   return all;
 }
 
+Vec2 middle_of(const Vectors& places) { return (places.rowwise().maxCoeff() + places.rowwise().minCoeff()) / 2; }
 Vec2 spread_of(const Vectors& places) { return places.rowwise().maxCoeff() - places.rowwise().minCoeff(); }
 
 /// Rows of a flow that fills its domain reach over most of it, those of one with a free surface at the start over what
@@ -51,9 +52,17 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
     if ((spread.array() < size.array() / 2).any())
       refuse(fmt::format("most of the {:.4g} m by {:.4g} m that the flow fills", size.x(), size.y()));
   } else if (samples.time == 0) {
-    const Vec2 exact = spread_of(places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing)));
-    if (((spread - exact).array().abs() > 2 * spacing + 0.05 * exact.array()).any())
+    const Vectors start = places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
+    const Vec2 exact = spread_of(start), off = middle_of(samples.x) - middle_of(start);
+    const Eigen::Array2d most_off = 2 * spacing + 0.05 * exact.array();
+    if (((spread - exact).array().abs() > most_off).any())
       refuse(fmt::format("about {:.4g} m by {:.4g} m at the start", exact.x(), exact.y()));
+    for (const int axis : {0, 1})
+      if (!flow.domain.periodic(axis) && std::abs(off[axis]) > most_off[axis])
+        throw Unreadable(fmt::format(
+            "{}: the middle of the rows at the start is {:.4g} m off along {}, expected it where the fluid of the flow "
+            "is: --origin",
+            source, off[axis], "xy"[axis]));
   } else if (const double area = flow.filled_area(); spread.prod() < area / 2) {
     refuse(fmt::format("room for the {:.4g} m² of fluid", area));
   }
@@ -102,29 +111,6 @@ GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
   }
   return before ? *before
                 : levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
-}
-
-/// What single files hold, each of one level, as one; in the order of their times.
-Given together(std::vector<Given> each) {
-  Given all;
-  for (const Given& one : each) {
-    all.files.insert(all.files.end(), one.files.begin(), one.files.end());
-    for (const std::string& line : one.words) all.say(line);
-    if (!all.fields) all.fields = one.fields;
-    if (one.fields) std::erase_if(*all.fields, [&](const std::string& name) { return !has(*one.fields, name); });
-  }
-  std::ranges::stable_sort(each, {}, [](const Given& one) { return one.levels.front().at.begin()->first; });
-  for (Given& one : each)
-    for (GivenLevel& from : one.levels) {
-      GivenLevel& level = level_for(all.levels, from);
-      level.has_volumes &= from.has_volumes;
-      level.has_particles &= from.has_particles;
-      for (auto& [time, samples] : from.at)
-        if (!level.at.emplace(time, std::move(samples)).second)
-          throw std::invalid_argument(
-              fmt::format("duplicate spacing {:.4g} m and time {:g} s, expected each pair once", from.spacing, time));
-    }
-  return all;
 }
 
 /// A run of what was given, whose samples it takes, as if it had been computed here.
@@ -281,6 +267,19 @@ void refuse_what_is_no_number(Record& record) {
   }
 }
 
+/// A velocity that is farther off than none, or at one row than twice the largest, as a reversed one is, is none of the
+/// flow: also where it falls with the spacing, as that of one wild row does.
+void refuse_what_is_worse_than_nothing(const Flow& flow, Record& record) {
+  for (const Exact& exact : flow.exact)
+    for (const Value& v : record.values) {
+      const double most = v.quantity.name.starts_with("Linf") ? 200 : 100;
+      if (exact.field != "velocity" || !has(exact.norms, v.quantity.name) || !(v.value > most)) continue;
+      record.verdicts.push_back(
+          judge(at_most(v.quantity, most, theory("a fluid at rest is 100 % off, a reversed one 200 %")),
+                {record.case_name, record.method, v.level, v.spacing, v.time}, v.value));
+    }
+}
+
 /// Errors that are rounding, of numbers in single precision or with eight digits, have no order, and need none.
 void take_rounding_for_converged(const std::vector<Claim>& claims, Record& record) {
   constexpr double rounding = 1e-5;  // %
@@ -321,7 +320,7 @@ void say_where(const std::string& level, const Filling& filling, Record& record)
 }
 
 /// Where all claims on a filling hold, one of them speaks for the others: that of the hole, or else the first.
-void say_briefly(const std::string& level, Record& record) {
+void say_briefly(const std::string& level, const Filling& filling, Record& record) {
   const auto is_of_it = [&](const Verdict& v) { return v.level == level && is_of_filling(v.quantity); };
   const auto fails = [&](const Verdict& v) { return is_of_it(v) && v.outcome != Outcome::holds; };
   auto spokesman = std::ranges::find_if(
@@ -333,7 +332,9 @@ void say_briefly(const std::string& level, Record& record) {
     if (is_of_it(v) && v.quantity != spokesman->quantity)
       others += fmt::format("{}{} = {:.4g}{}", others.empty() ? "" : ", ", v.quantity, v.value,
                             v.unit.empty() ? "" : " " + v.unit);
-  if (!others.empty()) spokesman->sentence += "; all the fluid is there, as " + others + " hold, too";
+  if (!others.empty())
+    spokesman->sentence += fmt::format(
+        "; {}, as {} hold, too", filling.is_counted ? "all the fluid is there" : "no part of it is missing", others);
   const std::string kept = spokesman->quantity;
   std::erase_if(record.verdicts, [&](const Verdict& v) { return is_of_it(v) && v.quantity != kept; });
 }
@@ -425,33 +426,59 @@ void Given::say(const std::string& line) {
   if (std::ranges::find(words, line) == words.end()) words.push_back(line);
 }
 
+void read_into(Given& given, const Flow& flow, const Mapping& mapping, Dataset data, std::optional<double> said) {
+  Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
+  data.arrays.clear();  // what stood in them is in the samples
+  given.files.push_back(reading.file);
+  for (const std::string& line : reading.words) given.say(line);
+  if (given.fields)
+    std::erase_if(*given.fields, [&](const std::string& name) { return !has(reading.fields, name); });
+  else
+    given.fields = reading.fields;
+  const double spacing = said ? *said
+                         : given.levels.empty()
+                             ? std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size()))
+                             : given.levels.front().spacing;
+  require_filled(flow, data.source, reading.samples, spacing);
+  require_volumes(flow, data.source, reading);
+  require_components(flow, data.source, reading.fields);
+  given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
+                        said ? "as said" : "the root of the filled area over the number of rows at the first time"));
+  GivenLevel& level = level_of(given.levels, spacing);
+  level.spacing_is_said = said.has_value();
+  level.has_volumes &= reading.has_volumes;
+  level.has_particles &= has(reading.fields, "particles");
+  const double time = reading.samples.time;
+  if (!level.at.emplace(time, std::move(reading.samples)).second)
+    throw std::invalid_argument(fmt::format("{}: duplicate spacing {:.4g} m and time {:g} s, expected each pair once",
+                                            data.source, spacing, time));
+}
+
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> said) {
-  double spacing = said.value_or(not_a_number);
-  for (Dataset& data : rows_to_judge(read_datasets(file))) {
-    Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
-    data.arrays.clear();  // there may be many, and what stood in them is in the samples
-    given.files.push_back(reading.file);
-    for (const std::string& line : reading.words) given.say(line);
-    if (given.fields)
-      std::erase_if(*given.fields, [&](const std::string& name) { return !has(reading.fields, name); });
-    else
-      given.fields = reading.fields;
-    if (std::isnan(spacing)) spacing = std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size()));
-    require_filled(flow, data.source, reading.samples, spacing);
-    require_volumes(flow, data.source, reading);
-    require_components(flow, data.source, reading.fields);
-    given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
-                          said ? "as said" : "the root of the filled area over the number of rows at the first time"));
-    GivenLevel& level = level_of(given.levels, spacing);
-    level.spacing_is_said = said.has_value();
-    level.has_volumes &= reading.has_volumes;
-    level.has_particles &= has(reading.fields, "particles");
-    const double time = reading.samples.time;
-    if (!level.at.emplace(time, std::move(reading.samples)).second)
-      throw std::invalid_argument(fmt::format("{}: duplicate spacing {:.4g} m and time {:g} s, expected each pair once",
-                                              data.source, spacing, time));
+  for (Dataset& data : rows_to_judge(read_datasets(file))) read_into(given, flow, mapping, std::move(data), said);
+}
+
+Given together(std::vector<Given> each) {
+  Given all;
+  for (const Given& one : each) {
+    all.files.insert(all.files.end(), one.files.begin(), one.files.end());
+    for (const std::string& line : one.words) all.say(line);
+    if (!all.fields) all.fields = one.fields;
+    if (one.fields) std::erase_if(*all.fields, [&](const std::string& name) { return !has(*one.fields, name); });
   }
+  std::ranges::stable_sort(each, {}, [](const Given& one) { return one.levels.front().at.begin()->first; });
+  for (Given& one : each)
+    for (GivenLevel& from : one.levels) {
+      GivenLevel& level = level_for(all.levels, from);
+      level.has_volumes &= from.has_volumes;
+      level.has_particles &= from.has_particles;
+      for (auto& [time, samples] : from.at)
+        if (!level.at.emplace(time, std::move(samples)).second)
+          throw std::invalid_argument(
+              fmt::format("duplicate spacing {:.4g} m and time {:g} s, expected each pair once", from.spacing, time));
+    }
+  return all;
 }
 
 Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
@@ -491,7 +518,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   judgement.record.another_code = true;
   for (const auto& [name, filling] : fillings) {
     say_where(name, filling, judgement.record);
-    say_briefly(name, judgement.record);
+    say_briefly(name, filling, judgement.record);
   }
   std::vector<Claim> claims = judged.claims;
   std::ranges::copy(method.claims, std::back_inserter(claims));
@@ -501,6 +528,15 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   if (const GivenLevel& finest = given.levels.back(); what.at_most && finest.outcome == "finished")
     limit_errors(*what.at_most, method.levels.back().name, judgement.record);
   refuse_what_is_no_number(judgement.record);
+  refuse_what_is_worse_than_nothing(flow, judgement.record);
+  for (const std::string field : {"velocity", "pressure"})
+    if (given.fields && has(*given.fields, field) &&
+        std::ranges::none_of(flow.measured, [&](const Measured& one) { return has(one.fields, field); }))
+      judgement.not_judged.push_back(fmt::format("{}: nothing of it is measured in this flow", field));
+  if (!std::ranges::all_of(fillings, [](const auto& of_level) { return of_level.second.is_counted; }))
+    judgement.not_judged.emplace_back(
+        "how many rows there should be: --spacing, volumes, or masses and densities say it; without them a fluid that is "
+        "thinned out evenly is not seen");
   if (!what.at_most && given.levels.size() < 3)
     judgement.not_judged.emplace_back(
         "how small the errors are, and how they fall: --at-most PERCENT or at_most in [claims] limits them, three "

@@ -53,6 +53,12 @@ struct Given {
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
                std::optional<double> spacing);
 
+/// The same of what a file held at one time.
+void read_into(Given& given, const Flow& flow, const Mapping& mapping, Dataset data, std::optional<double> spacing);
+
+/// What single files hold, each of one level, as one; in the order of their times.
+Given together(std::vector<Given> each);
+
 /// What is judged, and what is claimed of it besides the claims of its flow.
 struct Judged {
   std::string name = "files";  // of the code, as a method

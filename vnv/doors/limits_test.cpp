@@ -96,6 +96,38 @@ TEST_F(Limits, ApplyToAllErrorsThatAreMeasured) {
   EXPECT_FALSE(is_limited(record.values.front(), record));
 }
 
+TEST_F(Limits, FailWhatIsWorseThanNothingWithoutAnOption) {
+  const FieldTruth exact = channel.exact[0].with({});
+  const auto with_first = [&](double factor) {
+    return table("wild.csv", "x,y,vx,vy", channel.filled, 0.05, [&](const Vec2& x) {
+      return fmt::format("{},0", (x.x() < 0.05 && x.y() < 0.05 ? factor * 0.125 : exact(x, 20).x()));
+    });
+  };
+  EXPECT_FALSE(says(complaints(channel, {with_first(1)}, 20, {}), "% off"));
+  const std::string found = complaints(channel, {with_first(10)}, 20, {});
+  EXPECT_TRUE(says(found, "Linf v_x, per particle") && says(found, "a fluid at rest is 100 % off")) << found;
+}
+
+TEST_F(Limits, HoldForTheLargestSpeedInACavity) {
+  const Flow flow = flow_named("cavity");
+  const auto speed = [&](double corner) {
+    const auto file = table("fast.csv", "x,y,u,v", flow.filled, 0.05, [&](const Vec2& x) {
+      return fmt::format("0.1,{}", x.x() < 0.05 && x.y() < 0.05 ? corner : 0.0);
+    });
+    return complaints(flow, {file}, 50, {});
+  };
+  EXPECT_FALSE(says(speed(1.5), "largest speed"));
+  EXPECT_TRUE(says(speed(3), "largest speed over that of the lid = 3."));
+}
+
+TEST_F(Limits, AreNotToldOfAFieldOfWhichNothingIsMeasured) {
+  const auto file = table("p.csv", "x,y,vx,vy,p", channel.filled, 0.05, [](const Vec2&) { return "0,0,7"; });
+  const Judgement judgement = judge_files(channel, {file}, {.time = 20});
+  EXPECT_EQ(std::ranges::count(judgement.not_judged, "pressure: nothing of it is measured in this flow"), 1);
+  EXPECT_TRUE(std::ranges::none_of(judgement.not_judged,
+                                   [](const std::string& line) { return line.starts_with("velocity: nothing"); }));
+}
+
 TEST_F(Limits, ThatApplyToNothingFail) {
   const Flow flow = flow_named("cavity");
   const auto file = table("early.csv", "x,y,u,v", flow.filled, 0.05, [](const Vec2&) { return "0,0"; });

@@ -1,9 +1,8 @@
 /// Fields of no sense are judged: at rest, reversed, scaled, noise, wild rows, constants, no numbers. None ends a
 /// judgement. The day's test draws few; TOUCHSTONE_FIELDS=100000 draws so many, by TOUCHSTONE_SEED.
 
-#include "solvers/lattice.hpp"
 #include "vnv/doors/judge.hpp"
-#include "vnv/doors/testing.hpp"
+#include "vnv/doors/right_data.hpp"
 #include "vnv/record/record.hpp"
 
 #include <fmt/format.h>
@@ -23,22 +22,6 @@ int one_of(Generator& random, int count) { return std::uniform_int_distribution(
 
 enum class Kind_of_field { exact, rest, reversed, scaled, noise, wild_rows, constant, no_numbers, mirrored, frozen };
 constexpr int kinds_of_field = 10;
-
-/// The right field, or that of the start where none is known.
-Samples right(const Flow& flow, double spacing, double time) {
-  const Lattice regular = lattice(flow.filled, spacing, flow.domain.box);
-  Samples s{.time = time, .x = places_in(flow.domain.box, flow.start, regular)};
-  s.v = s.x;
-  s.pressure = s.density = s.mass = Scalars::Zero(s.size());
-  for (Eigen::Index p = 0; p < s.size(); ++p) {
-    s.v.col(p) = flow.start.velocity_at(s.x.col(p));
-    s.pressure[p] = flow.start.pressure_at(s.x.col(p));
-  }
-  set_exact_fields(flow, s);
-  s.density.setConstant(flow.fluid.density);
-  s.mass.setConstant(flow.fluid.density * flow.filled_area() / static_cast<double>(s.size()));
-  return s;
-}
 
 void spoil(Generator& random, Kind_of_field kind, double factor, const Flow& flow, Samples& s) {
   const Eigen::Index n = s.size();
@@ -81,7 +64,7 @@ void spoil(Generator& random, Kind_of_field kind, double factor, const Flow& flo
       s.v = s.v.rowwise().reverse().eval(), s.pressure = s.pressure.reverse().eval();
       break;
     case Kind_of_field::frozen: {
-      const Samples start = right(flow, std::sqrt(flow.filled_area() / static_cast<double>(n)), 0);
+      const Samples start = right_of(flow, flow.across / std::sqrt(flow.filled_area() / static_cast<double>(n)), 0);
       if (start.size() == n) s.v = start.v, s.pressure = start.pressure;
     }
   }
@@ -114,7 +97,7 @@ TEST(RandomFields, AreJudgedWithoutEndingTheJudgement) {
     for (int level = 0; level < levels; ++level) {
       GivenLevel one{.spacing = flow.across / std::round(coarsest * std::pow(1.4, level))};
       for (const double time : flow.judged.times) {
-        Samples s = right(flow, one.spacing, time);
+        Samples s = right_of(flow, flow.across / one.spacing, time);
         spoil(random, kind, factor, flow, s);
         rows += s.size();
         one.at.emplace(time, std::move(s));
