@@ -1,5 +1,7 @@
 #include "solvers/mpm/settle.hpp"
 
+#include "solvers/fluids/newtonian.hpp"
+#include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/printed/particles.hpp"
 #include "solvers/mpm/seed.hpp"
 #include "solvers/walls/free_slip.hpp"
@@ -42,6 +44,20 @@ TEST(Grid, HasCellsAroundItsNodes) {
   EXPECT_EQ(around.columns, 4);
   EXPECT_EQ(around.rows, 4);
   EXPECT_TRUE(around.place(around.cell_at(1, 3), 0.5, 0.5).isApprox(Vec2(0.1, 0.3)));
+}
+
+TEST(Beginning, HasTheSlopesOfALinearVelocityAlsoOnAnEdge) {
+  const Grid grid({.box = {.high = {1, 2}}}, 0.1);
+  const Start start{.velocity = [](const Vec2& x) -> Vec2 {
+    return {1 + 2 * x.x() - 3 * x.y(), 4 * x.x() + 5 * x.y()};
+  }};
+  for (const Vec2& x : {Vec2(0.5, 0.5), Vec2(0, 0.7), Vec2(1, 2), Vec2(0.3, 2), Vec2(1e-5, 1e-5)}) {
+    const Beginning found = beginning_at(x, start, grid, Newtonian{{.density = 1000, .bulk_modulus = 1000}, 1});
+    EXPECT_NEAR(found.of.xx, 2, 1e-9) << x.transpose();
+    EXPECT_NEAR(found.of.xy, -3, 1e-9) << x.transpose();
+    EXPECT_NEAR(found.of.yx, 4, 1e-9) << x.transpose();
+    EXPECT_NEAR(found.of.yy, 5, 1e-9) << x.transpose();
+  }
 }
 
 TEST(Lattice, FillsItsBoxEvenly) {

@@ -130,6 +130,24 @@ TEST(LeastSquaresMpm, FluidBesideAWallThatStartsToMoveFeelsItAtOnce) {
   EXPECT_EQ(s.v.row(0).head(s.size() / 2).cwiseAbs().maxCoeff(), 0);
 }
 
+TEST(LeastSquaresMpm, FluidInACornerFeelsTheJumpOfBothItsWalls) {
+  auto box = between_plates(no_slip(), no_slip(), uniform_flow({3, -2}));
+  box.domain.periodic_x = false;
+  box.walls.push_back(left_at(0, no_slip()));
+  box.walls.push_back(right_at(1, no_slip()));
+  const Samples s = after<LeastSquaresMethod>(0, box);
+  const auto speed_at = [&](double x, double y) {
+    Eigen::Index nearest;
+    (s.x.colwise() - Vec2(x, y)).colwise().norm().minCoeff(&nearest);
+    return s.v.col(nearest).norm();
+  };
+  for (const double x : {0.025, 0.975})
+    for (const double y : {0.025, 0.975}) {
+      EXPECT_LT(speed_at(x, y), 0.9 * speed_at(x, 0.475)) << x << ' ' << y;
+      EXPECT_LT(speed_at(x, y), 0.9 * speed_at(0.475, y)) << x << ' ' << y;
+    }
+}
+
 TEST(LeastSquaresMpm, FluidSlidesFreelyAlongASlipperyWall) {
   const Samples s = after<LeastSquaresMethod>(500, between_plates(free_slip(), free_slip(), uniform_flow({3, 0})));
   EXPECT_LT((s.v.row(0).array() - 3).abs().maxCoeff(), 1e-9);
