@@ -173,7 +173,7 @@ TEST(Assess, DistinguishesAClaimFromTheEndOfARun) {
 TEST(Assess, ClaimsThatTheFluidOfARunStaysTogetherByTheoryAlone) {
   Case declared = second_order();
   declared.methods[0].run = [](const Level& level, const Schedule& when) {
-    Run run{.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished"}};
+    vnv::Run run{.summary = {.end_time = when.times.back(), .finished = true, .outcome = "finished"}};
     run.room = Room{{.box = {.high = {1, 1}}}, {.high = {1, 1}}};
     Samples sound{.time = 0.5, .x = lattice(run.room->filled, level.spacing).places()}, torn = sound;
     torn.time = 1;
