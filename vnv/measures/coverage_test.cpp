@@ -149,19 +149,21 @@ TEST(Coverage, OfARunIsTheWorstOfItsTimesAndKnowsHolesOfAFullDomainAlone) {
   EXPECT_TRUE(coverage_of(level, run).empty()) << "of no simulation";
   run.room = Room{square.domain, square.domain.box};
   const std::vector<Value> found = coverage_of(level, run);
-  ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].quantity, largest_hole);
-  EXPECT_EQ(found[0].value, std::max(square.of(run.samples[0].x).hole, square.of(run.samples[1].x).hole));
-  EXPECT_EQ(found[1].quantity, rows_in_one_place);
-  EXPECT_EQ(found[1].value, 1);
-  EXPECT_EQ(found[2].quantity, rows_crowded);
-  EXPECT_GE(found[2].value, 2);
-  EXPECT_EQ(found[2].time, 2);
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].quantity, rows_in_one_place);
+  EXPECT_EQ(found[0].value, 1);
+  EXPECT_EQ(found[1].quantity, rows_crowded);
+  EXPECT_GE(found[1].value, 2);
+  EXPECT_EQ(found[1].time, 2);
+  EXPECT_EQ(found[2].quantity, largest_hole);
+  EXPECT_EQ(found[2].value, std::max(square.of(run.samples[0].x).hole, square.of(run.samples[1].x).hole));
+  EXPECT_EQ(found[3].quantity, empty_places_of_grid);
+  EXPECT_EQ(found[3].value, 0);
   run.room->filled.high.y() /= 2;
-  EXPECT_EQ(coverage_of(level, run).front().quantity, rows_in_one_place);
+  EXPECT_EQ(coverage_of(level, run).size(), 2u);
   run.room = Room{square.domain, square.domain.box};
   run.samples[0].x.conservativeResize(Eigen::NoChange, 80);
-  EXPECT_EQ(coverage_of(level, run).front().quantity, rows_in_one_place) << "a shape in it";
+  EXPECT_EQ(coverage_of(level, run).size(), 2u) << "a shape in it";
 }
 
 }  // namespace coverage_test
