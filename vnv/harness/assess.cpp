@@ -187,6 +187,7 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
 void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
   long not_accepted = 0;
   for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
+    if (claim_of_coverage(one.quantity.name, 0)) continue;
     const Claim alike =
         at_least({one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
                  baseline(fmt::format("{} accepted members; Anderson-Darling permutation test", one.accepted.size())));
@@ -233,11 +234,13 @@ void judge_ends(const Method& method, Record& record) {
   }
 }
 
-/// The fluid of every simulation is claimed to stay together, unless it is made to see whether it diverges.
+/// The fluid of every simulation is claimed to stay together, unless it is made to see whether it diverges. Holes are
+/// measured and not claimed: a flow that strains draws the rows of a lattice apart however well they follow it, to 4.4
+/// to 5.0 spacings in the manufactured solution after 0.2 s, by three methods of MPM and one of SPH.
 void judge_coverage(const Method& method, const std::vector<Run>& runs, Record& record) {
   for (const Value& e : record.values) {
     const auto run = std::ranges::find(runs, e.level, [](const Run& one) { return one.summary.level; });
-    if (run == runs.end() || !run->room) continue;
+    if (run == runs.end() || !run->room || e.quantity == largest_hole) continue;
     if (std::ranges::find(method.levels, e.level, &Level::name)->may_diverge) continue;
     const auto rows = static_cast<double>(run->summary.cost.particles);
     if (const auto claim = claim_of_coverage(e.quantity.name, rows))
