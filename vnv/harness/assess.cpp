@@ -5,6 +5,7 @@
 #include "vnv/harness/run_levels.hpp"
 #include "vnv/judge/order.hpp"
 #include "vnv/measures/coverage.hpp"
+#include "vnv/record/same_time.hpp"
 #include "vnv/studies/ensemble.hpp"
 
 #include <fmt/format.h>
@@ -238,13 +239,17 @@ void judge_ends(const Method& method, Record& record) {
 /// measured and not claimed: a flow that strains draws the rows of a lattice apart however well they follow it, to 4.4
 /// to 5.0 spacings in the manufactured solution after 0.2 s, by three methods of MPM and one of SPH.
 void judge_coverage(const Method& method, const std::vector<Run>& runs, Record& record) {
-  for (const Value& e : record.values) {
-    const auto run = std::ranges::find(runs, e.level, [](const Run& one) { return one.summary.level; });
-    if (run == runs.end() || !run->room || e.quantity == largest_hole) continue;
-    if (std::ranges::find(method.levels, e.level, &Level::name)->may_diverge) continue;
-    const auto rows = static_cast<double>(run->summary.cost.particles);
-    if (const auto claim = claim_of_coverage(e.quantity.name, rows))
-      record.verdicts.push_back(judge(*claim, {record.case_name, record.method, e.level, e.spacing, e.time}, e.value));
+  for (const Run& run : runs) {
+    const RunSummary& of = run.summary;
+    if (!run.room || !of.finished || std::ranges::find(method.levels, of.level, &Level::name)->may_diverge) continue;
+    for (const Quantity& quantity : {rows_in_one_place, rows_crowded}) {
+      const auto measured = std::ranges::find_if(record.values, [&](const Value& e) {
+        return e.level == of.level && e.quantity == quantity && same_time(e.time, of.end_time);
+      });
+      record.verdicts.push_back(judge(*claim_of_coverage(quantity.name, static_cast<double>(of.cost.particles)),
+                                      {record.case_name, record.method, of.level, of.spacing, of.end_time},
+                                      measured == record.values.end() ? not_a_number : measured->value));
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "vnv/harness/mutate.hpp"
 
 #include "vnv/harness/run_levels.hpp"
+#include "vnv/measures/coverage.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +21,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What verdicts are made of.
 struct Parts {
   std::vector<RunSummary> runs;
-  std::vector<Value> values;  // measured of the runs
-  std::vector<Value> found;   // over all runs
+  std::vector<Value> values;                  // measured of the runs
+  std::vector<Value> found;                   // over all runs
+  std::vector<std::string> of_simulations{};  // levels
 };
 
 bool is_read_by(const Verdict& v, const Value& value) {
@@ -33,6 +35,8 @@ bool is_end(const Verdict& v) { return v.quantity == end_time_reached; }
 /// Of values that were found over all runs a record keeps only what was claimed of them.
 Parts parts_of(const Case& declared, const Method& method, const Record& record) {
   Parts parts{record.runs, record.values, {}};
+  for (const Verdict& v : record.verdicts)
+    if (v.quantity == rows_in_one_place.name) parts.of_simulations.push_back(v.level);
   for (const std::vector<Claim>& claims : {declared.claims, method.claims})
     for (const Claim& claim : claims)
       for (const Verdict& v : record.verdicts) {
@@ -65,7 +69,11 @@ class Replay {
   Record operator()(const Parts& parts) {
     parts_ = &parts;
     results_.runs.clear();
-    for (const RunSummary& run : parts.runs) results_.runs.push_back({.summary = run, .room = Room{}});
+    for (const RunSummary& run : parts.runs) {
+      results_.runs.push_back({.summary = run});
+      if (std::ranges::find(parts.of_simulations, run.level) != parts.of_simulations.end())
+        results_.runs.back().room = Room{};
+    }
     return assess(case_name_, played_, results_, baselines_);
   }
 

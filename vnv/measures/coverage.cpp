@@ -391,27 +391,24 @@ std::string where_is(const Coverage& coverage, const std::string& quantity) {
 }
 
 std::vector<Value> coverage_of(const Level& level, const Run& run) {
-  if (!run.room || run.samples.empty()) return {};
+  if (!run.room || !run.summary.finished || run.samples.empty()) return {};
   const double places = run.room->domain.box.size().prod() / (level.spacing * level.spacing);
   const bool is_full = run.room->is_full() &&
                        static_cast<double>(run.samples.front().size()) > 0.9 * places;  // else of a shape, as a drop
-  double hole = 0, in_one_place = 0, crowded = 0, empty = 0;
+  double hole = 0, in_one_place = 0, crowded = 0;
   for (const Samples& samples : run.samples) {
     const Coverage found = coverage_of(samples.x, level.spacing, {.domain = run.room->domain, .is_known = is_full});
     hole = std::max(hole, found.hole);
     in_one_place = std::max(in_one_place, static_cast<double>(found.in_one_place));
     crowded = std::max(crowded, 100 * found.crowded);
-    empty = std::max(empty, static_cast<double>(found.empty_places));
   }
   std::vector<Value> values;
   const auto add = [&](const Quantity& quantity, double value) {
-    values.push_back({level.name, level.spacing, run.samples.back().time, quantity, value});
+    values.push_back({level.name, level.spacing, run.summary.end_time, quantity, value});
   };
+  if (is_full) add(largest_hole, hole);
   add(rows_in_one_place, in_one_place);
   add(rows_crowded, crowded);
-  if (!is_full) return values;
-  add(largest_hole, hole);
-  add(empty_places_of_grid, empty);
   return values;
 }
 

@@ -85,7 +85,7 @@ std::vector<Claim> fills_its_region(const Coverage& coverage, double rows);
 std::string where_is(const Coverage& coverage, const std::string& quantity);
 
 /// The worst of all times of a run of our own: holes where the fluid fills its domain, rows that are crowded or in one
-/// place wherever it is. Nothing of a run that is of no simulation.
+/// place wherever it is; at its end. Nothing of a run that is of no simulation, or has not reached its end.
 std::vector<Value> coverage_of(const Level& level, const Run& run);
 
 /// What is claimed of one of these values, of any method with so many rows; nothing of another quantity. Theory limits

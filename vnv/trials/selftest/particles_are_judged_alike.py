@@ -29,8 +29,11 @@ found = {}
 for value in judged["values"]:
     quantity = value["quantity"]
     found[f"{quantity['name']} [{quantity['unit'] or '-'}]", f"{value['time']:.6g}"] = value["value"]
+told_at_its_worst_time = "largest hole [spacings]", "rows crowded [%]", "rows in the place of another [-]"
 alike = 0
 for heading, value, time in measured:
+    if heading in told_at_its_worst_time:
+        continue
     if (heading, time) not in found:
         if which == "all":
             sys.exit(f"vnv judge {flow}: no {heading} at {time} s; it found: {sorted(found)}")
