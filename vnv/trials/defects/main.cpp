@@ -392,7 +392,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
     };
   };
   add(missing("rows missing", "one", 1, [](const Flow& f, Generator&) {
-    return [at = middle_of(f), &f](const Samples& s, Index p, double) {
+    return [at = middle_of(f)](const Samples& s, Index p, double) {
       Index nearest;
       (s.x.colwise() - at).colwise().norm().minCoeff(&nearest);
       return p == nearest;
@@ -697,7 +697,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
         [=, other = with(flow, parameter, factor)](const Flow& f, double n, double t, double shaken, unsigned seed) {
           return right_of(other, n * other.across / f.across, t, shaken, seed);
         },
-        [=](const Planted& c) -> std::string {
+        [=, times = factor](const Planted& c) -> std::string {
           if ((which == "H" && name != "dam_break") || (which == "L" && !is_channel) || which == "h" || which == "R" ||
               which == "l0")
             return name == "dam_break" && which == "L" ? "green: the far wall is not reached" : "red: ";
@@ -707,7 +707,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
           if (name == "elliptic_drop") return "red: ";
           if (name == "hydrostatic") return by_pressure(c, "");
           if (name == "rotating_patch" || name == "standing_wave" || name == "dam_break" || name == "cavity")
-            return c.is_limited || std::abs(factor - 1) > 0.15 || name != "cavity" ? "red: " : "open: about the tables";
+            return c.is_limited || std::abs(times - 1) > 0.15 || name != "cavity" ? "red: " : "open: about the tables";
           return by_velocity(c, "red: ");
         }));
   }
