@@ -3,6 +3,7 @@
 #include "reports/paper/latex.hpp"
 #include "reports/paper/references.hpp"
 #include "reports/testing.hpp"
+#include "vnv/files/data_folder.hpp"
 #include "vnv/programs/limited.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace paper_test {
 
 namespace fs = std::filesystem;
 
-const fs::path literature = TOUCHSTONE_DATA_DIR "/references.bib";
+const fs::path literature = vnv::data_folder() / "references.bib";
 
 TEST(Latex, HasNoLetterThatIsACommand) {
   EXPECT_EQ(latex("50 % & $5 #1 {x} a~b \\input{x} <i> | \"q\""),

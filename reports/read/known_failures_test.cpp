@@ -2,6 +2,7 @@
 
 #include "reports/pages/index.hpp"
 #include "reports/testing.hpp"
+#include "vnv/files/data_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ TEST_F(KnownFailures, AreNamedOnceAndWhole) {
 }
 
 TEST_F(KnownFailures, OfTheProjectAreReadable) {
-  EXPECT_NO_THROW(read_known_failures(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "known_failures.csv"));
+  EXPECT_NO_THROW(read_known_failures(vnv::data_folder() / "known_failures.csv"));
 }
 
 KnownFailure known(const std::string& expires = "2026-12-01") {
@@ -93,7 +94,7 @@ TEST(ANightStatus, IsRedWhereTheFailureIsUnknown) {
 
 TEST(ANightStatus, IsRedWhereTheKnownFailureIsOfAnotherCaseMethodLevelOrQuantity) {
   const auto cases = night_with(vnv::Outcome::fails);
-  for (std::string KnownFailure::* part :
+  for (std::string KnownFailure::*part :
        {&KnownFailure::case_name, &KnownFailure::method, &KnownFailure::level, &KnownFailure::quantity})
     for (const char* other : {"another", ""}) {
       KnownFailure row = known();

@@ -332,7 +332,8 @@ TEST_F(Doors, MeasureTheHalfAxesOfADrop) {
 }
 
 TEST_F(Doors, SeeWhatAPatchLoses) {
-  for (const auto& [side, spin] : {std::pair(1.0, 1.0), std::pair(0.5, 3.0)}) {
+  for (const Vec2& parameters : {Vec2(1, 1), Vec2(0.5, 3)}) {
+    const double side = parameters.x(), spin = parameters.y();  // m, 1/s
     const Flow flow = flow_named("rotating_patch", Settings({{"L", side}, {"omega", spin}}));
     const auto judged_patch = [&](double slower, int across) {
       const auto slow = [](double by) { return [by](Samples& s) { s.v *= 1 - by; }; };

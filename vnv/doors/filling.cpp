@@ -80,10 +80,8 @@ class Worst {
 }  // namespace
 
 bool is_of_filling(const std::string& quantity) {
-  for (const Quantity& one : {rows_found, mass_found, mass_kept, density_found, largest_hole, rows_in_one_place,
-                              rows_crowded, empty_places_of_grid})
-    if (one.name == quantity) return true;
-  return false;
+  return is_of_coverage(quantity) || quantity == rows_found.name || quantity == mass_found.name ||
+         quantity == mass_kept.name || quantity == density_found.name;
 }
 
 Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel& given,

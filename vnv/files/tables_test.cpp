@@ -1,6 +1,7 @@
 #include "vnv/files/tables.hpp"
 
 #include "solvers/fields.hpp"
+#include "vnv/files/data_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -250,7 +251,7 @@ TEST(Tables, RefuseAnotherGeometry) {
 
 // What follows asks the files of the project itself.
 
-const std::filesystem::path data = TOUCHSTONE_DATA_DIR;
+const std::filesystem::path data = data_folder();
 
 DataTable read_any(const std::filesystem::path& file) {
   const auto sheet = read_sheet(file);

@@ -172,7 +172,7 @@ void ask_for_acceptance(long count, const std::string& shown, Suite suite, Recor
 void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
   std::vector<Value> not_accepted;
   for (const Value& e : record.values) {
-    if (claim_of_coverage(e.quantity.name, 0)) continue;
+    if (is_of_coverage(e.quantity.name)) continue;
     const Baseline* last = baselines.find(record.method, e.level, e.time, e.quantity.heading());
     const Place place{record.case_name, record.method, e.level, e.spacing, e.time};
     if (last)
@@ -188,7 +188,7 @@ void judge_baselines(const Baselines& baselines, Suite suite, Record& record) {
 void judge_ensemble(const Baselines& baselines, Suite suite, Record& record) {
   long not_accepted = 0;
   for (const EnsembleComparison& one : compare_with_accepted(record, baselines)) {
-    if (claim_of_coverage(one.quantity.name, 0)) continue;
+    if (is_of_coverage(one.quantity.name)) continue;
     const Claim alike =
         at_least({one.quantity.name + ", p-value against the accepted ensemble", "", Kind::probability}, least_p_value,
                  baseline(fmt::format("{} accepted members; Anderson-Darling permutation test", one.accepted.size())));
@@ -246,7 +246,7 @@ void judge_coverage(const Method& method, const std::vector<Run>& runs, Record& 
       const auto measured = std::ranges::find_if(record.values, [&](const Value& e) {
         return e.level == of.level && e.quantity == quantity && same_time(e.time, of.end_time);
       });
-      record.verdicts.push_back(judge(*claim_of_coverage(quantity.name, static_cast<double>(of.cost.particles)),
+      record.verdicts.push_back(judge(claim_of_coverage(quantity, static_cast<double>(of.cost.particles)),
                                       {record.case_name, record.method, of.level, of.spacing, of.end_time},
                                       measured == record.values.end() ? not_a_number : measured->value));
     }
@@ -309,9 +309,8 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
 }
 
 bool claims_more_than_ends(const Record& record) {
-  return !std::ranges::all_of(record.verdicts, [](const Verdict& v) {
-    return v.quantity == end_of_run.name || claim_of_coverage(v.quantity, 0);
-  });
+  return !std::ranges::all_of(
+      record.verdicts, [](const Verdict& v) { return v.quantity == end_of_run.name || is_of_coverage(v.quantity); });
 }
 
 std::vector<std::string> complaints(const Record& record, const AcceptedClaims& accepted) {
@@ -335,7 +334,7 @@ std::vector<std::string> complaints(const Record& record, const AcceptedClaims& 
 std::vector<Baseline> baselines_from(const Record& record, const Tolerance& tolerance) {
   std::vector<Baseline> rows;
   for (const Value& e : record.values) {
-    if (claim_of_coverage(e.quantity.name, 0)) continue;
+    if (is_of_coverage(e.quantity.name)) continue;
     const std::string heading = e.quantity.heading();
     const auto wider = std::ranges::find_if(tolerance.exceptions, [&](const Tolerance::Exception& exception) {
       return heading.find(exception.words) != heading.npos;

@@ -1,5 +1,6 @@
 #include "vnv/judge/input_uncertainty.hpp"
 
+#include "vnv/files/data_folder.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/record/quantity.hpp"
 
@@ -38,8 +39,7 @@ TEST(InputUncertainty, IsUnknownWithoutAnyPartOrWhereOneIsNoNumber) {
 }
 
 TEST(InputUncertainty, IsReadFromTheTableOfAnExperiment) {
-  const auto inputs =
-      read_inputs(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "experiments/lobovsky_2014_inputs_300.csv");
+  const auto inputs = read_inputs(data_folder() / "experiments/lobovsky_2014_inputs_300.csv");
   EXPECT_EQ(input_named("gate speed", inputs).value, 3.46);
   EXPECT_EQ(input_named("gate speed", inputs).unit, "m/s");
   EXPECT_FALSE(input_named("column height", inputs).is_deviation);

@@ -1,6 +1,7 @@
 #include "vnv/measures/centrelines.hpp"
 
 #include "solvers/lattice.hpp"
+#include "vnv/files/data_folder.hpp"
 #include "vnv/files/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -117,17 +118,17 @@ TEST(CentrelineErrors, OfARunThatDivergedAreNotTold) {
 
 TEST(GhiasCentrelines, HaveTheirWallsAndDoubtfulEntriesLeftOut) {
   for (const int Re : {100, 400, 1000}) {
-    EXPECT_EQ(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::vertical, Re).at.size(), 15u);
-    EXPECT_EQ(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::horizontal, Re).at.size(), Re == 400 ? 14u : 15u);
+    EXPECT_EQ(ghia_centreline(data_folder(), Centreline::vertical, Re).at.size(), 15u);
+    EXPECT_EQ(ghia_centreline(data_folder(), Centreline::horizontal, Re).at.size(), Re == 400 ? 14u : 15u);
   }
-  EXPECT_THROW(ghia_centreline(TOUCHSTONE_DATA_DIR, Centreline::vertical, 200), BadData);
+  EXPECT_THROW(ghia_centreline(data_folder(), Centreline::vertical, 200), BadData);
 }
 
 /// Fluid is not made: what flows one way through a centreline flows back the other way.
 TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
   for (const int Re : {100, 400, 1000})
     for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
-      Centreline line = ghia_centreline(TOUCHSTONE_DATA_DIR, direction, Re);
+      Centreline line = ghia_centreline(data_folder(), direction, Re);
       const bool is_vertical = direction == Centreline::vertical;
       line.at.insert(line.at.begin(), 1);
       line.velocity.insert(line.velocity.begin(), is_vertical ? 1 : 0);
@@ -149,7 +150,7 @@ TEST(GhiasCentrelines, LetAsMuchThroughOneWayAsTheOther) {
 TEST(GhiasCentrelines, TurnOnceAndPassStraightThroughTheCoreOfTheVortex) {
   for (const int Re : {100, 400, 1000, 3200, 5000, 7500, 10000})
     for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
-      const auto [way, at, velocity] = ghia_centreline(TOUCHSTONE_DATA_DIR, direction, Re);
+      const auto [way, at, velocity] = ghia_centreline(data_folder(), direction, Re);
       int turns = 0;
       for (std::size_t k = 1; k < at.size(); ++k) turns += (velocity[k] > 0) != (velocity[k - 1] > 0);
       EXPECT_EQ(turns, 1) << Re << norm_of("L2", way).name;

@@ -363,21 +363,24 @@ std::vector<Value> values_of(const Coverage& coverage, const Level& level, doubl
   return found;
 }
 
-std::optional<Claim> claim_of_coverage(const std::string& quantity, double rows) {
-  const Author filled = theory("an incompressible fluid fills its domain");
-  if (quantity == largest_hole.name) return at_most(largest_hole, largest_sound_hole(rows), filled);
-  if (quantity == rows_in_one_place.name)
-    return at_most(rows_in_one_place, 0, theory("no two parts of a fluid are in one place"));
-  if (quantity == rows_crowded.name) return at_most(rows_crowded, 100 * most_crowded(rows), filled);
-  if (quantity == empty_places_of_grid.name) return at_most(empty_places_of_grid, 0, filled);
-  return std::nullopt;
+bool is_of_coverage(const std::string& quantity) {
+  return quantity == largest_hole.name || quantity == rows_in_one_place.name || quantity == rows_crowded.name ||
+         quantity == empty_places_of_grid.name;
+}
+
+Claim claim_of_coverage(const Quantity& quantity, double rows) {
+  if (quantity == rows_in_one_place) return at_most(quantity, 0, theory("no two parts of a fluid are in one place"));
+  const double most = quantity == largest_hole   ? largest_sound_hole(rows)
+                      : quantity == rows_crowded ? 100 * most_crowded(rows)
+                                                 : 0;
+  return at_most(quantity, most, theory("an incompressible fluid fills its domain"));
 }
 
 std::vector<Claim> fills_its_region(const Coverage& coverage, double rows) {
   const bool is_grid = coverage.grid_places > 0;  // which may be stretched and graded
   std::vector<Claim> claims;
   for (const Quantity& one : {largest_hole, rows_in_one_place, is_grid ? empty_places_of_grid : rows_crowded})
-    claims.push_back(*claim_of_coverage(one.name, rows));
+    claims.push_back(claim_of_coverage(one, rows));
   if (is_grid) claims.front().upper = std::numbers::sqrt2 * widest_sound_gap;
   return claims;
 }

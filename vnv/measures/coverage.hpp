@@ -7,7 +7,6 @@
 #include "vnv/case.hpp"
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace touchstone::vnv {
@@ -88,8 +87,10 @@ std::string where_is(const Coverage& coverage, const std::string& quantity);
 /// place wherever it is; at its end. Nothing of a run that is of no simulation, or has not reached its end.
 std::vector<Value> coverage_of(const Level& level, const Run& run);
 
-/// What is claimed of one of these values, of any method with so many rows; nothing of another quantity. Theory limits
-/// them, and no baseline.
-std::optional<Claim> claim_of_coverage(const std::string& quantity, double rows);
+/// Whether a quantity is one of those above, which theory limits and no baseline.
+bool is_of_coverage(const std::string& quantity);
+
+/// What is claimed of one of them, of any method with so many rows.
+Claim claim_of_coverage(const Quantity& quantity, double rows);
 
 }  // namespace touchstone::vnv

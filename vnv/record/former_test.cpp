@@ -1,5 +1,6 @@
 #include "vnv/record/former.hpp"
 
+#include "vnv/files/data_folder.hpp"
 #include "vnv/record/record.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST(FormerRecords, AreReadAsThoseOfToday) {
 
 /// Each as the last version that wrote this schema wrote a record in which every field is another than its default.
 TEST(FormerRecords, OfEachSchemaAreReadWithAllThatTheyHad) {
-  const std::filesystem::path folder = std::filesystem::path(TOUCHSTONE_DATA_DIR) / "../vnv/record/former_records";
+  const std::filesystem::path folder = data_folder() / "../vnv/record/former_records";
   for (int schema = 1; schema < Record{}.schema; ++schema) {
     const Record record = read_record(folder / ("of_schema_" + std::to_string(schema) + ".json"));
     SCOPED_TRACE(schema);

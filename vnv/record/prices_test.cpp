@@ -1,4 +1,5 @@
 #include "vnv/record/prices.hpp"
+#include "vnv/files/data_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +71,7 @@ TEST(Prices, AreThoseOfAMethodsOwnRunsInADiagram) {
 
 /// What `vnv explain` rests on.
 TEST(Prices, OfTheProjectReachWhatTheirSmallestErrorsSay) {
-  for (const Price& p : read_prices(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "work.csv")) {
+  for (const Price& p : read_prices(data_folder() / "work.csv")) {
     EXPECT_GT(p.target, 0);
     EXPECT_TRUE(p.cpu > 0 || !(p.smallest <= p.target)) << p.case_name << " " << p.method;
   }

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "vnv/doors/read/dataset.hpp"
+#include "vnv/files/data_folder.hpp"
 #include "vnv/files/whole_file.hpp"
 
 namespace touchstone::vnv::doors {
 
-inline std::filesystem::path samples() {
-  return std::filesystem::path(TOUCHSTONE_DATA_DIR).parent_path() / "vnv/doors/read/samples";
-}
+inline std::filesystem::path samples() { return data_folder().parent_path() / "vnv/doors/read/samples"; }
 
 /// What a reader says of what it cannot read; empty where it can.
 inline std::string refusal(const std::function<void()>& read) {

@@ -169,7 +169,8 @@ Off off_of(const Flow& flow, const std::string& field, const Data& data) {
 }
 
 // What must be said: "red: A or B" of a verdict that fails, or a refusal, with any of these words; "...; says: C or D"
-// of its sentences, too; "told: A or B"; "green: why"; "open: why" where it is between what is visible and what is not.
+// of its sentences, too; "told: A or B"; "green: why"; "open: why" where it is between what is visible and what is not;
+// "missed: why" where it is visible and nothing claims it.
 
 /// A defect in data of a flow, planted and as it was.
 struct Planted {
@@ -242,7 +243,7 @@ std::string by_factor_of_velocity(const Planted& c, double factor) {
   if (name == "hydrostatic") return "green: there is none";
   if (name == "standing_wave" || name == "dam_break")
     return factor < 0.4 || factor > 2.5 ? "red: part of the motion"
-                                        : "open: a rate over few times is known to a factor";
+                                        : "missed: a rate over few times is known to a factor";
   if (name == "cavity") return off > 0.3 ? "red: L2 v" : "open: about the error of the tables";
   return off > 0.055 ? "red: angular momentum or kinetic energy" : "open: about what methods lose";  // rotating_patch
 }
@@ -473,27 +474,20 @@ std::vector<Defect> defects_of(const Flow& flow) {
   velocity_times("times 1e-3", 1e-3, "1000 times too small");
   velocity_times("times 10", 10, "10 times too large");
   velocity_times("times 1e3", 1e3, "1000 times too large");
-  const auto by_motion = [](const std::string& otherwise) {
-    return [=](const Planted& c) -> std::string {
-      if ((c.flow.name == "standing_wave" || c.flow.name == "dam_break") && otherwise != "open: one of many")
-        return "red: part of the motion";
-      return otherwise;
-    };
+  const bool is_followed = name == "standing_wave" || name == "dam_break";  // where its water goes by its velocity
+  const std::string by_motion = is_followed ? "red: part of the motion" : "red: ";
+  const auto of_other_components = [=](const Planted& c) {
+    return by_velocity(c, is_at_rest    ? "green: there is none"
+                          : is_followed ? by_motion
+                                        : "red: L2 or angular momentum");
   };
   add(changed(
       "components of the velocity swapped", "",
-      [](const Flow&, Samples& s, Generator&) { s.v = s.v.colwise().reverse().eval(); },
-      [=](const Planted& c) {
-        return by_velocity(
-            c, c.flow.name == "hydrostatic" ? "green: there is none" : by_motion("red: L2 or angular momentum")(c));
-      }));
+      [](const Flow&, Samples& s, Generator&) { s.v = s.v.colwise().reverse().eval(); }, of_other_components));
   add(changed(
       "velocity turned by 90°", "",
       [](const Flow&, Samples& s, Generator&) { s.v = (Mat2() << 0, -1, 1, 0).finished() * s.v.eval(); },
-      [=](const Planted& c) {
-        return by_velocity(
-            c, c.flow.name == "hydrostatic" ? "green: there is none" : by_motion("red: L2 or angular momentum")(c));
-      }));
+      of_other_components));
   add(changed(
       "velocity with noise", "3 %",
       [](const Flow&, Samples& s, Generator& random) {
@@ -509,10 +503,9 @@ std::vector<Defect> defects_of(const Flow& flow) {
           const double scale = f.name == "hydrostatic" ? 3 : s.v.colwise().norm().maxCoeff();
           s.v.col(s.size() / 3) = wild * scale * Vec2(0.6, 0.8);
         },
-        [=](const Planted& c) {
-          return exact_of(c.flow, "velocity")
-                     ? std::string("red: L2 or Linf or order")
-                     : by_motion(wild > 100 || c.flow.name == "hydrostatic" ? "red: " : "open: one of many")(c);
+        [=](const Planted& c) -> std::string {
+          if (exact_of(c.flow, "velocity")) return "red: L2 or Linf or order";
+          return wild > 100 || is_at_rest ? by_motion : "open: one of many";
         }));
   add(changed(
       "velocity of one row no number", "", [](const Flow&, Samples& s, Generator&) { s.v(1, s.size() / 3) = NAN; },
@@ -520,11 +513,9 @@ std::vector<Defect> defects_of(const Flow& flow) {
   add(changed(
       "half its velocity across it", "", [](const Flow&, Samples& s, Generator&) { s.v.row(1) = s.v.row(0) / 2; },
       [=](const Planted& c) {
-        return by_velocity(
-            c, c.flow.name == "hydrostatic"
-                   ? "green: there is none"
-                   : (c.flow.name == "standing_wave" || c.flow.name == "dam_break" ? "open: one component is right"
-                                                                                   : "red: "));
+        return by_velocity(c, is_at_rest    ? "green: there is none"
+                              : is_followed ? "open: one component is right"
+                                            : "red: ");
       }));
   if (is_at_rest)
     add(changed(
@@ -662,7 +653,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
                        : "red: outside the domain";
           }
           if (is_at_rest) return "green: it is uniform along x";
-          if (name == "standing_wave") return "open: its amplitude is not claimed";
+          if (name == "standing_wave") return "missed: its amplitude is not claimed";
           return by_velocity(c, "red: ", "shifted or mirrored or wrong sign or swapped or places");
         }));
   add(changed(
@@ -777,7 +768,7 @@ bool is_as(const std::string& must, const Said& said) {
   const std::size_t colon = must.find(": "), also = must.find("; says: ");
   const std::string kind = must.substr(0, colon),
                     words = must.substr(colon + 2, also == must.npos ? also : also - colon - 2);
-  if (kind == "open") return true;
+  if (kind == "open" || kind == "missed") return true;
   if (kind == "green") return said.red.empty();
   if (kind == "told") return !said.red.empty() || has_any(said.told, words);
   return !said.red.empty() && has_any(said.complaints, words) &&
@@ -801,7 +792,7 @@ int main(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   std::map<std::string, long> counts;
   long judged = 0, wrong = 0;
-  std::size_t turn = 0;  // by day each defect is in the next kind of data
+  std::size_t turn = 0;  // by day each defect is in the next kind of data, at three levels
   fmt::print("| flow | defect | size | data | must be | is |\n| --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& name : flow_names()) {
     const Flow flow = flow_named(name);
@@ -809,7 +800,7 @@ int main(int argc, char** argv) {
       for (std::size_t k = 0, by_day = 7 * turn++; k < 2 * kinds.size(); ++k) {
         const auto& [kind, kind_name] = kinds[k % kinds.size()];
         const std::size_t levels = k % 2 == 0 ? 1 : 3;
-        if (!at_night && k != by_day % (2 * kinds.size())) continue;
+        if (!at_night && k != (by_day % (2 * kinds.size()) | 1)) continue;
         const bool has_limit = levels == 1 && name != "dam_break" && name != "rotating_patch";  // none is within 1 %
         const std::string row = fmt::format("| {} | {} | {} | {}, {} |", name, defect.name, defect.size, kind_name,
                                             has_limit     ? "one level, --at-most 1"
