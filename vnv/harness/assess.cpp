@@ -295,9 +295,9 @@ Record assess(const std::string& case_name, const Case& declared, const Results&
   if (suite == Suite::work) {
     judge_all(method.claims_of_work);
   } else {
-    judge_coverage(method, runs, record);
     judge_all(declared.claims);
     judge_all(method.claims);
+    judge_coverage(method, runs, record);
   }
   if (baselines) {
     (declared.ensemble ? judge_ensemble : judge_baselines)(*baselines, suite, record);

@@ -68,10 +68,10 @@ double most_crowded(double rows);
 /// nodes; a line that is missing makes it 2, at a wall 1.5.
 inline constexpr double widest_sound_gap = 1.45;
 
-// What is claimed of them.
+// What is claimed of them. Rows are counted: that does not say how right a method is.
 inline const Quantity largest_hole{"largest hole", "spacings", Kind::invariant, Better::smaller},
     rows_in_one_place{"rows in the place of another", "", Kind::count, Better::smaller},
-    rows_crowded{"rows crowded", "%", Kind::invariant, Better::smaller},
+    rows_crowded{"rows crowded", "%", Kind::count, Better::smaller},
     empty_places_of_grid{"empty places of the grid", "", Kind::count, Better::smaller};
 
 /// What a coverage says at a time: holes of rows that stand on no grid, or empty places and gaps of the grid.
