@@ -2,6 +2,7 @@
 /// What is told of an impact of water on a sensor: arrival, first peak, how it rises and decays, impulse, plateau.
 
 #include "vnv/judge/series.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 #include "vnv/measures/impact.hpp"
+
 #include "vnv/files/data_folder.hpp"
 
 #include <gtest/gtest.h>

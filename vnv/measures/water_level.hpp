@@ -3,6 +3,7 @@
 /// which is seldom said; where water is in one piece they agree.
 
 #include "vnv/measures/wet_extents.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
 

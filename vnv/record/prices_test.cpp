@@ -1,4 +1,5 @@
 #include "vnv/record/prices.hpp"
+
 #include "vnv/files/data_folder.hpp"
 
 #include <gtest/gtest.h>
