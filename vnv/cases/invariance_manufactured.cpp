@@ -12,6 +12,8 @@ Case vnv::the_case() {
       square::PlaneFlow<ForceField>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
                                     [](const View& view) { return ForceField{manufactured::Sustaining{view}}; }},
       manufactured::end);
+  for (Method& method : declared.methods)
+    if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);
   declared.title = "Invariance: manufactured solution";
   declared.description =
       "The manufactured solution, 34 particles across a period, under symmetry transformations that include the body force that "

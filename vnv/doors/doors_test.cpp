@@ -261,6 +261,17 @@ TEST_F(Doors, FindInEachNormTheErrorThatWasPutIntoVelocityAndPressure) {
     }
 }
 
+TEST_F(Doors, RefuseAFluidThatIsElsewhereAtTheStart) {
+  for (const std::string name : {"dam_break", "elliptic_drop"}) {
+    const Flow flow = flow_named(name);
+    const auto moved = [&](double by) {
+      return refusal(name, changed(flow, 0, [&](Samples& s) { s.x.row(0).array() += by * flow.across; }), {.time = 0});
+    };
+    EXPECT_EQ(moved(0.01), "judged without complaint") << name;
+    EXPECT_TRUE(says(moved(0.25), "the middle of the rows at the start is")) << name << ": " << moved(0.25);
+  }
+}
+
 TEST_F(Doors, SeeWaterAtRestMove) {
   for (const auto& [depth, g] : {std::pair(1.0, 9.81), std::pair(0.5, 2.0)}) {
     const Flow flow = flow_named("hydrostatic", Settings({{"h", depth}, {"g", g}}));

@@ -124,6 +124,27 @@ TEST(Filling, FailsWithoutAPartOfTheFluidAtAResolutionThatIsSaidOrNot) {
   }
 }
 
+TEST(Filling, LetsTheFlowItselfDrawParticlesApartAndFindsWhatIsMissingAmongThem) {
+  const Flow flow = flow_named("manufactured");
+  const double across = 50, end = flow.judged.times.back();
+  Samples moved = right_of(flow, across, 0);
+  const FieldTruth velocity = flow.exact.front().with({});
+  constexpr int steps = 200;
+  for (int k = 0; k < steps; ++k)
+    for (Eigen::Index p = 0; p < moved.x.cols(); ++p) {
+      const Vec2 x = moved.x.col(p);
+      const double dt = end / steps, t = k * dt;
+      moved.x.col(p) += dt * velocity(x + dt / 2 * velocity(x, t), t + dt / 2);
+    }
+  for (double& x : moved.x.reshaped()) x -= std::floor(x);
+  moved.time = end;
+  for (Eigen::Index p = 0; p < moved.x.cols(); ++p) moved.v.col(p) = velocity(moved.x.col(p), end);
+  EXPECT_FALSE(says(complaints_of(judged(flow, {moved})), "largest hole"));
+  const Samples holed =
+      those(moved, [&](Eigen::Index p) { return (moved.x.col(p) - Vec2(0.5, 0.5)).norm() > 3.5 / across; });
+  EXPECT_TRUE(says(complaints_of(judged(flow, {holed})), "largest hole"));
+}
+
 TEST(Filling, FailsOfADisorderedCloudWithAHoleFourSpacingsWideAndSaysWhere) {
   const Flow flow = flow_named("taylor_green");
   std::mt19937 draw(3);

@@ -6,6 +6,8 @@
 #include "vnv/flows/gravity_wave.hpp"
 #include "vnv/flows/patch.hpp"
 #include "vnv/flows/water_at_rest.hpp"
+#include "vnv/measures/damped_oscillation.hpp"
+#include "vnv/measures/decay.hpp"
 #include "vnv/measures/motion.hpp"
 #include "vnv/measures/roughness.hpp"
 
@@ -21,7 +23,12 @@ const Quantity corner_missed{"farthest that a corner is from its free path, over
     turning{"angular momentum over the exact"}, moving{"kinetic energy over that at the start"};
 
 // Of a dam break.
-const Quantity mass_over_time{"relative change of the mass since the first time", "", Kind::invariant};
+const Quantity mass_over_time{"relative change of the mass since the first time", "", Kind::invariant},
+    energy{"kinetic and potential energy over that at the start"};
+
+// Of a standing wave.
+const Quantity amplitude{"amplitude over that of the wave at the start, by its oscillation"},
+    liveliest{"largest kinetic energy over that of the linear wave"};
 
 /// As drop::error_of_axes_in of rows that start on a lattice. Other rows are not round: each axis is compared with its
 /// own start, along x and y.
@@ -133,12 +140,38 @@ Flow standing_wave(Settings& set) {
                     theory("first order with five times the error that is claimed at 100 across"))};
   };
   flow.aside = {between(part_of_pressure, 0.8, 1.2, theory("the pressure carries the weight of the water")),
-                moves_by_its_velocity()};
+                moves_by_its_velocity(),
+                between(amplitude, 0.7, 1.3,
+                        theory("it starts as this wave; of our own methods whose period is that of the wave it is 0.77 "
+                               "to 1.03 at 50 across")),
+                between(liveliest, 0.2, 2, theory("potential energy becomes kinetic and none is added; less where it "
+                                                  "decays, or between the times of files"))};
   const Moment standing{
       .of = [k = wave.k()](const Vec2& x) { return x.y() * std::cos(k * x.x()); },
       .slope = [k = wave.k()](const Vec2& x) { return Vec2(-k * x.y() * std::sin(k * x.x()), std::cos(k * x.x())); }};
   flow.measured = {{{}, errors_of_oscillation(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"},
                    {{"velocity"}, part_of_motion(standing), Span{0, 1.6 * scale, 30}, "the motion of the water"},
+                   {{},
+                    [=](const Level& level, const Run& run) -> std::vector<Value> {
+                      std::vector<double> heights;  // first moments
+                      for (const std::vector<double>& row : run.history.values) heights.push_back(row[0]);
+                      const double found =
+                          fit_damped_oscillation(run.history.time, heights, wave.exact().omega()).at_start;
+                      const double of_wave = run.samples.front().mass.sum() * wave.a / 2;
+                      return {{level.name, level.spacing, run.summary.end_time, amplitude, found / of_wave}};
+                    },
+                    Span{0, 1.6 * scale, 30},
+                    "the amplitude"},
+                   {{"velocity"},
+                    [=](const Level& level, const Run& run) -> std::vector<Value> {
+                      double largest = 0;
+                      for (const Samples& s : run.samples)
+                        largest = norms::larger_magnitude(largest, kinetic_energy(s) / s.mass.sum());
+                      const double linear = wave.g * wave.a * wave.a / (4 * wave.depth);  // Lamb 1932, of a unit of mass
+                      return {{level.name, level.spacing, run.summary.end_time, liveliest, largest / linear}};
+                    },
+                    Span{0, 1.6 * scale, 30},
+                    "the kinetic energy"},
                    {{"pressure"},
                     part_of_exact_pressure([unit = wave.rho * wave.g, h = wave.depth](
                                                const Vec2& x, double) { return unit * std::max(0.0, h - x.y()); },
@@ -322,7 +355,8 @@ Flow dam_break(Settings& set) {
                literature("the time origin of such an experiment is uncertain by 0.3 in T (Martin & Moyce 1952)"))};
   const Quantity mean{"mean pressure over rho g h0 / 2"};
   flow.aside = {between(mean, 0.1, 1.5, theory("the pressure carries the weight of the water, and moves it")),
-                moves_by_its_velocity()};
+                moves_by_its_velocity(),
+                at_most(energy, 1.05, theory("nothing drives the water but its weight"))};
   for (const char* experiment : {"Lobovský et al. 2014", "Koshizuka & Oka 1995"})
     flow.of_resolved.push_back(at_most(
         dam.rms_of(dam.of_thin_slab, experiment), 0.17,
@@ -357,6 +391,13 @@ Flow dam_break(Settings& set) {
        part_of_motion({.of = [](const Vec2& x) { return x.x(); }, .slope = [](const Vec2&) { return Vec2(1, 0); }}),
        Span{INFINITY, 0, 2},
        "the motion of the water"},
+      {{"velocity"},
+       [=](const Level& level, const Run& run) -> std::vector<Value> {
+         const Samples& s = run.samples.back();
+         const double falls = gravity * (s.mass * s.x.row(1).transpose().array()).sum();
+         return {{level.name, level.spacing, s.time, energy,
+                  (kinetic_energy(s) + falls) / (s.mass.sum() * gravity * h0 / 2)}};
+       }},
       {{},
        [dam](const Level& level, const Run& run) { return dam.lead(level, run); },
        Span{INFINITY, 0, 1},  // at whatever times there are

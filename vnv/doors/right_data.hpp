@@ -145,6 +145,9 @@ inline Samples right_of(const Flow& flow, double across, double t, double shaken
                  rate = T > soon ? (front_at_scaled(T + soon) - front_at_scaled(T - soon)) / (2 * soon) * T / t : 0;
     s.x.row(0) *= front, s.x.row(1) /= front;  // a block that keeps its area
     s.v.row(0) = s.x.row(0) * rate / front, s.v.row(1) = -s.x.row(1) * rate / front;
+    // A block whose end is as fast as the tongue of a dam would have more energy than its weight gives.
+    const double given = g * h0 / 2 * (1 - 1 / front), moving = s.v.squaredNorm() / 2 / static_cast<double>(s.size());
+    if (moving > given) s.v *= std::sqrt(given / moving);
     for (Eigen::Index p = 0; p < s.size(); ++p) s.pressure[p] = flow.fluid.density * g * (h0 / front - s.x(1, p));
   }
   s.v *= second_order, s.pressure *= second_order;

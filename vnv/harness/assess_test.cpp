@@ -191,6 +191,7 @@ TEST(Assess, ClaimsThatTheFluidOfARunStaysTogetherByTheoryAlone) {
   };
   EXPECT_EQ(outcome("coarse", rows_in_one_place), Outcome::holds);
   EXPECT_EQ(outcome("coarse", rows_crowded), Outcome::holds);
+  EXPECT_EQ(outcome("coarse", largest_hole), Outcome::holds);
   EXPECT_EQ(outcome("fine", rows_in_one_place), Outcome::fails);
   EXPECT_FALSE(claims_more_than_ends(assessed(declared)));
   for (const Verdict& v : record.verdicts)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace touchstone::vnv {
@@ -21,9 +22,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What verdicts are made of.
 struct Parts {
   std::vector<RunSummary> runs;
-  std::vector<Value> values;                  // measured of the runs
-  std::vector<Value> found;                   // over all runs
-  std::vector<std::string> of_simulations{};  // levels
+  std::vector<Value> values;                     // measured of the runs
+  std::vector<Value> found;                      // over all runs
+  std::map<std::string, bool> of_simulations{};  // levels, and whether their fluid fills its domain
 };
 
 bool is_read_by(const Verdict& v, const Value& value) {
@@ -35,8 +36,10 @@ bool is_end(const Verdict& v) { return v.quantity == end_time_reached; }
 /// Of values that were found over all runs a record keeps only what was claimed of them.
 Parts parts_of(const Case& declared, const Method& method, const Record& record) {
   Parts parts{record.runs, record.values, {}};
-  for (const Verdict& v : record.verdicts)
-    if (v.quantity == rows_in_one_place.name) parts.of_simulations.push_back(v.level);
+  for (const Verdict& v : record.verdicts) {
+    if (v.quantity == rows_in_one_place.name) parts.of_simulations.try_emplace(v.level, false);
+    if (v.quantity == largest_hole.name) parts.of_simulations[v.level] = true;
+  }
   for (const std::vector<Claim>& claims : {declared.claims, method.claims})
     for (const Claim& claim : claims)
       for (const Verdict& v : record.verdicts) {
@@ -71,8 +74,10 @@ class Replay {
     results_.runs.clear();
     for (const RunSummary& run : parts.runs) {
       results_.runs.push_back({.summary = run});
-      if (std::ranges::find(parts.of_simulations, run.level) != parts.of_simulations.end())
-        results_.runs.back().room = Room{};
+      const auto of = parts.of_simulations.find(run.level);
+      if (of == parts.of_simulations.end()) continue;
+      results_.runs.back().room = Room{};
+      if (!of->second) results_.runs.back().room->filled.high = {1, 1};  // other than the domain
     }
     return assess(case_name_, played_, results_, baselines_);
   }

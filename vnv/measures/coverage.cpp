@@ -12,7 +12,8 @@
 namespace touchstone::vnv {
 namespace {
 
-constexpr double same = 1e-6;  // spacings  within which two rows are in one place
+constexpr double same = 1e-6;     // spacings  within which two rows are in one place
+constexpr double as_sound = 0.5;  // spacings  apart are half of the rows of a cloud, at least; 0.47 at random
 
 /// Rows by the cell that they are in, which is about a spacing long and high where there are not far more cells than
 /// rows. Across a periodic boundary the neighbours of a place are those at the other end.
@@ -186,6 +187,34 @@ std::vector<unsigned short> cells_to_a_row(const RowsByCell& rows, const Domain&
   return found;
 }
 
+/// How far apart [spacings] rows about a circle are that a strain has pressed together: half of them have another one
+/// within that, on a line and not all around. `as_sound` where they are farther, or so many are missing that no strain
+/// has drawn them apart.
+double apart_about(const RowsByCell& rows, double spacing, const Vec2& centre, double radius) {
+  constexpr double all_there = 0.8, beyond = 2, widest = 8;  // spacings; lattices in vortices are drawn to 5
+  constexpr double near = 2.2;  // times the distance to the nearest are four others on a line, or 12
+  constexpr long on_a_line = 6;
+  std::vector<int> about;
+  rows.each_within(centre, radius + beyond * spacing, [&](double, int row) { about.push_back(row); });
+  const double across = radius / spacing + beyond;
+  if (2 * radius > widest * spacing ||
+      static_cast<double>(about.size()) < all_there * std::numbers::pi * across * across)
+    return as_sound;
+  std::vector<double> nearest;
+  for (const int row : about) {
+    double least = as_sound * spacing * as_sound * spacing;
+    rows.each_within(rows.places().col(row), as_sound * spacing, [&](double square, int other) {
+      if (other != row) least = std::min(least, square);
+    });
+    long others = -1;
+    rows.each_within(rows.places().col(row), near * std::sqrt(least), [&](double, int) { ++others; });
+    nearest.push_back(others > on_a_line ? as_sound : std::sqrt(least) / spacing);
+  }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
 /// Where cells are empty, from the middle of the widest parts on; of others a few, so that there is a value.
 void find_hole(const RowsByCell& rows, const Region& region, double spacing, Coverage& found) {
   constexpr long near = 2, wide = 8;  // cells
@@ -210,7 +239,10 @@ void find_hole(const RowsByCell& rows, const Region& region, double spacing, Cov
     double radius = free_radius(rows, region, spacing, one->second);
     Vec2 place = one->second;
     if (radius <= wide * rows.side()) std::tie(radius, place) = widest_near(rows, region, spacing, place, radius);
-    if (const double hole = 2 * radius / spacing; !(hole <= found.hole)) found.hole = hole, found.hole_at = place;
+    double hole = 2 * radius / spacing;
+    if (hole <= found.hole) continue;
+    hole *= apart_about(rows, spacing, place, radius) / as_sound;
+    if (!(hole <= found.hole)) found.hole = hole, found.hole_at = place;
   }
 }
 
@@ -343,8 +375,10 @@ Coverage coverage_of(const Vectors& x, double spacing, const Region& region) {
 }
 
 double largest_sound_hole(double rows) {
-  const double log = std::log(std::max(rows, 3.0));
-  return std::clamp(2 * std::sqrt((log + std::log(log)) / std::numbers::pi), 2.5, 3.9);
+  const double n = std::max(rows, 3.0);
+  double area = std::log(n / 0.05);
+  for (int k = 0; k < 20; ++k) area = std::log(n * area / 0.05);
+  return std::min(2 * std::sqrt(area / std::numbers::pi), 3.9);
 }
 
 double most_crowded(double rows) { return std::min(0.9, 0.25 + 1 / std::sqrt(rows)); }
@@ -393,11 +427,15 @@ std::string where_is(const Coverage& coverage, const std::string& quantity) {
   return "";
 }
 
+bool fills_its_domain(const Level& level, const Run& run) {
+  if (!run.room || !run.room->is_full()) return false;
+  const double places = run.room->domain.box.size().prod() / (level.spacing * level.spacing);
+  return static_cast<double>(run.summary.cost.particles) > 0.9 * places;  // else of a shape, as a drop
+}
+
 std::vector<Value> coverage_of(const Level& level, const Run& run) {
   if (!run.room || !run.summary.finished || run.samples.empty()) return {};
-  const double places = run.room->domain.box.size().prod() / (level.spacing * level.spacing);
-  const bool is_full = run.room->is_full() &&
-                       static_cast<double>(run.samples.front().size()) > 0.9 * places;  // else of a shape, as a drop
+  const bool is_full = fills_its_domain(level, run);
   double hole = 0, in_one_place = 0, crowded = 0;
   for (const Samples& samples : run.samples) {
     const Coverage found = coverage_of(samples.x, level.spacing, {.domain = run.room->domain, .is_known = is_full});

@@ -22,7 +22,8 @@ struct Region {
 
 /// What is found of rows in a region.
 struct Coverage {
-  double hole = not_a_number;  // spacings  diameter of the largest circle about a place in the region with no row in it
+  double hole = not_a_number;  // spacings  diameter of the largest circle about a place in the region with no row in it,
+                               // less where the rows about it are pressed together
   Vec2 hole_at = Vec2::Zero();  // m  its centre
   long in_one_place = 0;        // rows that stand where another one stands
   Vec2 in_one_place_at = Vec2::Zero();
@@ -38,25 +39,29 @@ struct Coverage {
 ///
 /// A circle may reach beyond the region by half a spacing, as cells do that leave out nothing. It is found to a
 /// hundredth if it is wider than 2.83 spacings, as then a cell of one spacing in it is empty, and to a spacing if it is
-/// wider than 16; a narrower one is the largest of some. Two rows are in one place if they are nearer than 1e-6
-/// spacings, unless that place is on a periodic boundary, where a grid has its nodes twice. A row is crowded if the
-/// nearest other one is nearer than a quarter of a spacing and of the distance to the fourth, which those of a graded
-/// mesh are not.
+/// wider than 16; a narrower one is the largest of some. A flow that strains draws rows apart, however well they follow
+/// it, and presses them together across: at a distance s of neighbours the lines of a lattice are 1 / s apart, 4 to 5
+/// spacings in the manufactured solution after 0.2 s. Where rows about a circle are as many as they should be, and half
+/// of them have another one nearer than 0.5 spacings, on a line and not all around, it is counted in twice that distance.
+///
+/// Two rows are in one place if they are nearer than 1e-6 spacings, unless that place is on a periodic boundary, where a
+/// grid has its nodes twice. A row is crowded if the nearest other one is nearer than a quarter of a spacing and of the
+/// distance to the fourth, which those of a graded mesh are not.
 ///
 /// Rows stand on an upright grid if they take at least four fifths of its places. A grid may be stretched and graded:
 /// its hole is the widest gap between two lines, or between a line and a wall, by the wider of those beside it, times
 /// the square root of 2 for the diagonal.
 Coverage coverage_of(const Vectors& x, double spacing, const Region& region);
 
-/// The largest hole [spacings] that a sound cloud of so many rows may have, 2 sqrt((ln N + ln ln N) / pi): a circle of
-/// the area A spacings² is free of points at random, which have the least order of all, with probability exp(-A), and
-/// N A such circles are independent. At least 2.5, and at most 3.9, so that a hole 4 spacings wide is seen in any
-/// cloud.
+/// The largest hole [spacings] that a sound cloud of so many rows may have: of N points at random, which have the least
+/// order of all, one of twenty sets has a wider one. A circle of the area A spacings² is free of them with probability
+/// exp(-A), and N A such circles are independent, so that 0.05 = N A exp(-A). At most 3.9, so that a hole 4 spacings wide
+/// is seen in any cloud.
 ///
 /// Measured, the largest of 20 seeds for 25, 225 and 3600 rows and of 3 for 90000: a lattice 1.41; each row moved by up
 /// to a quarter of a spacing along both axes 1.79, 1.86, 1.85, 1.84; the same with 3 % of the rows
 /// missing 2.38, 2.37, 2.50, 2.74; moved by up to half a spacing 2.17, 2.34, 2.36, 2.30; points at
-/// random 2.9, 3.8, 4.1, 4.8, which no fluid are. The limit: 2.5, 3.01, 3.62, 3.9.
+/// random 2.9, 3.8, 4.1, 4.8, which no fluid are. The limit: 3.26, 3.71, 3.9, 3.9.
 double largest_sound_hole(double rows);
 
 /// The largest fraction of crowded rows in a sound cloud: 0.25, and what chance does to few. Points at random have
@@ -82,6 +87,9 @@ std::vector<Claim> fills_its_region(const Coverage& coverage, double rows);
 
 /// Where that is which a quantity speaks of: "about (0.25, 0.4) m"; empty for another.
 std::string where_is(const Coverage& coverage, const std::string& quantity);
+
+/// Whether the fluid of a run of our own fills its domain, so that its holes are known.
+bool fills_its_domain(const Level& level, const Run& run);
 
 /// The worst of all times of a run of our own: holes where the fluid fills its domain, rows that are crowded or in one
 /// place wherever it is; at its end. Nothing of a run that is of no simulation, or has not reached its end.

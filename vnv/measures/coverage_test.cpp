@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace touchstone::vnv {
@@ -56,6 +57,27 @@ TEST(Coverage, OfACloudKeepsTheLimitsThatAreClaimed) {
         EXPECT_LT(found.crowded, most_crowded(rows)) << across << ", " << part;
         EXPECT_EQ(found.grid_places + found.in_one_place, 0);
       }
+}
+
+TEST(Coverage, LetsAStrainDrawALatticeApartAndFindsWhatIsMissingInIt) {
+  constexpr long across = 40;
+  const Square square{across};
+  for (const double longer : {2.0, 4.0, 5.0}) {  // along x, and as much narrower along y
+    const Lattice one = lattice({.high = {1, longer}}, 1.0 / across);
+    Vectors drawn = one.places();
+    drawn.row(1) /= longer;
+    drawn.row(0) *= longer;
+    drawn = drawn(Eigen::all, [&] {
+      std::vector<Eigen::Index> within;
+      for (Eigen::Index p = 0; p < drawn.cols(); ++p)
+        if (drawn(0, p) < 1) within.push_back(p);
+      return within;
+    }());
+    for (Eigen::Index p = 0; p < drawn.cols(); ++p) drawn(1, p) += 1e-3 * drawn(0, p);  // on no upright grid
+    EXPECT_LT(square.of(drawn).hole, 2.6) << longer;
+    const Vectors holed = without(drawn, [](const Vec2& x) { return (x - Vec2(0.5, 0.5)).norm() < 0.15; });
+    EXPECT_GT(square.of(holed).hole, largest_sound_hole(across * across)) << longer;
+  }
 }
 
 TEST(Coverage, FindsTheDiameterOfAHoleAndWhereItIs) {
@@ -146,7 +168,7 @@ TEST(Coverage, OfARunIsTheWorstOfItsTimesAndKnowsHolesOfAFullDomainAlone) {
   vnv::Run run;  // not that of a test
   run.samples = {{.time = 1, .x = square.shaken(0.1, 1)}, {.time = 2, .x = square.shaken(0.3, 2)}};
   run.samples[0].x.col(7) = run.samples[0].x.col(8);
-  run.summary = {.end_time = 2, .finished = true};
+  run.summary = {.end_time = 2, .finished = true, .cost = {.particles = 100}};
   EXPECT_TRUE(coverage_of(level, run).empty()) << "of no simulation";
   run.room = Room{square.domain, square.domain.box};
   const std::vector<Value> found = coverage_of(level, run);
@@ -161,7 +183,7 @@ TEST(Coverage, OfARunIsTheWorstOfItsTimesAndKnowsHolesOfAFullDomainAlone) {
   run.room->filled.high.y() /= 2;
   EXPECT_EQ(coverage_of(level, run).size(), 2u);
   run.room = Room{square.domain, square.domain.box};
-  run.samples[0].x.conservativeResize(Eigen::NoChange, 80);
+  run.summary.cost.particles = 80;
   EXPECT_EQ(coverage_of(level, run).size(), 2u) << "a shape in it";
 }
 

@@ -14,7 +14,11 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
   struct Monitored {
     Eigen::Map<const Eigen::ArrayXd> t, value;
 
-    double misfit(double omega, double decay) const {
+    struct Fitted {
+      Eigen::Vector3d factors;
+      double misfit;
+    };
+    Fitted fitted(double omega, double decay) const {
       Eigen::MatrixX3d shapes(t.size(), 3);
       shapes.col(0) = (-decay * t).exp() * (omega * t).cos();
       shapes.col(1) = (-decay * t).exp() * (omega * t).sin();
@@ -23,7 +27,7 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
       const Eigen::Matrix3d moments = shapes.transpose().lazyProduct(shapes);
       const Eigen::Vector3d sums = shapes.transpose().lazyProduct(value.matrix());
       const Eigen::Vector3d factors = moments.ldlt().solve(sums);
-      return (shapes.lazyProduct(factors) - value.matrix()).squaredNorm();
+      return {factors, (shapes.lazyProduct(factors) - value.matrix()).squaredNorm()};
     }
   };
   const auto count = static_cast<Eigen::Index>(values.size());
@@ -31,8 +35,9 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
   if (count < 6 || !monitored.value.allFinite()) return {};
 
   gsl_multimin_function misfit{[](const gsl_vector* at, void* data) {
-                                 return static_cast<const Monitored*>(data)->misfit(gsl_vector_get(at, 0),
-                                                                                    gsl_vector_get(at, 1));
+                                 return static_cast<const Monitored*>(data)
+                                     ->fitted(gsl_vector_get(at, 0), gsl_vector_get(at, 1))
+                                     .misfit;
                                },
                                2, const_cast<Monitored*>(&monitored)};
   const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> start(gsl_vector_calloc(2), gsl_vector_free),
@@ -45,8 +50,10 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
   constexpr int most_steps = 500;
   for (int k = 0; k < most_steps; ++k) {
     if (gsl_multimin_fminimizer_iterate(search.get()) != GSL_SUCCESS) return {};
-    if (gsl_multimin_fminimizer_size(search.get()) < 1e-7 * omega_near)
-      return {.omega = gsl_vector_get(search->x, 0), .decay = gsl_vector_get(search->x, 1)};
+    if (gsl_multimin_fminimizer_size(search.get()) < 1e-7 * omega_near) {
+      const double omega = gsl_vector_get(search->x, 0), decay = gsl_vector_get(search->x, 1);
+      return {.omega = omega, .decay = decay, .at_start = monitored.fitted(omega, decay).factors[0]};
+    }
   }
   return {};
 }

@@ -10,6 +10,7 @@ namespace touchstone::vnv {
 /// exp(-decay t) (p cos(omega t) + q sin(omega t)) + rest, fitted to values over time.
 struct DampedOscillation {
   double omega = not_a_number, decay = not_a_number;  // 1/s
+  double at_start = not_a_number;                     // p
 };
 
 /// By least squares: p, q and the rest are linear, omega and decay are searched for from `omega_near` [1/s] and from no

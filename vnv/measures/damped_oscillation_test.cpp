@@ -21,6 +21,7 @@ TEST(DampedOscillation, IsFoundFromAWrongGuess) {
     const DampedOscillation found = fit_damped_oscillation(times, values, guess);
     EXPECT_NEAR(found.omega, 7.8, 1e-5);
     EXPECT_NEAR(found.decay, 0.158, 1e-5);
+    EXPECT_NEAR(found.at_start, 0.02 * std::cos(0.4), 1e-6);
   }
 }
 
