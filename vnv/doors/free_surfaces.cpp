@@ -206,6 +206,9 @@ Flow elliptic_drop(Settings& set) {
   flow.judged.monitor.interval /= strain;
   flow.aside = {has_its_pressure()};
   flow.judged.claims = {is_consistent(axes_error),
+                        at_most(axes_error, 20,
+                                theory("a free surface moves with its fluid; our own methods at 40 across are 0.1 to "
+                                       "11 % off")),
                         at_most(l2_velocity, 20,
                                 theory("the velocity is that of the strain; our own methods at 40 across "
                                        "are 0.4 to 13 % off"))};

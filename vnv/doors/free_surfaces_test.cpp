@@ -1,6 +1,7 @@
 #include "vnv/doors/flows.hpp"
 #include "vnv/doors/judge.hpp"
 #include "vnv/doors/right_data.hpp"
+#include "vnv/flows/drop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +68,19 @@ TEST(ADam, IsDrivenByItsWeightAloneAndKeepsItsMass) {
   EXPECT_TRUE(with(faster).contains("kinetic and potential energy over that at the start"));
   EXPECT_EQ(with([](Samples& s) { s.mass *= s.time > 0.45 ? 0.98 : 1; }),
             std::set<std::string>{"relative change of the mass since the first time"});
+}
+
+TEST(ADrop, IsDrawnOutAsItsStrainDrawsIt) {
+  const Flow flow = flow_named("elliptic_drop");
+  const std::vector<double> times = times_until(flow.judged.times.back(), 8);
+  const auto with = [&](const Change& change) { return failing(judged(flow, times, change)); };
+  EXPECT_EQ(with([](Samples&) {}), std::set<std::string>{});
+  const Samples start = right_of(flow, 30, 0);
+  EXPECT_TRUE(with([&](Samples& s) { s.x = start.x; }).contains(drop::axes_error.name));
+  EXPECT_TRUE(with([&](Samples& s) {
+                const double drawn = 1 + 0.25 * s.time / times.back();
+                s.x.row(0) *= drawn, s.x.row(1) /= drawn;
+              }).contains(drop::axes_error.name));
 }
 
 }  // namespace free_surfaces_test

@@ -76,8 +76,8 @@ class Replay {
       results_.runs.push_back({.summary = run});
       const auto of = parts.of_simulations.find(run.level);
       if (of == parts.of_simulations.end()) continue;
-      results_.runs.back().room = Room{};
-      if (!of->second) results_.runs.back().room->filled.high = {1, 1};  // other than the domain
+      const Box domain{.high = Vec2::Zero()}, another{.high = Vec2::Ones()};
+      results_.runs.back().room = Room{{domain}, of->second ? domain : another};
     }
     return assess(case_name_, played_, results_, baselines_);
   }
