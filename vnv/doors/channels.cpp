@@ -122,7 +122,8 @@ std::vector<Cause> and_force(std::vector<Cause> causes) {
 
 /// Flows of the paper are judged by the means of their rows, too.
 Flow with_row_means(Flow flow, const Altered& altered) {
-  flow.measured.push_back({{velocity_along_x}, norms_of("v_x, row means", channel::by_rows, altered({}))});
+  const auto by_lines = [](const Level& level) { return means_of_lines(velocity_x, level.spacing); };
+  flow.measured.push_back({{velocity_along_x}, norms_of("v_x, row means", by_lines, altered({}))});
   return flow;
 }
 

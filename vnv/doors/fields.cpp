@@ -517,13 +517,13 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     volume *= fraction;
   }
   const auto known = [](const Scalars& field) { return field.allFinite() && (field > 0).all(); };
+  if (!known(s.density)) s.density = Scalars::Constant(count, density);
   if (known(volume)) {  // the weight of a row in a norm is its volume
-    if (!known(s.density)) s.density = Scalars::Constant(count, density);
     s.mass = volume * s.density;
-  } else if (!known(s.mass) || !known(s.density)) {
-    s.mass = s.density = Scalars::Constant(count, density);
+  } else if (!known(s.mass)) {
+    s.mass = s.density;
     reading.has_volumes = false;
-    say("weights", "equal, since there is neither a volume nor both mass and density");
+    say("weights", "equal, since there is neither a volume nor a mass");
   }
   return reading;
 }

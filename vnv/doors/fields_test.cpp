@@ -72,6 +72,21 @@ TEST(Fields, AreNotThoseOfColumnsWhoseNamesOnlyBeginAlike) {
   }
 }
 
+TEST(Fields, KeepADensityWithoutMassesAndMassesWithoutADensity) {
+  const auto without = [](const std::string& name) {
+    Dataset data = fluid_and_wall();
+    std::erase_if(data.arrays, [&](const Array& array) { return array.name == name; });
+    return reading_of(data, {}, domain, 1000);
+  };
+  const Reading masses = without("rho"), densities = without("m");
+  EXPECT_EQ(masses.samples.mass.matrix(), Vec2(10, 20));
+  EXPECT_EQ(masses.samples.density.matrix(), Vec2(1000, 1000)) << "that of the flow";
+  EXPECT_TRUE(masses.has_volumes);
+  EXPECT_EQ(densities.samples.density.matrix(), Vec2(1001, 1002));
+  EXPECT_EQ(densities.samples.volumes().matrix(), Vec2(1, 1)) << "rows weigh the same";
+  EXPECT_FALSE(densities.has_volumes);
+}
+
 /// Cells of a mesh, half of which water, the rest air, but for one at the surface.
 Dataset water_and_air() {
   return {.source = "a.vtu",

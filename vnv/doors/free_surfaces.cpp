@@ -192,9 +192,13 @@ Flow elliptic_drop(Settings& set) {
   flow.shape = "those points of a lattice that lie within the radius R of (0, 0),";
   flow.area = std::numbers::pi * radius * radius;
   flow.region = [domain = flow.domain, drop](double t) {
-    return Region{.domain = domain, .depth = [now = drop.at(t)](const Vec2& x) {
-                    return (1 - std::hypot(x.x() / now.a, x.y() / now.b)) * now.b;  // at most, as b < a
-                  }};
+    const auto now = drop.at(t);
+    return Region{.domain = domain,
+                  .depth =
+                      [now](const Vec2& x) {
+                        return (1 - std::hypot(x.x() / now.a, x.y() / now.b)) * now.b;  // at most, as b < a
+                      },
+                  .drawn = {now.a / drop.R, now.b / drop.R}};
   };
   flow.across = 2 * radius;
   flow.judged.title = "Stretching elliptic drop";

@@ -334,7 +334,7 @@ void say_briefly(const std::string& level, const Filling& filling, Record& recor
                             v.unit.empty() ? "" : " " + v.unit);
   if (!others.empty())
     spokesman->sentence += fmt::format(
-        "; {}, as {} hold, too", filling.is_counted ? "all the fluid is there" : "no part of it is missing", others);
+        "; {}, as {} hold, too", filling.is_counted ? "all the fluid is there" : "it has no hole", others);
   const std::string kept = spokesman->quantity;
   std::erase_if(record.verdicts, [&](const Verdict& v) { return is_of_it(v) && v.quantity != kept; });
 }

@@ -13,7 +13,7 @@ namespace touchstone::vnv {
 namespace {
 
 constexpr double same = 1e-6;     // spacings  within which two rows are in one place
-constexpr double as_sound = 0.5;  // spacings  apart are half of the rows of a cloud, at least; 0.47 at random
+constexpr double as_sound = 0.75;  // spacings  apart are half of the rows of a lattice shaken by a quarter, at least
 
 /// Rows by the cell that they are in, which is about a spacing long and high where there are not far more cells than
 /// rows. Across a periodic boundary the neighbours of a place are those at the other end.
@@ -191,7 +191,7 @@ std::vector<unsigned short> cells_to_a_row(const RowsByCell& rows, const Domain&
 /// within that, on a line and not all around. `as_sound` where they are farther, or so many are missing that no strain
 /// has drawn them apart.
 double apart_about(const RowsByCell& rows, double spacing, const Vec2& centre, double radius) {
-  constexpr double all_there = 0.8, beyond = 2, widest = 8;  // spacings; lattices in vortices are drawn to 5
+  constexpr double all_there = 0.82, beyond = 2, widest = 8;  // spacings; lattices in vortices are drawn to 5
   constexpr double near = 2.2;  // times the distance to the nearest are four others on a line, or 12
   constexpr long on_a_line = 6;
   std::vector<int> about;
@@ -243,6 +243,64 @@ void find_hole(const RowsByCell& rows, const Region& region, double spacing, Cov
     if (hole <= found.hole) continue;
     hole *= apart_about(rows, spacing, place, radius) / as_sound;
     if (!(hole <= found.hole)) found.hole = hole, found.hole_at = place;
+  }
+}
+
+/// The gaps [m] between the coordinates of rows along an axis, and between the last of them and a wall, that are wider
+/// than `least`: where each begins, and where it ends.
+std::vector<std::array<double, 2>> gaps_along(const Vectors& x, const Region& region, int axis, double least) {
+  const bool is_periodic = region.domain.periodic(axis);
+  const Box& box = is_periodic ? region.domain.box : region.box;
+  const double low = box.low[axis], high = box.high[axis];
+  const auto parts = std::clamp(static_cast<long>((high - low) / least), 1L, 4L * static_cast<long>(x.cols()) + 64);
+  std::vector<std::array<double, 2>> ends(static_cast<std::size_t>(parts), {INFINITY, -INFINITY});  // of rows in a part
+  for (const double at : x.row(axis)) {
+    const double part = (at - low) / (high - low) * static_cast<double>(parts);
+    auto& [first, last] = ends[static_cast<std::size_t>(std::clamp(static_cast<long>(part), 0L, parts - 1))];
+    first = std::min(first, at), last = std::max(last, at);
+  }
+  std::erase_if(ends, [](const auto& part) { return part[0] > part[1]; });
+  std::vector<std::array<double, 2>> gaps;
+  double before = is_periodic ? ends.back()[1] - (high - low) : low;
+  for (const auto& [first, last] : ends) {
+    if (first - before > least) gaps.push_back({before, first});
+    before = last;
+  }
+  if (!is_periodic && high - before > least) gaps.push_back({before, high});
+  return gaps;
+}
+
+/// A strip without rows from one side of the region to the other: as the circle of that part of its area by which it is
+/// wider than lines of a lattice are apart.
+void find_strip(const Vectors& x, const Region& region, double spacing, Coverage& found) {
+  constexpr long per_spacing = 4;  // places, along each axis
+  const auto steps = [&](double length) { return static_cast<long>(std::ceil(per_spacing * length / spacing)); };
+  for (const int axis : {0, 1}) {
+    const int across = 1 - axis;
+    const double line = spacing * region.drawn[axis], length = region.box.size()[across];
+    for (const auto& [begin, end] : gaps_along(x, region, axis, line)) {
+      const long wide = steps(end - begin), many = steps(length);
+      double area = 0;
+      Vec2 sum = Vec2::Zero();
+      for (long j = 0; j < many; ++j) {
+        long inside = 0;
+        Vec2 of_inside = Vec2::Zero();
+        for (long i = 0; i < wide; ++i) {
+          Vec2 place;
+          place[axis] = begin + (end - begin) * (static_cast<double>(i) + 0.5) / static_cast<double>(wide);
+          place[across] = region.box.low[across] + length * (static_cast<double>(j) + 0.5) / static_cast<double>(many);
+          if (!region.depth || region.depth(place) >= 0) ++inside, of_inside += place;
+        }
+        const double wider = (end - begin) * static_cast<double>(inside) / static_cast<double>(wide) - line;
+        if (!(wider > 0)) continue;
+        area += wider * length / static_cast<double>(many);
+        sum += wider * length / static_cast<double>(many) * of_inside / static_cast<double>(inside);
+      }
+      const double hole = 2 * std::sqrt(area / std::numbers::pi) / spacing;
+      if (!(hole > found.hole)) continue;
+      found.hole = hole, found.hole_at = sum / area;
+      found.hole_at[axis] = region.domain.wrapped(axis, found.hole_at[axis]);
+    }
   }
 }
 
@@ -370,7 +428,9 @@ Coverage coverage_of(const Vectors& x, double spacing, const Region& region) {
   if (found.grid_places > 0) return found;  // whose lines have been compared with one another
   const RowsByCell rows(x, spacing, region.domain);
   find_crowds(rows, region.domain, spacing, found);
-  if (region.is_known) find_hole(rows, region, spacing, found);
+  if (!region.is_known) return found;
+  find_hole(rows, region, spacing, found);
+  if (found.hole <= largest_sound_hole(static_cast<double>(x.cols()))) find_strip(x, region, spacing, found);
   return found;
 }
 

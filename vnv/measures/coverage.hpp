@@ -18,6 +18,7 @@ struct Region {
   std::function<double(const Vec2& x)>
       depth{};           // m  below its surface, negative outside; empty: the fluid fills the box
   bool is_known = true;  // else holes cannot be told from what is outside the fluid
+  Vec2 drawn = Vec2::Ones();  // by how much it has drawn the lines of a lattice apart along each axis
 };
 
 /// What is found of rows in a region.
@@ -42,7 +43,9 @@ struct Coverage {
 /// wider than 16; a narrower one is the largest of some. A flow that strains draws rows apart, however well they follow
 /// it, and presses them together across: at a distance s of neighbours the lines of a lattice are 1 / s apart, 4 to 5
 /// spacings in the manufactured solution after 0.2 s. Where rows about a circle are as many as they should be, and half
-/// of them have another one nearer than 0.5 spacings, on a line and not all around, it is counted in twice that distance.
+/// of them have another one nearer than 0.75 spacings, on a line and not all around, it is counted in that distance over 0.75.
+/// Where no circle is a hole, a strip along an axis from one side of the region to the other, as rows along a wall leave
+/// that are missing, counts as the circle of the area by which it is wider than the lines of a lattice are apart.
 ///
 /// Two rows are in one place if they are nearer than 1e-6 spacings, unless that place is on a periodic boundary, where a
 /// grid has its nodes twice. A row is crowded if the nearest other one is nearer than a quarter of a spacing and of the

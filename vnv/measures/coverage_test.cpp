@@ -73,7 +73,7 @@ TEST(Coverage, LetsAStrainDrawALatticeApartAndFindsWhatIsMissingInIt) {
         if (drawn(0, p) < 1) within.push_back(p);
       return within;
     }());
-    for (Eigen::Index p = 0; p < drawn.cols(); ++p) drawn(1, p) += 1e-3 * drawn(0, p);  // on no upright grid
+    for (Eigen::Index p = 0; p < drawn.cols(); ++p) drawn(0, p) = std::fmod(drawn(0, p) + 0.3 * drawn(1, p), 1);
     EXPECT_LT(square.of(drawn).hole, 2.6) << longer;
     const Vectors holed = without(drawn, [](const Vec2& x) { return (x - Vec2(0.5, 0.5)).norm() < 0.15; });
     EXPECT_GT(square.of(holed).hole, largest_sound_hole(across * across)) << longer;
@@ -98,6 +98,37 @@ TEST(Coverage, FindsTheDiameterOfAHoleAndWhereItIs) {
         EXPECT_LT(apart(found.hole_at), square.spacing());
       }
     }
+}
+
+TEST(Coverage, FindsAStripWithoutRowsAlongWallsAndAcross) {
+  for (const auto& [across, missing] : {std::pair(16L, 2.5), {24L, 2.5}, {48L, 1.7}})
+    for (unsigned seed = 0; seed < 3; ++seed)
+      for (const int axis : {0, 1}) {
+        const Square square{across};
+        const Vectors places = square.shaken(0.25, seed);
+        const double width = missing * square.spacing(), most = largest_sound_hole(static_cast<double>(places.cols()));
+        for (const double from : {0.0, 0.4, 1 - width}) {
+          const auto is_gone = [&](const Vec2& x) { return x[axis] >= from && x[axis] < from + width; };
+          const Coverage found = square.of(without(places, is_gone));
+          EXPECT_GT(found.hole, most) << across << " across, from " << from << " along " << axis;
+          EXPECT_NEAR(found.hole_at[axis], from + width / 2, 0.5 * square.spacing());
+        }
+      }
+}
+
+TEST(Coverage, OfADropThatIsDrawnOutIsWithoutStrips) {
+  const Square square{30};
+  Vectors drop = without(square.regular(), [](const Vec2& x) { return (x - Vec2(0.5, 0.5)).norm() > 0.5; });
+  drop.row(0) = 2 * (drop.row(0).array() - 0.5);
+  drop.row(1) = (drop.row(1).array() - 0.5) / 2;
+  const auto depth = [](const Vec2& x) { return (0.5 - std::hypot(x.x() / 2, 2 * x.y())) / 2; };
+  const Domain domain{.box = {.low = {-1, -1}, .high = {1, 1}}};
+  const auto hole = [&](const Vectors& places) {
+    return coverage_of(places, square.spacing(), {.domain = domain, .depth = depth, .drawn = {2, 0.5}}).hole;
+  };
+  EXPECT_LT(hole(drop), 2.5);
+  const auto is_in_band = [](const Vec2& x) { return std::abs(x.x()) < 0.15; };
+  EXPECT_GT(hole(without(drop, is_in_band)), 3.9);
 }
 
 TEST(Coverage, OfAnUprightGridComparesGapsWithThoseBesideThem) {

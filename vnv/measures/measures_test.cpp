@@ -122,6 +122,17 @@ TEST(RowMeans, DoNotHideWhatIsNotANumber) {
   EXPECT_EQ(std::ranges::count_if(places, [](double y) { return std::isnan(y); }), 1);
 }
 
+TEST(RowMeans, OfAMeshAreThoseOfItsLines) {
+  auto s = block({0, 0}, {0.5, 1}, 0.1);
+  for (double& y : s.x.row(1).reshaped()) y = y * y;  // graded
+  s.v.row(0) = s.x.row(1).array().square();
+  const auto profile = means_of_lines(velocity_x, 0.1)(s);
+  ASSERT_EQ(profile.at.size(), 10u);
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(profile.value[i], profile.at[i] * profile.at[i], 1e-14);
+  const auto disorder = disordered(channel, 0.049);
+  EXPECT_EQ(means_of_lines(velocity_x, 0.1)(disorder).at, row_means(velocity_x, 0.1)(disorder).at);
+}
+
 TEST(RowMeans, RefuseAHeightThatIsNone) {
   for (const double height : {0.0, -0.1, nan, std::numeric_limits<double>::infinity()})
     EXPECT_THROW(row_means(velocity_x, height), std::invalid_argument) << height;

@@ -23,6 +23,19 @@ struct Below {
 };
 using Rows = std::map<double, Row, Below>;
 
+/// The particles with k height <= y < (k + 1) height [m] are row k.
+inline Rows parted(const Field& field, double height, const Samples& samples) {
+  Rows rows;
+  for (Eigen::Index p = 0; p < samples.size(); ++p) {
+    const double y = samples.x(1, p);
+    auto& row = rows[std::floor(y / height)];
+    row.count += 1;
+    row.y += y;
+    row.value += field(samples, p);
+  }
+  return rows;
+}
+
 inline Profile means(const Rows& rows) {
   Profile profile;
   for (const auto& [number, row] : rows) {
@@ -50,15 +63,17 @@ inline Measure row_means(Field field, double row_height) {
     throw std::invalid_argument(
         fmt::format("row_means: row height = {} m, expected a positive finite height", row_height));
   return [field = std::move(field), row_height](const Samples& samples) {
-    rows::Rows rows;
-    for (Eigen::Index p = 0; p < samples.size(); ++p) {
-      const double y = samples.x(1, p);
-      auto& row = rows[std::floor(y / row_height)];
-      row.count += 1;
-      row.y += y;
-      row.value += field(samples, p);
-    }
-    return rows::means(rows);
+    return rows::means(rows::parted(field, row_height, samples));
+  };
+}
+
+/// As row_means; but where lines of equal y hold two particles or more, as those of a mesh, each line is a row: heights
+/// that are no multiple of the distance of lines would part them unevenly.
+inline Measure means_of_lines(Field field, double row_height) {
+  constexpr double as_equal = 1e-6;  // row heights
+  return [field, of_rows = row_means(field, row_height), row_height](const Samples& samples) {
+    const rows::Rows lines = rows::parted(field, as_equal * row_height, samples);
+    return 2 * lines.size() <= static_cast<std::size_t>(samples.size()) ? rows::means(lines) : of_rows(samples);
   };
 }
 

@@ -20,10 +20,11 @@ Outcome outcome_of(const Verdict& v) {
   if (!v.half_width || std::isnan(v.value)) return is_within_limits(v) ? Outcome::holds : Outcome::fails;
   if (v.surely_above && (v.trend == Trend::stalled || v.trend == Trend::diverging)) return Outcome::fails;
   if (v.surely_above && v.trend != Trend::converging) return Outcome::inconclusive;
-  const bool lies_above = v.lower && !v.upper && v.value - *v.half_width > *v.lower;  // all of it, however wide
-  if (!(*v.half_width < widest) && !lies_above) return Outcome::inconclusive;
-  const bool is_sure = !v.surely_above || v.value - *v.half_width > *v.surely_above;
-  return is_within_limits(v) && is_sure ? Outcome::holds : Outcome::fails;
+  const double low = v.value - *v.half_width;
+  const bool is_sure = !v.surely_above || low > *v.surely_above, holds = is_within_limits(v) && is_sure;
+  const bool lies_above = v.lower && !v.upper && low > (v.surely_above ? *v.surely_above : *v.lower);  // however wide
+  if (!(*v.half_width < widest) && !(holds && lies_above)) return Outcome::inconclusive;
+  return holds ? Outcome::holds : Outcome::fails;
 }
 
 double margin_of(const Verdict& v) {
