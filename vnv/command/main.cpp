@@ -401,13 +401,14 @@ void add_subcommands(Session& session) {
   add(session, "collect", "Judges the output of a prepared solver's runs.",
       "Example:\n  vnv collect mine.toml runs --records build/records/acceptance", collect, declare_collect);
   add(session, "order", "Shows the observed order of convergence of any table of errors, with its 95 % interval.",
-      "The resolution is a column of spacings (h, dx, spacing), of cells along a side (N, nx, cells) or of all there are\n"
-      "(particles, np, dofs; with --dimension), known by its heading, else said with --resolution and --told-by; all others\n"
-      "hold errors, but for orders, times and words, which are left alone. Rows in any order; cells separated by commas,\n"
-      "semicolons, tabs, bars or blanks. For values whose exact value is unknown, --values gives, for each three\n"
-      "consecutive resolutions, the order, Richardson's extrapolation and the grid convergence index of the finest\n"
-      "(Roache 1998, Celik et al. 2008); where the order cannot be trusted, the numerical uncertainty with a larger\n"
-      "factor (Roache 1994, Eça & Hoekstra 2014).\n"
+      "The resolution is a column of spacings (h, dx, spacing), of cells along a side (N, nx, cells, H/dx) or of all there\n"
+      "are (particles, np, dofs; with --dimension N and cells, too), known by its heading, else said with --resolution and\n"
+      "--told-by; all others hold errors, but for orders, times, costs, parameters that do not change and words, which are\n"
+      "left alone. Of signed errors the magnitudes count; a cell without a number ends with exit status 1. Rows in any\n"
+      "order; cells separated by commas, semicolons, tabs, bars or blanks. For values whose exact value is unknown,\n"
+      "--values gives, for each three consecutive resolutions, the order, Richardson's extrapolation and the grid\n"
+      "convergence index of the finest (Roache 1998, Celik et al. 2008); where the order cannot be trusted, the numerical\n"
+      "uncertainty at 95 % with a larger factor (Roache 1994, Eça & Hoekstra 2014).\n"
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
   add_completion(session);

@@ -72,11 +72,11 @@ bool print_convergence(const std::string& name, const std::vector<AtSpacing>& la
     if (!is_trusted) {
       const NumericalUncertainty u =
           numerical_uncertainty({ladder.begin(), ladder.begin() + static_cast<long>(k) + 1}, formal_order);
-      fmt::print("{}; numerical uncertainty {:.3g}{}: {}",
+      fmt::print("{}; numerical uncertainty {:.3g}{} at 95 %: {}",
                  found.order > 1.05 * formal_order
                      ? fmt::format(", above the formal order {:g} (--formal-order) and not trusted", formal_order)
                      : "",
-                 u.standard, percent(u.standard), u.basis);
+                 u.interval, percent(u.interval), u.basis);
     }
     fmt::print("\n");
   }
@@ -88,12 +88,17 @@ bool falls_throughout(const ObservedOrder& order) {
          order.trend == Trend::stalled;
 }
 
+/// Errors above a floor are asymptotic to it: the errors themselves are not, and their local orders fall.
 void print(const std::string& name, const ObservedOrder& order, std::optional<double> formal_order) {
+  const bool has_floor = !std::isnan(order.floor);
+  const auto asymptotic = [&](bool above_floor) {
+    return order.asymptotic && order.trend == Trend::converging && above_floor == has_floor ? ", asymptotic" : "";
+  };
   fmt::print("{}: observed order {:.4g} +- {:.2g} over {} resolutions, {}{}\n", name, order.order, order.half_width,
-             order.errors.size(), name_of(order.trend), order.asymptotic ? ", asymptotic" : "");
-  if (!std::isnan(order.floor))
-    fmt::print("  above a floor of {:.4g} +- {:.2g}: {:.4g} +- {:.2g}\n", order.floor, order.floor_half_width,
-               order.order_to_floor, order.order_to_floor_half_width);
+             order.errors.size(), name_of(order.trend), asymptotic(false));
+  if (has_floor)
+    fmt::print("  above a floor of {:.4g} +- {:.2g}: {:.4g} +- {:.2g}{}\n", order.floor, order.floor_half_width,
+               order.order_to_floor, order.order_to_floor_half_width, asymptotic(true));
   fmt::print("  between neighbours: {:.4g}\n", fmt::join(order.pairwise, ", "));
   if (!falls_throughout(order))
     fmt::print("  not trusted: the errors do not fall from each resolution to the next\n");
@@ -109,25 +114,52 @@ bool is_surely_above(const ObservedOrder& order, double limit) {
   return order.trend == Trend::converging && falls_throughout(order) && middle - half > limit;
 }
 
+/// Prints what the errors of a column say and whether their order is surely above a limit, if there is one.
+bool judge_errors(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
+  std::vector<double> errors = column.values;
+  if (const auto zero = std::ranges::find(errors, 0); zero != errors.end()) {
+    const bool is_exact = std::ranges::all_of(errors, [](double error) { return error == 0; });
+    fmt::print(
+        "{}: {}: no order\n", column.name,
+        is_exact ? "zero at each resolution, exact to rounding"
+                 : fmt::format("row {} is exactly zero, through which no power law passes", zero - errors.begin() + 1));
+    return !options.surely_above;
+  }
+  const auto negative = std::ranges::count_if(errors, [](double error) { return error < 0; });
+  const bool change_sign = negative > 0 && negative < std::ssize(errors);
+  for (double& error : errors) error = std::abs(error);
+  const ObservedOrder found = order_of(ladder_of(spacings, errors));
+  print(column.name, found, options.formal_order);
+  if (negative > 0) fmt::print("  of the magnitudes of signed errors\n");
+  if (change_sign) fmt::print("  not trusted: the errors change sign\n");
+  return !options.surely_above || (!change_sign && is_surely_above(found, *options.surely_above));
+}
+
+bool judge_values(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
+  double found = 0;
+  const bool is_trusted =
+      print_convergence(column.name, ladder_of(spacings, column.values), options.formal_order.value_or(2), found);
+  return !options.surely_above || (is_trusted && found > *options.surely_above);
+}
+
 }  // namespace
 
 int order(const Build&, const OrderOptions& options) {
   const OrderTable table = order_table(options.file, options.table);
   fmt::print("spacing: {}\n", table.resolution);
   if (!table.left_alone.empty()) fmt::print("left alone: {}\n", fmt::join(table.left_alone, ", "));
-  bool all_above = true;
+  bool all_above = true, all_numbers = true;
   for (const TableColumn& column : table.columns) {
-    const std::vector<AtSpacing> ladder = ladder_of(table.spacings, column.values);
-    if (options.are_values) {
-      double found = 0;
-      const bool is_trusted = print_convergence(column.name, ladder, options.formal_order.value_or(2), found);
-      all_above &= !options.surely_above || (is_trusted && found > *options.surely_above);
-      continue;
+    const auto odd = std::ranges::find_if_not(column.values, [](double value) { return std::isfinite(value); });
+    if (odd != column.values.end()) {
+      fmt::print("{}: row {} is {}, expected a finite number: no order\n", column.name, odd - column.values.begin() + 1,
+                 *odd);
+      all_numbers = false;
+    } else {
+      all_above &= (options.are_values ? judge_values : judge_errors)(column, table.spacings, options);
     }
-    const ObservedOrder found = order_of(ladder);
-    print(column.name, found, options.formal_order);
-    all_above &= !options.surely_above || is_surely_above(found, *options.surely_above);
   }
+  all_above &= all_numbers;
   if (options.surely_above)
     fmt::print("{} above {:g}{}\n", all_above ? "all orders are" : "not all orders are", *options.surely_above,
                options.are_values ? "" : ", the 95 % interval included");

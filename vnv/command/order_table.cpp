@@ -12,6 +12,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -38,10 +39,23 @@ std::optional<double> number_in(std::string_view cell, char separator) {
   return error == std::errc{} && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
 }
 
+/// Where a separator stands that is not between the double quotes in which the text begins; npos if nowhere.
+std::size_t end_of_cell(std::string_view text, std::string_view separator) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  const std::size_t closing = text.substr(first).starts_with('"') ? text.find('"', first + 1) : 0;
+  return text.find(separator, closing == text.npos ? 0 : closing);
+}
+
 /// What separates the cells of a line: the first of these that is in it, else blanks.
 char separator_in(std::string_view line) {
+  std::string unquoted;
+  bool is_quoted = false;
+  for (const char c : line) {
+    is_quoted ^= c == '"';
+    if (!is_quoted) unquoted += c;
+  }
   for (const char separator : {'|', '&', ';', '\t', ','})
-    if (line.find(separator) != line.npos) return separator;
+    if (unquoted.find(separator) != unquoted.npos) return separator;
   return ' ';
 }
 
@@ -56,7 +70,7 @@ Words cells_in(std::string_view line, char separator, std::size_t blanks = 1) {
   const std::string parting(separator == ' ' ? blanks : 1, separator);
   Words cells;
   for (;;) {
-    const std::size_t end = line.find(parting);
+    const std::size_t end = end_of_cell(line, parting);
     std::string_view cell = stripped(line.substr(0, end));
     if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
     cells.emplace_back(cell);
@@ -69,7 +83,6 @@ Words cells_in(std::string_view line, char separator, std::size_t blanks = 1) {
 /// Small letters and digits of a heading, without its unit, what it is divided by and "delta" of any alphabet: "dx"
 /// of "Δx [m]", "h" of "$h/H$".
 std::string plain_name(std::string_view heading) {
-  if (heading.starts_with("1/")) return "1/" + plain_name(heading.substr(2));
   heading = heading.substr(0, heading.find_first_of("[(/"));
   std::string name;
   for (std::size_t k = 0; k < heading.size(); ++k) {
@@ -103,35 +116,96 @@ constexpr std::array spacing_names{"h",
                                    "cellwidth",
                                    "particlespacing",
                                    "initialspacing",
-                                   "particledistance",
-                                   "1/n",
-                                   "1/nx"};
+                                   "particledistance"};
 constexpr std::array across_names{
-    "n",   "nx",  "ny", "nz", "cells", "ncells", "ncell", "across", "cellsacross", "particlesacross", "cellsperside",
-    "1/h", "1/dx"};
+    "n", "nx", "ny", "nz", "cells", "ncells", "ncell", "across", "cellsacross", "particlesacross", "cellsperside"};
+constexpr std::array either_names{"n", "cells", "ncells", "ncell"};  // across, if nothing says that they are all
+constexpr double most_across = 1e4;                                  // of these without being asked
 constexpr std::array all_names{"particles", "nparticles", "nparticle", "npart", "np",       "nptot",    "ntotal",
                                "dofs",      "dof",        "ndofs",     "ndof",  "unknowns", "nunknowns"};
 constexpr std::array step_names{"dt", "timestep", "tau"};
-constexpr std::array order_words{"order", "orders", "eoc", "rate", "rates", "roc", "ooc", "slope", "convergence"};
-constexpr std::array other_words{"time",  "cpu",    "wall",       "runtime", "walltime", "seconds", "t",
-                                 "steps", "step",   "iterations", "iter",    "memory",   "cfl",     "cycle",
-                                 "level", "levels", "lvl",        "id",      "index",    "run"};
+constexpr std::array order_words{"order",       "orders", "eoc",    "rate", "rates", "roc",   "ooc", "slope",
+                                 "convergence", "ratio",  "ratios", "log",  "log2",  "log10", "ln"};
+constexpr std::array other_words{
+    "time",       "cpu",     "wall",      "runtime",    "walltime", "elapsed", "seconds", "t",     "steps",
+    "step",       "nsteps",  "timesteps", "iterations", "iter",     "memory",  "cfl",     "cycle", "level",
+    "levels",     "lvl",     "id",        "index",      "run",      "date",    "seed",    "cost",  "speedup",
+    "efficiency", "threads", "nthreads",  "nproc",      "nprocs",   "procs",   "cores",   "ranks", "c0"};
+constexpr std::array error_words{"l1",  "l2",   "linf", "lmax", "infty",    "h1",
+                                 "rms", "rmse", "e",    "u",    "velocity", "pressure"};
 
 bool is_in(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-/// What is no error by its heading: orders that somebody has observed already, costs, counts of steps. Of headings that
-/// speak of an error, too, those of its order: "order of the error", "L2 error rate".
-bool is_aside(std::string_view heading) {
+/// The words of a heading, in small letters.
+Words words_of(std::string_view heading) {
   std::string small;
   for (const char c : heading) {
     const auto byte = static_cast<unsigned char>(c);
     small += static_cast<char>(std::isalnum(byte) ? std::tolower(byte) : ' ');
   }
-  const Words words = cells_in(small, ' ');
+  return cells_in(small, ' ');
+}
+
+bool names_error(const Words& words) {
+  return std::ranges::any_of(
+      words, [](const std::string& word) { return word.find("err") != word.npos || word.find("norm") != word.npos; });
+}
+
+bool has_capital(std::string_view text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return std::isupper(c) != 0; });
+}
+
+/// Such a column that does not change is an error that does not converge: any other, as the speed U, a parameter.
+bool may_be_error(std::string_view heading) {
+  const Words words = words_of(heading);
+  return names_error(words) || std::ranges::any_of(words, [&](const std::string& word) {
+           return is_in(error_words, word) && !(word.size() == 1 && has_capital(heading));
+         });
+}
+
+/// "H" and "dx" of "H/dx [-]".
+struct Quotient {
+  std::string_view over, under;
+};
+
+std::optional<Quotient> quotient_in(std::string_view heading) {
+  const std::size_t slash = heading.substr(0, heading.find_first_of("[(")).find('/');
+  if (slash == heading.npos) return std::nullopt;
+  return Quotient{heading.substr(0, slash), heading.substr(slash + 1)};
+}
+
+/// One capital letter is a length of the flow: H of "h/H" and of "H/h".
+bool names_spacing(std::string_view text) {
+  const std::string name = plain_name(text);
+  return is_in(spacing_names, name) && !(name.size() == 1 && has_capital(text));
+}
+
+std::optional<ToldBy> told_by(std::string_view heading) {
+  if (const auto quotient = quotient_in(heading)) {
+    const auto [over, under] = *quotient;
+    const bool is_inverse = plain_name(over) == "1";
+    if (is_inverse && told_by(under) == ToldBy::across) return ToldBy::spacing;
+    if (names_spacing(under)) {
+      const bool is_length = has_capital(over) && !names_spacing(over) && !may_be_error(over);
+      return is_inverse || is_length ? std::optional(ToldBy::across) : std::nullopt;  // h/dx of SPH tells nothing
+    }
+  }
+  const std::string name = plain_name(heading);
+  if (is_in(spacing_names, name) || is_in(step_names, name)) return ToldBy::spacing;
+  if (is_in(across_names, name)) return ToldBy::across;
+  if (is_in(all_names, name)) return ToldBy::all;
+  return std::nullopt;
+}
+
+/// What is no error by its heading: orders that somebody has observed already, costs, counts of steps, h/dx. Of
+/// headings that speak of an error, too, those of its order or logarithm: "order of the error", "L2 error rate".
+bool is_aside(std::string_view heading) {
+  const Words words = words_of(heading);
   const auto is_of_order = [](const std::string& word) { return is_in(order_words, word); };
-  if (small.find("err") != small.npos || small.find("norm") != small.npos)
-    return is_of_order(words.front()) || is_of_order(words.back());
-  return std::ranges::any_of(words,
+  if (names_error(words)) return is_of_order(words.front()) || is_of_order(words.back());
+  const auto quotient = quotient_in(heading);
+  return (quotient && names_spacing(quotient->under) && !may_be_error(heading)) ||
+         std::ranges::any_of(words,
                              [&](const std::string& word) { return is_of_order(word) || is_in(other_words, word); });
 }
 
@@ -154,7 +228,8 @@ Words names_in(std::string_view heading, char separator_of_rows, std::size_t cou
 
 /// Rows of numbers, a line each: the cells that hold none are NaN.
 std::vector<TableColumn> columns_of(const std::filesystem::path& file) {
-  const std::string text = files::read_whole(file);
+  std::string text = files::read_whole(file);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark
   std::string heading;
   std::vector<TableColumn> columns;
   std::vector<std::size_t> skipped;  // by rows that leave out orders, which the coarsest has none of
@@ -199,19 +274,18 @@ std::vector<TableColumn> columns_of(const std::filesystem::path& file) {
   return columns;
 }
 
-/// The same spacing of every row, but for a factor, within rounding of the numbers as they are printed.
-bool are_proportional(const std::vector<double>& a, const std::vector<double>& b) {
-  for (std::size_t k = 0; k < a.size(); ++k)
-    if (!(std::abs(a[k] * b[0] / (b[k] * a[0]) - 1) < 0.02)) return false;
-  return true;
+bool is_constant(const TableColumn& column) {
+  return std::ranges::all_of(column.values, [&](double value) { return value == column.values[0]; });
 }
 
-std::optional<ToldBy> told_by(const std::string& heading) {
-  const std::string name = plain_name(heading);
-  if (is_in(spacing_names, name) || is_in(step_names, name)) return ToldBy::spacing;
-  if (is_in(across_names, name)) return ToldBy::across;
-  if (is_in(all_names, name)) return ToldBy::all;
-  return std::nullopt;
+/// The same spacing of every row, but for a factor, within rounding of the numbers as they are printed. Counts of all
+/// grow a little differently, as dofs at boundaries do not double with the cells.
+bool are_proportional(const std::vector<double>& a, const std::vector<double>& b, bool are_counts) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double grown = std::log(a[k] / a[0]), allowed = are_counts ? std::max(0.02, 0.3 * std::abs(grown)) : 0.02;
+    if (!(std::abs(grown - std::log(b[k] / b[0])) < allowed)) return false;
+  }
+  return true;
 }
 
 std::vector<double> spacings_of(const TableColumn& column, ToldBy kind, int dimension) {
@@ -221,59 +295,118 @@ std::vector<double> spacings_of(const TableColumn& column, ToldBy kind, int dime
   return spacings;
 }
 
-/// Which column tells the resolution: the one that is said; else a spacing, cells along a side or a count of all, as
-/// headings name them. Where several do, all have to say the same.
 struct Found {
   const TableColumn* column;
   ToldBy kind;
+
+  bool may_be_either() const { return kind == ToldBy::across && is_in(either_names, plain_name(column->name)); }
 };
+
+/// The columns that tell a resolution by their headings, spacings first: not the height H or one cell along z. Cells
+/// are all there are where they grow like it beside a column that leaves no doubt or, without one, where the user says
+/// which space they fill.
+std::vector<Found> resolutions_in(const std::vector<TableColumn>& columns, const std::optional<int>& said_dimension) {
+  const auto is_step = [](const Found& one) { return is_in(step_names, plain_name(one.column->name)); };
+  std::vector<Found> found;
+  for (const TableColumn& column : columns)
+    if (const auto kind = told_by(column.name)) found.push_back({&column, *kind});
+  const auto stands = [](const Found& one) { return is_constant(*one.column); };
+  if (!std::ranges::all_of(found, stands)) std::erase_if(found, stands);
+  if (!std::ranges::all_of(found, is_step)) std::erase_if(found, is_step);
+  const int dimension = said_dimension.value_or(2);
+  const auto sure = std::ranges::find_if_not(found, &Found::may_be_either);
+  const auto growth = [](const std::vector<double>& values) { return std::log(values.back() / values.front()); };
+  const double grown = sure == found.end() ? not_a_number : -growth(spacings_of(*sure->column, sure->kind, dimension));
+  for (Found& one : found)
+    if (one.may_be_either() &&
+        (std::isnan(grown) ? said_dimension.has_value() : growth(one.column->values) / grown > (1 + dimension) / 2.0))
+      one.kind = ToldBy::all;
+  std::ranges::stable_sort(found, {}, &Found::kind);
+  return found;
+}
 
 constexpr std::string_view what_to_say =
     "say --resolution NAME, the column, with --told-by spacing, across (cells along a side) or all (with --dimension)";
 
+/// Which column tells the resolution: the one that is said; else a spacing, cells along a side or a count of all, as
+/// headings name them. Where several do, all have to say the same.
 Found resolution_in(const std::vector<TableColumn>& columns, const SaidOfTable& said, const std::string& file) {
   Words names;
   for (const TableColumn& column : columns) names.push_back(column.name);
+  std::vector<Found> found = resolutions_in(columns, said.dimension);
   if (!said.resolution.empty() || !said.told_by.empty()) {
-    const auto at =
-        said.resolution.empty() ? columns.begin() : std::ranges::find(columns, said.resolution, &TableColumn::name);
-    if (at == columns.end())
-      refuse(file, fmt::format("no column '{}', expected one of: {}", said.resolution, fmt::join(names, ", ")));
-    const auto way = std::ranges::find(ways_to_tell, said.told_by) - ways_to_tell.begin();
-    const std::optional<ToldBy> kind = said.told_by.empty() ? told_by(at->name) : static_cast<ToldBy>(way);
-    if (!kind) refuse(file, fmt::format("column '{}' is a spacing or a count of what?: {}", at->name, what_to_say));
-    return {&*at, *kind};
+    const TableColumn* column = found.empty() ? &columns.front() : found.front().column;
+    if (!said.resolution.empty()) {
+      const auto at = std::ranges::find(columns, said.resolution, &TableColumn::name);
+      if (at == columns.end())
+        refuse(file, fmt::format("no column '{}', expected one of: {}", said.resolution, fmt::join(names, ", ")));
+      column = &*at;
+    }
+    if (!said.told_by.empty())
+      return {column, static_cast<ToldBy>(std::ranges::find(ways_to_tell, said.told_by) - ways_to_tell.begin())};
+    const auto at = std::ranges::find(found, column, &Found::column);
+    const auto kind = at == found.end() ? told_by(column->name) : std::optional(at->kind);
+    if (!kind) refuse(file, fmt::format("column '{}' is a spacing or a count of what?: {}", column->name, what_to_say));
+    found = {{column, *kind}};
   }
-  std::vector<Found> found;
-  for (const TableColumn& column : columns)
-    if (const auto kind = told_by(column.name); kind && !is_in(step_names, plain_name(column.name)))
-      found.push_back({&column, *kind});
-  if (found.empty())  // in time
-    for (const TableColumn& column : columns)
-      if (is_in(step_names, plain_name(column.name))) found.push_back({&column, ToldBy::spacing});
   if (found.empty())
     refuse(file, fmt::format("which of its columns, {}, tells the resolution, and is it a spacing or a count?: {}",
                              fmt::join(names, ", "), what_to_say));
-  std::ranges::stable_sort(found, {}, &Found::kind);
   const int dimension = said.dimension.value_or(2);
-  const std::vector<double> first = spacings_of(*found[0].column, found[0].kind, dimension);
-  for (const auto& [column, kind] : found)
-    if (!are_proportional(spacings_of(*column, kind, dimension), first))
-      refuse(file, fmt::format("columns {} and {} tell different resolutions: {}", found[0].column->name, column->name,
+  const Found& first = found.front();
+  const std::vector<double> spacings = spacings_of(*first.column, first.kind, dimension);
+  for (const auto& [column, kind] : std::span(found).subspan(1))
+    if (!are_proportional(spacings, spacings_of(*column, kind, dimension), kind == ToldBy::all))
+      refuse(file, fmt::format("columns {} and {} tell different resolutions: {}", first.column->name, column->name,
                                what_to_say));
-  return found[0];
+  if (const double most = std::ranges::max(first.column->values); first.may_be_either() && most >= most_across)
+    refuse(file, fmt::format("{} = {:g}, along a side or of all?: say --told-by across or all (with --dimension)",
+                             first.column->name, most));
+  return first;
 }
 
-std::string in_words(const Found& found, int dimension) {
-  switch (found.kind) {
-    case ToldBy::spacing:
-      return found.column->name;
-    case ToldBy::across:
-      return fmt::format("1/{}", found.column->name);
-    case ToldBy::all:
-      break;
+std::string in_words(const Found& found, const SaidOfTable& said) {
+  const std::string& name = found.column->name;
+  const int dimension = said.dimension.value_or(2);
+  if (found.kind == ToldBy::all)
+    return fmt::format("{}^(-1/{}), as they fill {} dimensions", name, dimension, dimension);
+  std::string words = name;
+  if (found.kind == ToldBy::across && name.starts_with("1/"))
+    words = name.substr(2);
+  else if (found.kind == ToldBy::across)
+    words = name.find('/') == name.npos ? "1/" + name : fmt::format("1/({})", name);
+  if (said.dimension) return words + "; --dimension is of no effect";
+  return words + (found.may_be_either() && said.told_by.empty() ? ", along a side; if it counts all, --dimension" : "");
+}
+
+/// Whether a column holds what somebody observed already: the orders between the rows of another, as rounded in print,
+/// and none of the first. Values that are near an order by chance have a first one, too.
+bool holds_orders_of(const TableColumn& errors, const TableColumn& column, const std::vector<double>& spacings) {
+  const auto& [name, values] = column;
+  if (may_be_error(name) || (!std::isnan(values[0]) && values[0] != 0)) return false;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const double order = std::log(errors.values[k] / errors.values[k - 1]) / std::log(spacings[k] / spacings[k - 1]);
+    if (!(std::abs(values[k] - order) < 0.06 * std::abs(order))) return false;
   }
-  return fmt::format("{}^(-1/{}), as they fill {} dimensions", found.column->name, dimension, dimension);
+  return true;
+}
+
+/// Leaves alone, of the columns that headings take for errors, orders of another one and, beside one that changes,
+/// parameters that do not.
+void leave_alone_by_values(OrderTable& table) {
+  const bool some_change = !std::ranges::all_of(table.columns, is_constant);
+  std::vector<TableColumn> kept;
+  for (const TableColumn& column : table.columns) {
+    const auto errors = std::ranges::find_if(
+        table.columns, [&](const TableColumn& other) { return holds_orders_of(other, column, table.spacings); });
+    if (errors != table.columns.end())
+      table.left_alone.push_back(fmt::format("{} (orders of {})", column.name, errors->name));
+    else if (some_change && is_constant(column) && !may_be_error(column.name))
+      table.left_alone.push_back(column.name + " (constant)");
+    else
+      kept.push_back(column);
+  }
+  table.columns = std::move(kept);
 }
 
 }  // namespace
@@ -282,8 +415,7 @@ OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& sai
   std::vector<TableColumn> columns = columns_of(file);
   const Found found = resolution_in(columns, said, file.string());
   const int dimension = said.dimension.value_or(2);
-  OrderTable table{.spacings = spacings_of(*found.column, found.kind, dimension),
-                   .resolution = in_words(found, dimension)};
+  OrderTable table{.spacings = spacings_of(*found.column, found.kind, dimension), .resolution = in_words(found, said)};
   const std::vector<double>& given = found.column->values;
   for (std::size_t k = 0; k < given.size(); ++k) {
     if (!(given[k] > 0 && std::isfinite(given[k])))
@@ -293,6 +425,7 @@ OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& sai
       refuse(file.string(), fmt::format("rows {} and {}: {} = {:g} twice, expected each resolution once",
                                         same - given.begin() + 1, k + 1, found.column->name, given[k]));
   }
+  if (given.size() < 2) refuse(file.string(), "one resolution makes no order, expected two or more");
   for (TableColumn& column : columns) {
     if (&column == found.column) continue;
     const bool is_none = std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
@@ -301,6 +434,7 @@ OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& sai
     else
       table.columns.push_back(std::move(column));
   }
+  leave_alone_by_values(table);
   if (table.columns.empty())
     refuse(file.string(),
            fmt::format(

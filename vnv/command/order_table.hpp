@@ -16,7 +16,7 @@ inline const std::vector<std::string> ways_to_tell{"spacing", "across", "all"};
 struct SaidOfTable {
   std::string resolution{};        // name of the column
   std::string told_by{};           // "spacing", "across" (cells or particles along a side), "all" (that there are)
-  std::optional<int> dimension{};  // of the space that all cells or particles fill
+  std::optional<int> dimension{};  // of the space that all cells or particles fill: cells count all of them
 };
 
 struct TableColumn {
@@ -27,15 +27,15 @@ struct TableColumn {
 /// Spacings, in the unit of the table or relative to the side of the domain, a row each, and the columns beside them.
 struct OrderTable {
   std::vector<double> spacings;
-  std::string resolution;  // in words: "spacing 1/N, of the column N"
+  std::string resolution;  // how its column was taken, in words: "1/nx"
   std::vector<TableColumn> columns{};
-  std::vector<std::string> left_alone{};  // names of columns that are neither: "Running EOC"
+  std::vector<std::string> left_alone{};  // columns that are neither: "Running EOC", "Re (constant)"
 };
 
 /// Of text: a line a row, cells separated by semicolons, tabs, bars, ampersands, commas or blanks, with a heading or
-/// without, comments after # or %. Throws std::invalid_argument, in one line that says where, what and what was
-/// expected: no rows of numbers, a resolution that is not known or told twice and differently, one that is not
-/// positive or stands there twice, no column beside it.
+/// without, in double quotes or not, comments after # or %. Throws std::invalid_argument, in one line that says where,
+/// what and what was expected: no rows of numbers, a resolution that is not known or told twice and differently, one
+/// that is not positive, stands there twice or alone, no column beside it.
 OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& said = {});
 
 }  // namespace touchstone::vnv::command

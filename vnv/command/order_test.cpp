@@ -2,6 +2,7 @@
 #include "vnv/files/whole_file.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,6 +75,18 @@ const std::vector<Layout> layouts{
     {"0.4 16\n0.2 4\n0.1 1\n", "column 2", 2, {.told_by = "spacing"}},
     {"resolution,L2\n10,4\n20,2\n40,1\n", "L2", 1, {.told_by = "across"}},
     {"1/h,L2\n10,4\n20,2\n40,1\n", "L2", 1},
+    {"H/dx,L2\n10,16\n20,4\n40,1\n", "L2", 2},
+    {"h/dp,D/dp [-],L2\n1.2,10,16\n1.3,20,4\n1.4,40,1\n", "L2", 2},
+    {"$L_0/h$ & L2 \\\\\n10 & 16 \\\\\n20 & 4 \\\\\n40 & 1 \\\\\n", "L2", 2},
+    {"Δx/H,L2\n0.4,16\n0.2,4\n0.1,1\n", "L2", 2},
+    {"h/H,L2\n0.4,16\n0.2,4\n0.1,1\n", "L2", 2},
+    {"cells,L2\n1000,16\n8000,4\n64000,1\n", "L2", 2, {.dimension = 3}},
+    {"cycle | # cells | # dofs | L2\n0 | 4 | 9 | 16\n1 | 16 | 25 | 4\n2 | 64 | 81 | 1\n", "L2", 2},
+    {"nx,nz,H,U,L2\n10,1,3,2,16\n20,1,3,2,4\n40,1,3,2,1\n", "L2", 2},
+    {"N,dx,L2\n100,0.1,16\n400,0.05,4\n1600,0.025,1\n", "L2", 2},
+    {"N,L2\n10000,16\n40000,4\n160000,1\n", "L2", 1, {.told_by = "across"}},
+    {"\xEF\xBB\xBFM,L2\n10,16\n20,4\n40,1\n", "L2", 2, {.resolution = "M", .told_by = "across"}},
+    {"\"N\", \"L2, velocity\"\n10,16\n20,4\n40,1\n", "L2, velocity", 2},
     {"dt,error\n0.4,16\n0.2,4\n0.1,1\n", "error", 2},
 };
 
@@ -92,19 +105,49 @@ TEST_F(OrderOfATable, KnowsTheResolutionByItsHeadingInManyLayouts) {
 
 TEST_F(OrderOfATable, LeavesAloneWhatIsNoError) {
   const std::string words = said("run,N,L2,L2 order,CPU [s]\na,10,4,-,1\nb,20,2,1,2\nc,40,1,1,4\n");
-  EXPECT_NE(words.find("spacing: 1/N\nleft alone: run, L2 order, CPU [s]\nL2: observed order 1 +- "), std::string::npos)
-      << words;
+  EXPECT_NE(words.find("\nleft alone: run, L2 order, CPU [s]\nL2: observed order 1 +- "), std::string::npos) << words;
   EXPECT_NE(
       said("N,error of the order,decay rate error\n10,4,4\n20,2,2\n40,1,1\n").find("left alone: error of the order\n"),
       std::string::npos);
+}
+
+TEST_F(OrderOfATable, LeavesAloneParametersCostsAndOrdersByTheirValuesToo) {
+  const std::string words = said(
+      "h,Re,h/dx,threads,Elapsed,L2,p\n0.4,100,1.2,1,5,16,nan\n0.2,100,1.3,2,9,4,2.0\n0.1,100,1.4,4,30,1,2.0\n", 1.5);
+  EXPECT_NE(words.find("left alone: h/dx, threads, Elapsed, Re (constant), p (orders of L2)\nL2: observed order 2"),
+            std::string::npos)
+      << words;
+  EXPECT_EQ(status, all_holds);
+  EXPECT_NE(said("h,u,p\n0.4,16,4\n0.2,4,2\n0.1,1,1\n").find("p: observed order 1 "), std::string::npos) << "pressure";
+  EXPECT_EQ(said("N,Cd,Cl\n20,1.125,0.3\n40,1.03125,0.15\n80,1.0078125,0.075\n", {}, true).find("left alone"),
+            std::string::npos);
+}
+
+TEST_F(OrderOfATable, DoesNotTakeAnErrorThatStandsStillForAParameter) {
+  EXPECT_NE(said("h,L2,L1 norm\n0.4,16,5\n0.2,4,5\n0.1,1,5\n", 1.5).find("L1 norm: observed order 0"),
+            std::string::npos);
+  EXPECT_EQ(status, something_fails);
+}
+
+TEST_F(OrderOfATable, SaysHowItTookTheResolution) {
+  EXPECT_NE(said("N,L2\n10,4\n20,2\n").find("spacing: 1/N, along a side; if it counts all, --dimension\n"),
+            std::string::npos);
+  EXPECT_NE(said("1/h,L2\n10,4\n20,2\n").find("spacing: h\n"), std::string::npos);
+  EXPECT_NE(said("H/dx,L2\n10,4\n20,2\n").find("spacing: 1/(H/dx)\n"), std::string::npos);
+  EXPECT_NE(said("dofs,cells,L2\n25,16,4\n81,64,1\n").find("spacing: dofs^(-1/2), as they fill 2 dimensions\n"),
+            std::string::npos);
+  EXPECT_NE(said("nx,L2\n10,4\n20,2\n", {}, false, {.dimension = 3}).find("1/nx; --dimension is of no effect\n"),
+            std::string::npos);
 }
 
 TEST_F(OrderOfATable, AsksWhereTheResolutionIsNotKnown) {
   EXPECT_NE(said("0.1 1\n0.2 2\n").find("which of its columns, column 1, column 2, tells the resolution"),
             std::string::npos);
   EXPECT_NE(said("M,L2\n1,2\n2,1\n").find("--told-by spacing, across"), std::string::npos);
-  EXPECT_NE(said("cells,dofs,L2\n16,25,4\n64,81,2\n").find("columns cells and dofs tell different resolutions"),
+  EXPECT_NE(said("h,nx,L2\n0.1,10,4\n0.05,30,2\n").find("columns h and nx tell different resolutions"),
             std::string::npos);
+  EXPECT_NE(said("h/dx,L2\n1.2,4\n1.5,2\n").find("which of its columns, h/dx, L2, tells"), std::string::npos);
+  EXPECT_NE(said("cells,L2\n10000,4\n40000,2\n").find("cells = 40000, along a side or of all?"), std::string::npos);
   EXPECT_NE(said("N,L2\n1,2\n2,1\n", {}, false, {.resolution = "n"}).find("no column 'n', expected one of: N, L2"),
             std::string::npos);
 }
@@ -115,6 +158,8 @@ TEST_F(OrderOfATable, IsRefusedOfWhatIsNoLadder) {
   EXPECT_NE(said("spacing,CPU time\n0.1,1\n0.2,1\n").find("no column of errors"), std::string::npos);
   EXPECT_NE(said("spacing,L2\n-0.1,1\n0.2,2\n").find("row 1: spacing = -0.1, expected a positive number"),
             std::string::npos);
+  EXPECT_NE(said("spacing,L2\n0,1\n0.2,2\n").find("row 1: spacing = 0, expected a positive number"), std::string::npos);
+  EXPECT_NE(said("spacing,L2\n0.1,1\n").find("one resolution makes no order"), std::string::npos);
   EXPECT_NE(said("spacing,L2\n0.1,1\n0.1,2\n").find("rows 1 and 2: spacing = 0.1 twice"), std::string::npos);
   EXPECT_NE(said("spacing,L2\n0.1,1\n0.2,2\n0.3,4,5\n").find("errors.csv:4: 3 cells, expected 2"), std::string::npos);
   EXPECT_NE(said("spacing,L2\n0.1,1\n0.2,diverged\n").find("errors.csv:3: '0.2,diverged', expected a row of numbers"),
@@ -125,6 +170,49 @@ TEST_F(OrderOfATable, IsNotTrustedOfErrorsThatRiseAndFall) {
   const std::string words = said("h,L2\n0.8,64\n0.4,1\n0.2,4\n0.1,0.1\n", 0.1);
   EXPECT_NE(words.find("not trusted: the errors do not fall"), std::string::npos) << words;
   EXPECT_EQ(status, something_fails);
+}
+
+TEST_F(OrderOfATable, IsNoneOfErrorsThatAreZeroOrNoNumbers) {
+  const std::string zero = said("h,L2,Linf\n0.4,16,0\n0.2,4,0\n0.1,1,0\n");
+  EXPECT_NE(zero.find("Linf: zero at each resolution, exact to rounding: no order\n"), std::string::npos) << zero;
+  EXPECT_EQ(status, all_holds);
+  EXPECT_NE(said("h,L2\n0.4,16\n0.2,4\n0.1,0\n", 1).find("L2: row 3 is exactly zero"), std::string::npos);
+  EXPECT_EQ(status, something_fails);
+  for (const bool are_values : {false, true})
+    for (const char* odd : {"nan", "inf"}) {
+      const std::string words = said(fmt::format("h,L2,Linf\n0.4,16,4\n0.2,{},2\n0.1,1,1\n", odd), {}, are_values);
+      EXPECT_NE(words.find(fmt::format("L2: row 2 is {}, expected a finite number", odd)), std::string::npos) << words;
+      EXPECT_NE(words.find("Linf"), std::string::npos) << words;
+      EXPECT_EQ(status, something_fails);
+    }
+}
+
+TEST_F(OrderOfATable, OfSignedErrorsIsThatOfTheirMagnitudes) {
+  const std::string words = said("h,error\n0.4,-16\n0.2,-4\n0.1,-1\n", 1.5);
+  EXPECT_NE(words.find("error: observed order 2 "), std::string::npos) << words;
+  EXPECT_NE(words.find("  of the magnitudes of signed errors\n"), std::string::npos) << words;
+  EXPECT_EQ(status, all_holds);
+  EXPECT_NE(said("h,error\n0.4,-16\n0.2,4\n0.1,-1\n", 1.5).find("not trusted: the errors change sign"),
+            std::string::npos);
+  EXPECT_EQ(status, something_fails);
+}
+
+TEST_F(OrderOfATable, IsAsymptoticAboveAFloorNotOfErrorsThatFallToIt) {
+  const std::string stalled =
+      said("h,L2\n0.1,0.031\n0.05,0.0085\n0.025,0.002875\n0.0125,0.00146875\n0.00625,0.00111719\n0.003125,0.0010293\n");
+  EXPECT_NE(stalled.find("stalled\n  above a floor of 0.001"), std::string::npos) << stalled;
+  EXPECT_EQ(stalled.find("asymptotic"), std::string::npos) << stalled;
+  const std::string falls = said("h,L2\n0.4,0.481\n0.2,0.121\n0.1,0.031\n0.05,0.0085\n0.025,0.002875\n");
+  EXPECT_NE(falls.find("converging\n  above a floor of 0.001 +- "), std::string::npos) << falls;
+  EXPECT_NE(falls.find(", asymptotic\n  between"), std::string::npos) << falls;
+}
+
+TEST_F(OrderOfATable, OfValuesThatTellNoneLeavesThe95PercentIntervalOfTheSources) {
+  EXPECT_NE(said("h,Cd\n0.1,1\n0.05,1.2\n0.025,1.1\n", {}, true)
+                .find("numerical uncertainty 0.6 (54.5 %) at 95 %: 3 times the range"),
+            std::string::npos);
+  EXPECT_NE(said("h,Cd\n0.1,1\n0.05,0.5\n0.025,0.499\n", {}, true).find("numerical uncertainty 0.1 (20.1 %) at 95 %"),
+            std::string::npos);
 }
 
 TEST_F(OrderOfATable, OfValuesIsToldWithTheirExtrapolationAndTheGridConvergenceIndex) {

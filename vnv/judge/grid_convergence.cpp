@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace touchstone::vnv {
 namespace {
@@ -98,25 +99,28 @@ NumericalUncertainty numerical_uncertainty(const std::vector<AtSpacing>& ladder,
     throw std::invalid_argument(
         fmt::format("numerical uncertainty: formal order {}, expected a positive number", formal_order));
   const std::size_t count = ladder.size();
-  if (count < 2) return {not_a_number, "one resolution"};
+  if (count < 2) return {not_a_number, not_a_number, "one resolution"};
+  const auto from = [](double interval, double divisor, std::string basis) {
+    return NumericalUncertainty{interval / divisor, interval, std::move(basis)};
+  };
   const AtSpacing &middle = ladder[count - 2], &fine = ladder[count - 1];
   if (count == 2)
-    return {safety_of_two * distance_to_limit(middle, fine, formal_order) / of_known_sign,
-            fmt::format("two resolutions, assumed of order {:g}, factor 3", formal_order)};
+    return from(safety_of_two * distance_to_limit(middle, fine, formal_order), of_known_sign,
+                fmt::format("two resolutions, assumed of order {:g}, factor 3", formal_order));
   const GridConvergence found = grid_convergence(ladder[count - 3], middle, fine);
   if (found.trend == Approach::monotone && found.order > highest_order * formal_order)
-    return {safety_of_two * distance_to_limit(ladder[count - 3], fine, formal_order) / of_known_sign,
-            fmt::format("first and last of three resolutions, assumed of order {:g}, factor 3, as the finest two agree "
-                        "by chance",
-                        formal_order)};
+    return from(safety_of_two * distance_to_limit(ladder[count - 3], fine, formal_order), of_known_sign,
+                fmt::format("first and last of three resolutions, assumed of order {:g}, factor 3, as the finest two "
+                            "agree by chance",
+                            formal_order));
   if (found.trend == Approach::monotone && found.order >= lowest_order) {
     const double order = std::min(found.order, formal_order);
-    return {safety * distance_to_limit(middle, fine, order) / of_known_sign,
-            fmt::format("grid convergence index, observed order {:.2f}{}", found.order,
-                        order < found.order ? fmt::format(", taken as {:g}", order) : "")};
+    return from(safety * distance_to_limit(middle, fine, order), of_known_sign,
+                fmt::format("grid convergence index, observed order {:.2f}{}", found.order,
+                            order < found.order ? fmt::format(", taken as {:g}", order) : ""));
   }
-  return {safety_of_a_range * range_of(ladder) / of_either_sign,
-          fmt::format("3 times the range of {} resolutions, as the order is unclear", count)};
+  return from(safety_of_a_range * range_of(ladder), of_either_sign,
+              fmt::format("3 times the range of {} resolutions, as the order is unclear", count));
 }
 
 }  // namespace touchstone::vnv

@@ -28,9 +28,10 @@ struct GridConvergence {
 /// values are finite.
 GridConvergence grid_convergence(const AtSpacing& coarse, const AtSpacing& middle, const AtSpacing& fine);
 
-/// The standard uncertainty u_num of a value at the finest spacing of a ladder, in its unit, and by which rule.
+/// The standard uncertainty u_num of a value at the finest spacing of a ladder, in its unit, the half-width of the
+/// 95 % interval that it stands for, as the sources of the rules define it, and by which rule.
 struct NumericalUncertainty {
-  double standard;
+  double standard, interval;
   std::string basis;
 };
 

@@ -88,6 +88,7 @@ TEST(NumericalUncertainty, IsTheIndexWhereTheOrderIsClear) {
   // Order 1: the value at 0.1 is 0.2 from the limit.
   const NumericalUncertainty found = numerical_uncertainty(ladder_of(1), 2);
   EXPECT_NEAR(found.standard, 1.25 * 0.2 / 1.15, 1e-12);
+  EXPECT_NEAR(found.interval, 1.25 * 0.2, 1e-12);
   EXPECT_EQ(found.basis, "grid convergence index, observed order 1.00");
 }
 
@@ -108,6 +109,7 @@ TEST(NumericalUncertainty, IsOfTheRangeOfTheWholeLadderWhereTheOrderIsUnclear) {
   const std::string unclear = "3 times the range of 4 resolutions, as the order is unclear";
   const NumericalUncertainty swings = numerical_uncertainty({{8, 9}, {4, 1}, {2, 3}, {1, 2}}, 2);
   EXPECT_DOUBLE_EQ(swings.standard, 3 * (9.0 - 1) / 2);
+  EXPECT_DOUBLE_EQ(swings.interval, 3 * (9.0 - 1));
   EXPECT_EQ(swings.basis, unclear);
   EXPECT_DOUBLE_EQ(numerical_uncertainty({{8, 0}, {4, 1}, {2, 2}, {1, 4}}, 2).standard, 6) << "diverges";
   EXPECT_DOUBLE_EQ(numerical_uncertainty({{8, 2}, {4, 2}, {2, 1}, {1, 1}}, 2).standard, 1.5) << "stands still";
