@@ -79,7 +79,13 @@ bool all_hold(const Record& record) {
 void print_for_people(const doors::Flow& flow, const doors::Judgement& judgement, bool diagnose) {
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.title());
-  for (const std::string& line : judgement.files) fmt::print("  {}\n", line);
+  constexpr std::size_t few = 6;
+  const std::size_t files = judgement.files.size();
+  for (std::size_t k = 0; k < files; ++k)
+    if (files <= few || k == 0 || k + 1 == files)
+      fmt::print("  {}\n", judgement.files[k]);
+    else if (k == 1)
+      fmt::print("  ... and {} between\n", files - 2);
   for (const std::string& line : judgement.words) fmt::print("  {}\n", line);
   print_values(record);
   fmt::print("\n");

@@ -1,5 +1,6 @@
 #include "vnv/doors/fields.hpp"
 
+#include "vnv/doors/read/columns.hpp"
 #include "vnv/measures/coverage.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -36,7 +38,7 @@ const std::map<std::string, std::vector<std::pair<std::string, double>>> units{
     {"pressure",
      {{"Pa", 1}, {"hPa", 1e2}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}, {"m2/s2", kinematic}, {"m²/s²", kinematic}}},
     {"density", {{"kg/m3", 1}, {"kg/m^3", 1}, {"kg/m³", 1}, {"g/cm3", 1e3}}},
-    {"time", {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}}},
+    {"time", units_of_time},
     {"mass", {{"kg", 1}, {"kg/m", 1}, {"g", 1e-3}}},
     {"volume", {{"m2", 1}, {"m²", 1}, {"m3", 1}, {"m³", 1}, {"m^3", 1}}},
     {"fraction", {{"-", 1}}},
@@ -52,18 +54,12 @@ double si(const std::string& kind, const std::string& name, double density) {
   throw Unreadable(fmt::format("unit of {} '{}', expected one of: {}", kind, name, fmt::join(known, ", ")));
 }
 
-/// A name without its unit, "Vel.x [m/s]" -> "velx", and that unit.
+/// A name without its unit, "Vel.x [m/s]" -> "velx".
 std::string plain(const std::string& name) {
   std::string found;
   for (const char c : name.substr(0, name.find_first_of("[(")))
     if (std::isalnum(static_cast<unsigned char>(c))) found += static_cast<char>(std::tolower(c));
   return found;
-}
-std::string unit_in(const std::string& name) {
-  const std::size_t open = name.find('['), close = name.find(']');
-  if (open == name.npos || close == name.npos || close < open) return "";
-  const std::string unit = name.substr(open + 1, close - open - 1);
-  return std::ranges::all_of(unit, [](unsigned char c) { return std::isdigit(c); }) ? "" : unit;  // an index, "c_v[1]"
 }
 
 /// One field: an array of so many components, or several columns.
@@ -253,11 +249,11 @@ std::vector<bool> chosen_rows(const Dataset& data, const std::string& only) {
 }
 
 double time_of(const Dataset& data, const Mapping& mapping, std::string& words) {
-  const auto unit = mapping.units.find("time");
-  const double to_si = unit == mapping.units.end() ? 1 : si("time", unit->second, 1);
   if (data.time) {
-    words = "as it says";
-    return *data.time * to_si;
+    const auto said = mapping.units.find("time");
+    const std::string unit = said == mapping.units.end() ? data.time_unit : said->second;
+    words = unit.empty() ? "as it says" : fmt::format("as it says in {}", unit);
+    return *data.time * (unit.empty() ? 1 : si("time", unit, 1));
   }
   if (mapping.time_step && data.index) {
     words = fmt::format("by its index {} times the step", *data.index);
@@ -278,76 +274,158 @@ std::string labels_of(const Dataset& data) {
   return words;
 }
 
-/// What the user might say so that all places, as a file has them along the axes of a plane, lie in the domain and
-/// reach over it: another unit, the axes the other way round, another origin, or several of these; as few as will do.
+/// The number with the fewest digits within `room` of a value: as a person would say it.
+double rounded(double value, double room) {
+  for (double unit = std::pow(10, std::ceil(std::log10(std::abs(value) + room)));; unit /= 10)
+    if (const double said = std::round(value / unit) * unit; std::abs(said - value) <= room) return said;
+}
+
+/// How far [m] rows are off, as that is said: in four digits where these are exact, else but for what the first and
+/// the last of them stand off the edges of the fluid.
+double said_shift(double off, double spacing) {
+  const double digits = std::stod(fmt::format("{:.4g}", off));
+  return std::abs(digits - off) <= 1e-5 * spacing ? rounded(digits, 1e-5 * spacing) : rounded(off, spacing / 4);
+}
+
+/// Whether rows from a box to its other corner are where the fluid is: in the domain, and up to the edges of the fluid
+/// or, where these are not known, with room for it.
+bool is_where_fluid_is(const Box& rows, const Domain& domain, const Extent& fluid, double spacing) {
+  const Vec2 size = domain.box.size(), spread = rows.size();
+  for (const int axis : {0, 1}) {
+    if (domain.periodic(axis)) {
+      const bool is_one_column = spread[axis] <= 1e-9 * size[axis] && !domain.periodic(1 - axis);
+      if (spread[axis] > 1.5 * size[axis] || (spread[axis] < size[axis] / 2 && !is_one_column)) return false;
+      continue;
+    }
+    const double rounding = 1e-9 * size[axis];
+    if (rows.low[axis] < domain.box.low[axis] - rounding || rows.high[axis] > domain.box.high[axis] + rounding)
+      return false;
+    if (!fluid.about) continue;
+    const double off = 1.5 * spacing + 0.02 * fluid.about->size()[axis];
+    if (std::abs(rows.low[axis] - fluid.about->low[axis]) > off ||
+        std::abs(rows.high[axis] - fluid.about->high[axis]) > off)
+      return false;
+  }
+  return fluid.about || spread.prod() >= fluid.area / 2;
+}
+
+Box about(const Vectors& x) { return {.low = x.rowwise().minCoeff(), .high = x.rowwise().maxCoeff()}; }
+
+std::string said_origin(const Vec2& origin) {
+  return fmt::format(" --origin {:.6g} {:.6g}", origin.x() + 0.0, origin.y() + 0.0);  // no "-0"
+}
+
+/// What the user might say so that all places, as a file has them along the axes of a plane, are where the fluid is:
+/// another unit, the axes the other way round, another origin, or several of these; as few as will do. Rows at the
+/// other end of a tank are mirrored, not moved out of it; along y its end is no wall. Rows in the domain are not moved,
+/// unless those of a free surface at the start: elsewhere something is wrong with them or missing.
 std::string guess_of_convention(const Vectors& places, double to_si, const Plane& plane, const Mapping& mapping,
-                                const Domain& domain) {
-  constexpr double most = 1 + 1e-9, least = 0.8;  // of the domain that rows of a filled one reach over
-  constexpr double some = 0.05;                   // that fluid with a free surface does
-  const Vec2 size = domain.box.size();
+                                const Domain& domain, const Extent& fluid, bool is_start) {
+  enum class Placed { as_they_are, mirrored, moved };
+  const double spacing = std::sqrt(fluid.area / static_cast<double>(places.cols()));
   std::string guess;
   std::size_t fewest = 4;
   for (const bool swapped : {false, true})
     for (const auto& [unit, si] : units.at("length"))
-      for (const bool moved : {false, true}) {
-        const std::size_t count = swapped + (si != to_si) + moved;
-        if (count == 0 || count >= fewest) continue;
-        const Vec2 way = swapped ? plane.way.reverse() : plane.way;
-        Vec2 origin = mapping.origin;
-        bool fits = true, is_filled = true;
-        for (const int axis : {0, 1}) {
-          const auto row = places.row(swapped ? 1 - axis : axis) * si;
-          const double low = row.minCoeff(), high = row.maxCoeff(), spread = high - low;
-          if (domain.periodic(axis)) {
-            const bool may_be_one_column = !swapped && !domain.periodic(1 - axis);
-            fits &= spread <= 1.5 * size[axis] && (may_be_one_column || spread >= size[axis] / 2);
-            continue;
-          }
-          is_filled &= spread <= most * size[axis] && spread >= least * size[axis];
-          fits &= spread >= some * size[axis];
-          if (moved)
-            origin[axis] = way[axis] * ((low + high) / 2 - (domain.box.low[axis] + size[axis] / 2));
-          else
-            fits &= low - way[axis] * origin[axis] >= domain.box.low[axis] - 1e-9 * size[axis] &&
-                    high - way[axis] * origin[axis] <= domain.box.high[axis] + 1e-9 * size[axis];
+      for (const Placed placed : {Placed::as_they_are, Placed::mirrored, Placed::moved}) {
+        const std::size_t count = swapped + (si != to_si) + (placed != Placed::as_they_are);
+        const bool needs_edges = swapped || placed != Placed::as_they_are;
+        if (count == 0 || count >= fewest || (needs_edges && !fluid.about)) continue;
+        Plane said = plane;
+        Box rows = about(places * si);
+        if (swapped) {
+          std::swap(said.axes[0], said.axes[1]);
+          for (Vec2* of : {&said.way, &rows.low, &rows.high}) of->reverseInPlace();
         }
-        if (!fits || ((moved || swapped) && !is_filled)) continue;
+        Vec2 origin = mapping.origin;
+        if (placed == Placed::mirrored) {
+          if (domain.periodic(0)) continue;
+          origin.x() += said.way.x() * (domain.box.low.x() + domain.box.high.x());
+          said.way.x() *= -1;
+          std::tie(rows.low.x(), rows.high.x()) = std::pair(-rows.high.x(), -rows.low.x());
+        } else if (placed == Placed::moved) {
+          const Vec2 off = (rows.low + rows.high - fluid.about->low - fluid.about->high) / 2;
+          for (const int axis : {0, 1}) {
+            const double from = said.way[axis] * origin[axis];
+            const bool is_within =
+                rows.low[axis] - from >= domain.box.low[axis] && rows.high[axis] - from <= domain.box.high[axis];
+            const bool may_be_elsewhere = is_start && fluid.about->size()[axis] < domain.box.size()[axis];
+            if (!domain.periodic(axis) && (!is_within || may_be_elsewhere))
+              origin[axis] = said.way[axis] * said_shift(off[axis], spacing);
+          }
+          if (origin == mapping.origin) continue;
+        }
+        rows.low -= said.way.cwiseProduct(origin);
+        rows.high -= said.way.cwiseProduct(origin);
+        if (!is_where_fluid_is(rows, domain, fluid, spacing)) continue;
         fewest = count;
         guess = "; they fit with";
         if (si != to_si) guess += fmt::format(" --unit length={}", unit);
-        if (swapped) guess += fmt::format(" --axes {}{}", plane.name(1), plane.name(0));
-        if (moved) guess += fmt::format(" --origin {:.6g} {:.6g}", origin.x(), origin.y());
+        if (swapped || placed == Placed::mirrored)
+          guess += fmt::format(" --axes{}{}{}", said.way.x() < 0 ? "=" : " ", said.name(0), said.name(1));
+        if (origin != mapping.origin) guess += said_origin(origin);
       }
   return guess;
 }
 
-/// Refuses places that evenly fill more than one and a half periods: where particles only move on beyond a period, as
-/// they are written unwrapped, the corners of the box about them stay empty. A mesh does not move on, nor have rows at
-/// the start: these fit into one period.
-void require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool has_not_moved,
-                     const std::function<std::string()>& guess) {
+/// The length [m] that rows of an upright grid without an empty place take along an axis, half a cell beyond the first
+/// and the last of them; of others half a spacing [m]. Zero where there is one line alone.
+double length_of(const Vectors& x, int axis, double spacing, bool is_grid) {
+  const Box rows = about(x);
+  const double same = 1e-6 * rows.size().norm();
+  const auto lines = static_cast<double>(((x.row(1 - axis).array() - x(1 - axis, 0)).abs() <= same).count());
+  if (!is_grid) return rows.size()[axis] + spacing;
+  return lines > 1 ? rows.size()[axis] * lines / (lines - 1) : 0;
+}
+
+/// Refuses places that evenly fill more than a period. Where particles only move on beyond one, as they are written
+/// unwrapped, the corners of the box about them stay empty: of a cloud this is seen from one and a half periods on, of
+/// an upright grid at once. A mesh does not move on, nor have rows at the start: these fit into one period. Says where
+/// a grid evenly fills less than a period.
+std::string require_periods(const std::string& source, const Vectors& x, const Domain& domain, bool has_not_moved,
+                            const std::function<std::string()>& guess) {
+  std::string shorter;
   for (const int axis : {0, 1}) {
     if (!domain.periodic(axis)) continue;
     const double period = domain.box.size()[axis];
-    Box about{.low = x.rowwise().minCoeff(), .high = x.rowwise().maxCoeff()};
-    if (about.size()[axis] <= period * (1 + 1e-6)) continue;
-    double spacing = std::sqrt(about.size().prod() / static_cast<double>(x.cols()));
+    Box around = about(x);
+    const bool is_longer = around.size()[axis] > period * (1 + 1e-6);
+    if (!is_longer && around.size()[axis] > 0.95 * period) continue;
+    double spacing = std::sqrt(around.size().prod() / static_cast<double>(x.cols()));
     for (int k = 0; k < 10; ++k)  // with half a spacing around them
-      spacing = std::sqrt((about.size().array() + spacing).prod() / static_cast<double>(x.cols()));
-    about.low.array() -= spacing / 2;
-    about.high.array() += spacing / 2;
-    const double length = about.size()[axis];
-    if (!has_not_moved && !(length > 1.5 * period)) continue;
-    const auto fills_it = [&] {
-      const Coverage found = coverage_of(x, spacing, {.domain = {.box = about}});
-      return found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
-    };
-    if (!has_not_moved && !fills_it()) continue;
+      spacing = std::sqrt((around.size().array() + spacing).prod() / static_cast<double>(x.cols()));
+    around.low.array() -= spacing / 2;
+    around.high.array() += spacing / 2;
+    const Coverage found = spacing > 0 ? coverage_of(x, spacing, {.domain = {.box = around}}) : Coverage{};  // a line
+    const bool is_grid = found.grid_places > 0 && found.empty_places == 0;
+    const double length = length_of(x, axis, spacing, is_grid);
     const std::string line =
         fmt::format("{}: the rows span {:.4g} m along {}, L is {:.4g} m", source, length, "xy"[axis], period);
+    if (!is_longer) {
+      if (is_grid && length > 0 && length < period * (1 - 1e-6))
+        shorter = fmt::format("{}: --set L={:.4g}?", line, length);
+      continue;
+    }
+    const bool is_filled = found.empty_places == 0 && found.hole <= largest_sound_hole(static_cast<double>(x.cols()));
+    if (!has_not_moved && !is_grid && !(length > 1.5 * period && is_filled)) continue;
     if (const std::string all_fits = guess(); !all_fits.empty()) throw Unreadable(line + all_fits);
     throw LongerThanPeriod(fmt::format("{}: --set L={:.4g}?", line, length), axis, length);
   }
+  return shorter;
+}
+
+/// By how much [m] rows that span a periodic box lie beside it.
+Vec2 beside(const Vectors& x, const Domain& domain) {
+  const Box rows = about(x);
+  const double spacing = std::sqrt(domain.box.size().prod() / static_cast<double>(x.cols()));
+  Vec2 shift = Vec2::Zero();
+  for (const int axis : {0, 1}) {
+    const double short_of = domain.box.size()[axis] - rows.size()[axis],
+                 off = (rows.low + rows.high - domain.box.low - domain.box.high)[axis] / 2;
+    if (domain.periodic(axis) && short_of < 1.5 * spacing && short_of > -spacing / 2 && std::abs(off) > spacing)
+      shift[axis] = said_shift(off, spacing);
+  }
+  return shift;
 }
 
 }  // namespace
@@ -378,7 +456,8 @@ void require_known_names(const Mapping& mapping, const std::string& where) {
   require(mapping.units, "unit of", units);
 }
 
-Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density) {
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density,
+                   const ExtentAt& fluid_at) {
   Reading reading;
   Samples& s = reading.samples;
   const std::string only = mapping.only.empty() ? fluid_by_name(data) : mapping.only;
@@ -429,13 +508,19 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     return all;
   };
   s.x = vectors(places, "position", "length");
+  const Extent fluid =
+      fluid_at ? fluid_at(s.time, static_cast<double>(count)) : Extent{domain.box, domain.box.size().prod()};
   const auto guess = [&] {
     std::string as_found;
     const double to_si = factor(places, "length", mapping, density, as_found);
-    return guess_of_convention(vectors(places, "position", "length") / to_si, to_si, plane, mapping, domain);
+    return guess_of_convention(vectors(places, "position", "length") / to_si, to_si, plane, mapping, domain, fluid,
+                               s.time == 0);
   };
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  require_periods(data.source, s.x, domain, is_mesh || s.time == 0, guess);
+  const std::string shorter = require_periods(data.source, s.x, domain, is_mesh || s.time == 0, guess);
+  if (!shorter.empty()) reading.words.push_back(shorter);
+  reading.beside = beside(s.x, domain);
+  reading.put_right = said_origin(mapping.origin + plane.way.cwiseProduct(reading.beside));
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
   const double off = 1e-6 * domain.box.size().norm();
@@ -464,6 +549,8 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     });
     s.x.conservativeResize(Eigen::NoChange, count);
     chosen = within;
+  } else if (!is_where_fluid_is(about(s.x), domain, fluid, std::sqrt(fluid.area / static_cast<double>(count)))) {
+    reading.fits_with = guess();
   }
   s.v = Vectors::Constant(2, count, NAN);
   Found velocity = find(data, "velocity", mapping);

@@ -5,6 +5,7 @@
 #include "solvers/scene.hpp"
 #include "vnv/doors/read/dataset.hpp"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,13 +43,23 @@ struct LongerThanPeriod : Unreadable {
   double length;  // m  that they fill
 };
 
+/// Where the fluid of a flow is.
+struct Extent {
+  std::optional<Box> about{};  // m  its edges; none: these are not known
+  double area;                 // m²
+};
+using ExtentAt = std::function<Extent(double t, double rows)>;
+
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
   Samples samples{};
   std::vector<std::string> fields{};  // "velocity", "pressure", ...: what was found; "particles": not cells of a mesh
   std::string file{};                 // in words
   std::vector<std::string> words{};
-  bool has_volumes = true;  // else densities are the fluid's and masses equal
+  bool has_volumes = true;    // else densities are the fluid's and masses equal
+  std::string fits_with{};    // "; they fit with ...": what puts rows that are elsewhere where the fluid is
+  Vec2 beside = Vec2::Zero();  // m  by which rows that span a periodic box lie beside it
+  std::string put_right{};    // " --origin ...", so that they lie in it
 };
 
 /// `density` [kg/m³] is that of the fluid at rest. Where the user names a field "fraction", volumes are multiplied by
@@ -56,6 +67,8 @@ struct Reading {
 /// cloud that is not flat, rows outside the domain or that fill several periods, what is not a finite number, no time,
 /// a fraction that is not above zero or is of no volume, a velocity without its component along the flow's x. One
 /// without the other has that alone.
-Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density);
+/// `fluid_at` says where all of it is at a time, of rows that are so many; where it is empty, it fills the domain.
+Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density,
+                   const ExtentAt& fluid_at = {});
 
 }  // namespace touchstone::vnv::doors

@@ -3,6 +3,7 @@
 #include "solvers/lattice.hpp"
 #include "vnv/doors/diagnosis.hpp"
 #include "vnv/doors/filling.hpp"
+#include "vnv/doors/read/columns.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"
 #include "vnv/measures/coverage.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <stdexcept>
 
 namespace touchstone::vnv::doors {
@@ -38,20 +40,44 @@ std::vector<Dataset> rows_to_judge(std::vector<Dataset> all) {
 Vec2 middle_of(const Vectors& places) { return (places.rowwise().maxCoeff() + places.rowwise().minCoeff()) / 2; }
 Vec2 spread_of(const Vectors& places) { return places.rowwise().maxCoeff() - places.rowwise().minCoeff(); }
 
-/// Rows of a flow that fills its domain reach over most of it, those of one with a free surface at the start over what
-/// it fills; those in another unit or of a flow of another size do not.
-void require_filled(const Flow& flow, const std::string& source, const Samples& samples, double spacing) {
-  const Vec2 spread = spread_of(samples.x), size = flow.filled.size();
+/// Where the fluid is at a time, with half a spacing around rows that are so many.
+Extent extent_of(const Flow& flow, double t, double rows) {
+  Extent fluid{.area = flow.filled_area()};
+  if (!flow.has_free_surface()) {
+    fluid.about = flow.domain.box;
+  } else if (const double spacing = std::sqrt(fluid.area / rows);
+             t == 0 && (spacing <= flow.filled.size().array()).all()) {
+    const Vectors start = places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
+    fluid.about = Box{.low = start.rowwise().minCoeff().array() - spacing / 2,
+                      .high = start.rowwise().maxCoeff().array() + spacing / 2};
+  } else if (const auto region = flow.region_at(t); region && !region->depth) {
+    fluid.about = region->box;
+  } else if (region) {  // what the box about it is, where it is all of the fluid: not below the troughs of a wave alone
+    constexpr long many = 300;
+    const Lattice all{region->box.low, region->box.size() / many, many, many};
+    Box about{.low = Vec2::Constant(INFINITY), .high = Vec2::Constant(-INFINITY)};
+    double area = 0;
+    const Vectors places = all.places();
+    for (const auto& x : places.colwise())
+      if (region->depth(x) >= 0)
+        about.low = about.low.cwiseMin(x), about.high = about.high.cwiseMax(x), area += all.volume();
+    if (std::abs(area / fluid.area - 1) < 0.02) fluid.about = about;
+  }
+  return fluid;
+}
+
+/// Rows reach over most of the fluid, at the start over all of it; those in another unit or of a flow of another size
+/// do not, nor does a single line. Where they lack a part of it along one axis, claims on its filling fail.
+void require_filled(const Flow& flow, const std::string& source, const Samples& samples, double spacing,
+                    const std::string& fits_with) {
+  const Vec2 spread = spread_of(samples.x);
   const auto refuse = [&](const std::string& expected) {
-    throw Unreadable(
-        fmt::format("{}: rows spread over {:.4g} m by {:.4g} m, expected {}: --unit length=..., or --set its size",
-                    source, spread.x(), spread.y(), expected));
+    throw Unreadable(fmt::format("{}: rows spread over {:.4g} m by {:.4g} m, expected {}{}", source, spread.x(),
+                                 spread.y(), expected, fits_with.empty() ? ": --set its size" : fits_with));
   };
   if (samples.size() < 4) return;
-  if (!flow.has_free_surface()) {
-    if ((spread.array() < size.array() / 2).any())
-      refuse(fmt::format("most of the {:.4g} m by {:.4g} m that the flow fills", size.x(), size.y()));
-  } else if (samples.time == 0) {
+  const Extent fluid = extent_of(flow, samples.time, static_cast<double>(samples.size()));
+  if (flow.has_free_surface() && samples.time == 0) {
     const Vectors start = places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
     const Vec2 exact = spread_of(start), off = middle_of(samples.x) - middle_of(start);
     const Eigen::Array2d most_off = 2 * spacing + 0.05 * exact.array();
@@ -61,11 +87,52 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
       if (!flow.domain.periodic(axis) && std::abs(off[axis]) > most_off[axis])
         throw Unreadable(fmt::format(
             "{}: the middle of the rows at the start is {:.4g} m off along {}, expected it where the fluid of the flow "
-            "is: --origin",
-            source, off[axis], "xy"[axis]));
-  } else if (const double area = flow.filled_area(); spread.prod() < area / 2) {
-    refuse(fmt::format("room for the {:.4g} m² of fluid", area));
+            "is{}",
+            source, off[axis], "xy"[axis], fits_with.empty() ? ": --origin" : fits_with));
+  } else if (!fluid.about) {
+    if (spread.prod() < fluid.area / 2) refuse(fmt::format("room for the {:.4g} m² of fluid", fluid.area));
+  } else if (const Vec2 size = fluid.about->size();
+             !fits_with.empty() || !(spread.prod() > 0) || (spread.array() < size.array() / 2).all()) {
+    refuse(fmt::format("most of the {:.4g} m by {:.4g} m of the fluid", size.x(), size.y()));
   }
+}
+
+/// By how much a velocity is off the exact one at places less a shift [m] and so many times their time, squared, by
+/// about a thousand rows; not a number where it is not known.
+double squared_off(const Flow& flow, const Samples& s, const Vec2& shift, double times) try {
+  const auto exact = std::ranges::find(flow.exact, "velocity", &Exact::field);
+  if (exact == flow.exact.end()) return not_a_number;
+  const FieldTruth truth = exact->with({});
+  double squared = 0;
+  for (Eigen::Index p = 0; p < s.size(); p += 1 + s.size() / 1000)
+    squared += (s.v.col(p) - truth(s.x.col(p) - shift, times * s.time)).head(exact->components).squaredNorm();
+  return squared;
+} catch (const std::exception&) {  // so long after its start
+  return not_a_number;
+}
+
+/// Says in which unit the times of files may be written: the one in which their velocities are much nearer to the exact
+/// ones, and than these at the start, which do not change.
+void tell_unit_of_times(Given& given, const Flow& flow) {
+  const auto off = [&](double seconds) {
+    double squared = 0;
+    for (const GivenLevel& level : given.levels)
+      for (const auto& [time, samples] : level.at) squared += squared_off(flow, samples, Vec2::Zero(), seconds);
+    return squared;
+  };
+  const double most = std::min(off(1), off(0)) / 16;
+  for (const auto& [unit, seconds] : units_of_time)
+    if (unit != "s" && off(seconds) < most)
+      given.say(fmt::format("times in {0}? Velocities fit with --unit time={0}", unit));
+}
+
+/// Says of rows that span a periodic box and lie beside it which origin puts them into it, where their velocity is then
+/// much nearer to the exact one: wrapped they may be right as they are.
+void tell_where_periods_begin(Given& given, const Flow& flow, const std::string& source, const Reading& reading) {
+  if (reading.beside.isZero(0)) return;
+  if (squared_off(flow, reading.samples, reading.beside, 1) < squared_off(flow, reading.samples, Vec2::Zero(), 1) / 4)
+    given.say(fmt::format("{}: the rows span the periodic box and lie beside it: they fit with{}", source,
+                          reading.put_right));
 }
 
 /// Where nothing is judged of a velocity along x alone, both components of it are there or none.
@@ -95,6 +162,26 @@ double size_of(const std::filesystem::path& file) {
   return unknown ? 0 : static_cast<double>(bytes);
 }
 
+/// How far [m] rows are from the nearest other one, by about a hundred of them: all but this part of them at least.
+double apart(const Vectors& x, double part) {
+  std::vector<double> nearest;
+  for (Eigen::Index p = 0; p < x.cols(); p += 1 + x.cols() / 100) {
+    double least = INFINITY;
+    for (Eigen::Index q = 0; q < x.cols(); ++q)
+      if (q != p) least = std::min(least, (x.col(q) - x.col(p)).squaredNorm());
+    nearest.push_back(std::sqrt(least));
+  }
+  std::ranges::sort(nearest);
+  return nearest[static_cast<std::size_t>(part * static_cast<double>(nearest.size()))];
+}
+
+/// Whether fewer rows are those of a coarser resolution, which stand farther apart almost everywhere, by as much as
+/// their number says; where rows were lost many of the others stay as near to each other as they were.
+bool is_coarser(const Vectors& x, const Vectors& before) {
+  const double farther = std::sqrt(static_cast<double>(before.cols()) / static_cast<double>(x.cols()));
+  return apart(x, 0.1) / apart(before, 0.5) > 1 + 0.7 * (farther - 1);
+}
+
 /// The level that a file's rows are of: one of its spacing, or, where fewer than half of the rows are missing, one
 /// before that has none of its time: a code that loses rows has no coarser resolution.
 GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
@@ -106,8 +193,10 @@ GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
   for (GivenLevel& level : levels) {
     const auto is_of_time = [&](const auto& at) { return std::abs(at.first - time) <= time_tolerance * time; };
     if (one.spacing_is_said || std::ranges::any_of(level.at, is_of_time) || level.at.begin()->first > time) continue;
-    const auto first = level.at.begin()->second.size();
-    if (rows < first && 2 * rows >= first && (!before || level.spacing > before->spacing)) before = &level;
+    const Samples& first = level.at.begin()->second;
+    if (rows < first.size() && 2 * rows >= first.size() && (!before || level.spacing > before->spacing) &&
+        !is_coarser(one.at.begin()->second.x, first.x))
+      before = &level;
   }
   return before ? *before
                 : levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
@@ -185,10 +274,12 @@ Measurement where_defined(const Measured& measured, const std::vector<double>& t
     } else if (const Span at = span_of(*measured.over, run.samples.back().time);
                run.samples.size() < at.least || run.samples.front().time > at.first * (1 + time_tolerance) ||
                run.samples.back().time < at.last * (1 - time_tolerance)) {
-      not_judged.push_back(
-          fmt::format("{}: {} over time: {} times from {:g} to {:g} s, expected {} or more from {:g} to {:g} s",
-                      level.name, measured.name, run.samples.size(), run.samples.front().time, run.samples.back().time,
-                      at.least, at.first, at.last));
+      const std::string first = std::isfinite(at.first) ? fmt::format(", the first at {:g} s or before", at.first) : "",
+                        last = at.last > 0 ? fmt::format(", the last at {:g} s or after", at.last) : "";
+      not_judged.push_back(fmt::format("{}: {} over time: {} {} from {:g} to {:g} s, expected {} or more{}{}",
+                                       level.name, measured.name, run.samples.size(),
+                                       run.samples.size() == 1 ? "time" : "times", run.samples.front().time,
+                                       run.samples.back().time, at.least, first, last));
     } else {
       add(all, level, run, run.samples);
     }
@@ -311,6 +402,20 @@ void leave_out_what_is_not_measured(const std::vector<Claim>& claims, Record& re
   });
 }
 
+/// An order is that of one time, which three resolutions have to have.
+void leave_out_orders_of_no_time(const std::vector<Claim>& claims, Record& record,
+                                 std::vector<std::string>& not_judged) {
+  for (const Claim& claim : claims) {
+    std::map<double, int> levels;  // by time
+    for (const Value& value : record.values)
+      if (!claim.ladder.empty() && value.quantity.name == claim.quantity.name) ++levels[value.time];
+    if (levels.empty() || std::ranges::any_of(levels, [](const auto& at) { return at.second >= 3; })) continue;
+    if (std::erase_if(record.verdicts, [&](const Verdict& v) { return v.quantity == judged_quantity(claim).name; }))
+      not_judged.push_back(
+          fmt::format("order of {}: no time at which there are three resolutions", claim.quantity.name));
+  }
+}
+
 /// Says with each verdict on a filling that fails where it does.
 void say_where(const std::string& level, const Filling& filling, Record& record) {
   for (Verdict& v : record.verdicts)
@@ -350,8 +455,8 @@ void refuse_to_claim_nothing(const Flow& flow, Record& record) {
   Verdict v = judge(at_least({std::string(anything_claimed)}, 1, theory("a verdict needs a claim")),
                     Place{.case_name = record.case_name, .method = record.method, .level = ""}, 0);
   v.sentence = fmt::format(
-      "{}.{}: nothing was claimed: three resolutions show the order, --at-most PERCENT or at_most in [claims] sets a "
-      "limit: FAILS",
+      "{}.{}: nothing was claimed of its errors: three resolutions show the order, --at-most PERCENT or at_most in "
+      "[claims] sets a limit: FAILS",
       record.case_name, record.method);
   record.verdicts.push_back(std::move(v));
 }
@@ -427,7 +532,8 @@ void Given::say(const std::string& line) {
 }
 
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, Dataset data, std::optional<double> said) {
-  Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density);
+  Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density,
+                               [&](double t, double rows) { return extent_of(flow, t, rows); });
   data.arrays.clear();  // what stood in them is in the samples
   given.files.push_back(reading.file);
   for (const std::string& line : reading.words) given.say(line);
@@ -439,7 +545,8 @@ void read_into(Given& given, const Flow& flow, const Mapping& mapping, Dataset d
                          : given.levels.empty()
                              ? std::sqrt(flow.filled_area() / static_cast<double>(reading.samples.size()))
                              : given.levels.front().spacing;
-  require_filled(flow, data.source, reading.samples, spacing);
+  require_filled(flow, data.source, reading.samples, spacing, reading.fits_with);
+  tell_where_periods_begin(given, flow, data.source, reading);
   require_volumes(flow, data.source, reading);
   require_components(flow, data.source, reading.fields);
   given.say(fmt::format("spacing: {:.4g} m, {}", spacing,
@@ -544,6 +651,7 @@ Judgement judge_given(const Flow& flow, Given given, const Judged& what) {
   diagnose_failures(flow, results, claims, what.diagnose, judgement.record);
   if (all_finished) {
     leave_out_what_is_not_measured(judged.claims, judgement.record);
+    leave_out_orders_of_no_time(judged.claims, judgement.record, judgement.not_judged);
     refuse_to_claim_nothing(flow, judgement.record);
   }
   return judgement;
@@ -564,6 +672,7 @@ Judgement judge_files(const Flow& flow, const std::vector<std::filesystem::path>
     }
     line.clear();
     Given given = together(std::move(each));
+    if (!mapping.time && !mapping.time_step && !mapping.units.contains("time")) tell_unit_of_times(given, read_by);
     if (!words.empty()) given.say(words);
     Judgement judgement = judge_given(read_by, std::move(given), what);
     std::erase_if(judgement.record.verdicts, [](const Verdict& v) { return v.quantity == end_time_reached; });

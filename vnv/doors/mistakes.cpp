@@ -56,7 +56,7 @@ std::vector<Mistake> mistakes_of_scale(const Exact& exact, double found) {
                          : power == 0 ? fmt::format("the {} has the wrong sign", exact.field)
                                       : fmt::format("the {} has the wrong sign and is", exact.field);
   if (power != 0)
-    sentence += fmt::format(" {:.0f} times too {}{}", std::pow(10, std::abs(power)), power > 0 ? "large" : "small",
+    sentence += fmt::format(" {:.10g} times too {}{}", std::pow(10, std::abs(power)), power > 0 ? "large" : "small",
                             unit_of(exact.field, power));
   all.push_back({.cause = power == 0 ? "reversed" : "power of ten",
                  .unit = "times",

@@ -42,6 +42,15 @@ bool names_time(std::string_view name) {
   return std::ranges::find(names, plain) != names.end();
 }
 
+std::string unit_in(std::string_view name) {
+  const std::size_t open = name.find_first_of("[(");
+  const std::size_t close = open == name.npos ? open : name.find(name[open] == '[' ? ']' : ')', open);
+  if (close == name.npos) return "";
+  const std::string_view unit = name.substr(open + 1, close - open - 1);
+  const bool is_index = std::ranges::all_of(unit, [](unsigned char c) { return c >= '0' && c <= '9'; });
+  return is_index ? "" : std::string(unit);
+}
+
 void require_equal_rows(const std::vector<Array>& arrays, const std::string& source) {
   std::set<std::string> names;
   for (const Array& array : arrays) {
@@ -94,6 +103,7 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
   }
   if (parts.size() == 1) {
     whole.time = parts.begin()->first;
+    whole.time_unit = unit_in(time->name);
     all.push_back(std::move(whole));
     return all;
   }
@@ -103,6 +113,7 @@ std::vector<Dataset> parted_by_time(Dataset whole) {
     all.push_back({.source = whole.source,
                    .format = whole.format,
                    .time = now,
+                   .time_unit = unit_in(time->name),
                    .index = whole.index,
                    .rows_are = whole.rows_are,
                    .arrays = std::vector<Array>(whole.arrays.size())});

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "vnv/doors/read/dataset.hpp"
@@ -14,6 +15,13 @@ namespace touchstone::vnv::doors {
 
 /// "t", "time [s]", "TimeValue": a column that parts rows by their time, or a number that is the time of all.
 bool names_time(std::string_view name);
+
+/// Units of time, each with its length [s].
+inline const std::vector<std::pair<std::string, double>> units_of_time{
+    {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
+
+/// That of a heading, "v_x [m/s]" or "v_x (m/s)": "m/s"; empty where there is none, as in "c_v[1]".
+std::string unit_in(std::string_view name);
 
 /// Throws Unreadable where an array is there twice or of other rows than the first.
 void require_equal_rows(const std::vector<Array>& arrays, const std::string& source);

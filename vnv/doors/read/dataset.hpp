@@ -59,6 +59,7 @@ struct Dataset {
   std::string source{};          // the file, and what within it: "run.pvd: out_12.vtp"
   std::string format{};          // "VTP, appended raw, zlib"
   std::optional<double> time{};  // as the file says, in the unit of its writer
+  std::string time_unit{};       // as the file says; empty where it does not
   std::optional<long> index{};   // of the output, by the number that ends its name or by its place within the file
   Rows rows_are = Rows::particles;
   int cell_dimensions = 0;

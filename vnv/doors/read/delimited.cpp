@@ -56,7 +56,7 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
   for (line = trimmed(line); !line.empty();) {
     std::string_view cell = trimmed(next_cell(line, separator));
     if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
-    if (separator == ' ' && cell.starts_with('[') && !names.empty())
+    if (separator == ' ' && (cell.starts_with('[') || cell.starts_with('(')) && !names.empty())
       names.back() += fmt::format(" {}", cell);  // a unit apart from its name
     else
       names.emplace_back(cell);
@@ -64,14 +64,22 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
   return names;
 }
 
-/// In a comment that says nothing else: "time = 20 s", "t: 20".
-std::optional<double> time_in(std::string_view words) {
+struct Time {
+  double value;
+  std::string unit;  // empty: not said
+};
+
+/// In a comment that says nothing else: "time = 20 s", "t [ms]: 20".
+std::optional<Time> time_in(std::string_view words) {
   const std::size_t sign = words.find_first_of("=:");
   if (sign == words.npos || !names_time(trimmed(words.substr(0, sign)))) return std::nullopt;
   std::string_view value = trimmed(words.substr(sign + 1));
-  if (value.ends_with(" s")) value = trimmed(value.substr(0, value.size() - 2));
+  std::string unit = unit_in(words.substr(0, sign));
+  for (const auto& [name, seconds] : units_of_time)
+    if (value.ends_with(" " + name)) unit = name;
+  if (value.ends_with(" " + unit)) value = trimmed(value.substr(0, value.size() - unit.size()));
   const std::optional<double> time = number(value);
-  return time && std::isfinite(*time) ? time : std::nullopt;
+  return time && std::isfinite(*time) ? std::optional(Time{*time, unit}) : std::nullopt;
 }
 
 class Table {
@@ -87,7 +95,8 @@ class Table {
           is_comment ? line.substr(std::min(line.find_first_not_of("#% \t\r"), line.size())) : line;
       if (words.empty()) return;
       if (const auto time = is_comment ? time_in(words) : std::nullopt) {
-        time_ = time;
+        time_ = time->value;
+        time_unit_ = time->unit;
         return;
       }
       std::string_view rest = trimmed(words);
@@ -118,6 +127,7 @@ class Table {
     Dataset whole{.source = file_.string(),
                   .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
                   .time = time_,
+                  .time_unit = time_unit_,
                   .index = number_of(file_),
                   .arrays = std::move(columns_)};
     return parted_by_time(std::move(whole));
@@ -147,7 +157,8 @@ class Table {
   std::string_view bytes_;
   const Limits& limits_;
   std::string heading_{};
-  std::optional<double> time_{};  // s  in a comment
+  std::optional<double> time_{};  // in a comment
+  std::string time_unit_{};
   char separator_ = ' ';
   std::vector<Array> columns_{};
 };

@@ -56,7 +56,18 @@ TEST(Delimited, HasATimeThatACommentSaysAndTheNumberThatEndsItsName) {
     EXPECT_EQ(found.time, text[0] == '#' ? std::optional(20.0) : std::nullopt) << text;
     EXPECT_EQ(found.arrays.at(0).name, "x") << text;
   }
-  EXPECT_EQ(read("# time = 20 ms\n# x y\n1 2\n").at(0).time, std::nullopt) << "in a unit that a user says";
+  EXPECT_EQ(read("# time = 20 apples\n# x y\n1 2\n").at(0).time, std::nullopt);
+}
+
+TEST(Delimited, HasTheUnitOfItsTimeFromAHeadingOrAComment) {
+  for (const char* text :
+       {"time [ms],x\n20,1\n", "t (ms);x\n20;1\n", "t (ms) x\n20 1\n", "Time [ms],x\n20,1\n30,2\n",
+        "# time = 20 ms\nx\n1\n", "# t [ms] = 20\nx\n1\n", "# t (ms): 20 ms\nx\n1\n"}) {
+    const Dataset found = read(text).at(0);
+    EXPECT_EQ(found.time, 20) << text;
+    EXPECT_EQ(found.time_unit, "ms") << text;
+  }
+  EXPECT_EQ(read("t,x\n20,1\n").at(0).time_unit, "");
 }
 
 TEST(Delimited, IsRefusedInOneLine) {
