@@ -276,8 +276,9 @@ std::string labels_of(const Dataset& data) {
 
 /// The number with the fewest digits within `room` of a value: as a person would say it.
 double rounded(double value, double room) {
-  for (double unit = std::pow(10, std::ceil(std::log10(std::abs(value) + room)));; unit /= 10)
+  for (double unit = std::pow(10, std::ceil(std::log10(std::abs(value) + room))); unit > room; unit /= 10)
     if (const double said = std::round(value / unit) * unit; std::abs(said - value) <= room) return said;
+  return value;
 }
 
 /// How far [m] rows are off, as that is said: in four digits where these are exact, else but for what the first and
