@@ -165,6 +165,17 @@ class Seen {
     left_out_ = {};
   }
 
+  /// At one of its times alone.
+  Seen(const Seen& other, std::size_t moment) : Seen(other) {
+    Index first = 0;
+    for (std::size_t k = 0; k < moment; ++k) first += components() * moments_[k].x.cols();
+    moments_ = {other.moments_[moment]};
+    size_ = components() * moments_[0].x.cols();
+    seen_ = other.seen_.segment(first, size_).eval();
+    error_ = other.error_.segment(first, size_).eval();
+    left_out_ = {};
+  }
+
   bool empty() const { return moments_.empty(); }
   double times() const { return static_cast<double>(moments_.size()); }
   int components() const { return exact_.components; }
@@ -175,6 +186,22 @@ class Seen {
   const VectorXd& error() const { return error_; }
   VectorXd error(const Changes& by) const { return seen_ - of(by, Vec2::Zero(), mistake_); }
   VectorXd exact() const { return seen_ - error_; }
+  bool knows(Cause cause) const { return cause == Cause::lead || std::ranges::count(exact_.causes, cause) > 0; }
+  /// Whether its error could be this one.
+  bool allows(const VectorXd& error) const {
+    return !(error.squaredNorm() > 4 * error_.squaredNorm() + 1e-8 * exact().squaredNorm());
+  }
+  /// Of a flow along x alone what is seen along y, where it should be nothing.
+  VectorXd across() const {
+    VectorXd all = VectorXd::Zero(size_);
+    if (exact_.field == "velocity" && components() == 1)
+      each([&](const Moment& m, int, Index first) {
+        all.segment(first, m.x.cols()) = m.v.row(1).transpose().cwiseProduct(m.weight);
+      });
+    return all;
+  }
+  /// The root mean square of the exact field at the first of its times.
+  double norm() const { return 1 / std::sqrt(moments_[0].weight.squaredNorm()); }
   double longest() const { return moments_.empty() ? 0 : std::ranges::max(moments_, {}, &Moment::time).time; }
 
   /// The slope of the flow with a cause, where something is wrong already, by a small step of it.
@@ -334,7 +361,8 @@ class Seen {
     const double larger = 1 + by(Cause::amplitude);
     Index first = 0;
     for (const Moment& m : moments_) {
-      const double time = std::max(0.0, m.time + by(Cause::lead)), norm = 1 / std::sqrt(m.weight.squaredNorm());
+      const double least = exact_.period > 0 ? -HUGE_VAL : 0.0, norm = 1 / std::sqrt(m.weight.squaredNorm());
+      const double time = std::max(least, m.time + by(Cause::lead));
       const Vec2 mean = norm * Vec2(by(Cause::mean_x), by(Cause::mean_y));
       const Index n = m.x.cols();
       for (Index p = 0; p < n; ++p) {
@@ -517,6 +545,7 @@ struct Fit {
   VectorXd discretised{};                 // half-width of what discretisation may make of it
   VectorXd half_width{};                  // 95 %, both together
   std::vector<Extrapolated> vanishing{};  // as the spacing goes to 0, where several resolutions tell
+  bool in_metres = false;                 // of a wall: it is off by that length, not by a part of the spacing
   VectorXd rest{};
   MatrixXd columns{};
   double share = 0;
@@ -550,9 +579,11 @@ struct Made {
 class Diagnostician {
  public:
   /// `discretisation` as of diagnose().
-  Diagnostician(const Exact& exact, Seen seen, const Domain& domain, double spacing, double discretisation)
+  Diagnostician(const Exact& exact, Seen seen, const Domain& domain, double spacing, double discretisation,
+                std::vector<Seen> others = {})
       : exact_(exact),
         seen_(std::move(seen)),
+        others_(std::move(others)),
         domain_(domain),
         spacing_(spacing),
         discretisation_(discretisation),
@@ -630,7 +661,7 @@ class Diagnostician {
 
  private:
   static constexpr double as_exact = 1e-4;       // %
-  static constexpr double one_is_enough = 0.98;  // share of the squared error; else two, if they leave a tenth
+  static constexpr double one_is_enough = 0.995;  // share of the squared error; else two, if they leave a tenth
 
   double squared() const { return seen_.error().squaredNorm(); }
   bool has_error() const { return !seen_.empty() && 100 * std::sqrt(squared() / seen_.times()) > as_exact; }
@@ -662,7 +693,8 @@ class Diagnostician {
   }
 
   VectorXd slope(const Changes& by, Cause cause, const VectorXd& error_there) const {
-    return seen_.slope(by, cause, 1e-4 * unit(cause), error_there);
+    const double larger = cause <= Cause::sound_speed ? std::max(1.0, 1 + by(cause)) : 1;
+    return seen_.slope(by, cause, 1e-4 * larger * unit(cause), error_there);
   }
 
   // Mistakes
@@ -681,11 +713,17 @@ class Diagnostician {
       if (left <= least_left * squared() && left <= of) among.push_back({mistake, left});
     };
     const auto factor = [&](const VectorXd& shown) { return found.dot(shown) / shown.squaredNorm(); };
+    if (const VectorXd across = seen_.across(); is_gross && across.norm() > 0) {
+      const double left = (across - right).squaredNorm() + found.squaredNorm();
+      if (left < least_left_of_nothing * right.squaredNorm())
+        return {{{.cause = "components swapped", .sentence = "v_x and v_y are swapped", .scale = 0}, left}};
+    }
     if (is_gross)
       for (const Mistake& mistake : mistakes_of_scale(exact_, factor(right))) consider(mistake, right, all, 1);
     std::ranges::sort(times);
     for (const Mistake& mistake : mistakes_of_place_and_time(exact_, domain_, times)) {
       if (!is_gross && !mistake.of_time) continue;
+      if (!others_allow(mistake)) continue;
       const VectorXd shown = seen_.exact_with(mistake);
       if (!shown.allFinite() || !(shown.squaredNorm() > 1e-12 * right.squaredNorm())) continue;
       consider(mistake, shown, all, 1);
@@ -696,23 +734,28 @@ class Diagnostician {
           consider(both, shown, twofold, 0.1);
         }
     }
-    if (all.empty()) all = std::move(twofold);
+    const bool are_two = all.empty();
+    if (are_two) all = std::move(twofold);
     if (all.empty()) return all;
     const double best = std::ranges::min(all, {}, &Made::left).left;
-    if (std::ranges::any_of(single_, [&](const Fit& fit) {
-          return fit.suffices() && fit.stands() && is_small(fit) && fit.rest.squaredNorm() < best / 10;
-        }))
-      return {};
+    const auto is_better = [&](const Fit& fit) {
+      return fit.suffices() && fit.stands() && (are_two || is_small(fit)) && fit.rest.squaredNorm() < best / 10;
+    };
+    const bool is_exact = best < 1e-12 * right.squaredNorm();
+    if (!is_exact && (std::ranges::any_of(single_, is_better) || std::ranges::any_of(pairs_, is_better))) return {};
     constexpr double alike = 1.02;
     std::erase_if(all, [&](const Made& one) { return one.left > alike * best + 1e-12 * right.squaredNorm(); });
     return all;
   }
 
-  /// Whether a fit changes no more than a mistake would: what is 90 % off is one.
+  /// Whether a fit is no other name of a mistake: a factor that is 90 % off is one.
   static bool is_small(const Fit& fit) {
-    const Cause cause = fit.causes[0];
-    const bool is_fraction = cause <= Cause::sound_speed || cause >= Cause::amplitude;
-    return !is_fraction || std::abs(fit.value[0]) < 0.9;
+    for (std::size_t k = 0; k < fit.causes.size(); ++k) {
+      const Cause cause = fit.causes[k];
+      const bool is_factor = (cause >= Cause::force && cause <= Cause::sound_speed) || cause >= Cause::amplitude;
+      if (is_factor && !(std::abs(fit.value[static_cast<Index>(k)]) < (fit.causes.size() > 1 ? 2 : 0.9))) return false;
+    }
+    return true;
   }
 
   void say_mistakes(const std::vector<Made>& made, Diagnosis& all) const {
@@ -772,6 +815,8 @@ class Diagnostician {
                              [](const Explanation& e) { return std::pair(e.named, e.share); });
     if (explanations.front().named)
       all.sentence += in_words(explanations);
+    else if (say_time_alone(all))
+      return;
     else if (std::ranges::any_of(fits, [&](const Fit& fit) { return is_discretisation(fit); }))
       all.sentence +=
           fmt::format("the error of the {} is no more than discretisation may make at this resolution: finer ones tell",
@@ -779,6 +824,24 @@ class Diagnostician {
     else
       all.sentence += nothing_explains(fits);
     std::ranges::move(explanations, std::back_inserter(all.explanations));
+  }
+
+  /// Where all of the error is that of one time and something is known of it there.
+  bool say_time_alone(Diagnosis& all) const {
+    constexpr double nearly_all = 0.95;
+    if (seen_.moments().size() < 2) return false;
+    for (std::size_t k = 0; k < seen_.moments().size(); ++k) {
+      Seen alone(seen_, k);
+      if (alone.error().squaredNorm() < nearly_all * squared()) continue;
+      Diagnostician at_it(exact_, std::move(alone), domain_, spacing_, discretisation_);
+      at_it.fit();
+      const Diagnosis found = at_it.diagnosis_of_causes();
+      if (found.explanations.empty() || !found.explanations.front().named) return false;
+      all.sentence += fmt::format("only at {:g} s is there an error: {}", seen_.moments()[k].time, found.sentence);
+      all.explanations.insert(all.explanations.end(), found.explanations.begin(), found.explanations.end());
+      return true;
+    }
+    return false;
   }
 
   /// Of the causes by themselves, and of two at once behind them.
@@ -845,17 +908,21 @@ class Diagnostician {
       case Cause::slip:
         return spacing_;
       case Cause::lead:
-        return seen_.longest();
+        return exact_.period > 0 ? exact_.period / 4 : seen_.longest();
       default:
         return 1;
     }
   }
 
-  /// A step that is not too long for a slope, and leaves a tenth of what is changed by a fraction.
-  double allowed(Cause cause, double value, double step) const {
-    const double most = unit(cause) * (unit(cause) == spacing_ ? 2 : 0.5);
-    const bool is_fraction = cause <= Cause::sound_speed;
-    return std::max(std::clamp(step, -most, most), is_fraction ? -0.9 - value : -HUGE_VAL);
+  /// A step that is not too long for a slope. Viscosity and the speed of sound are multiplied, so that a thousandth and
+  /// a thousand times the right one are as near. To what a field is proportional, or is added to it, any step leads if
+  /// nothing else is fitted.
+  double allowed(Cause cause, double value, double step, bool alone) const {
+    if (cause == Cause::viscosity || cause == Cause::sound_speed)
+      return (1 + value) * std::expm1(std::clamp(step / (1 + value), -1.0, 1.0));
+    const bool is_linear = cause <= Cause::gravity || cause >= Cause::amplitude;
+    const double most = is_linear && alone ? HUGE_VAL : unit(cause) * (unit(cause) == spacing_ ? 2 : 0.5);
+    return std::max(std::clamp(step, -most, most), cause <= Cause::gravity ? -0.999 - value : -HUGE_VAL);
   }
 
   /// Gauss and Newton's steps, halved where they do not lessen the error.
@@ -877,10 +944,10 @@ class Diagnostician {
       return fit.possible;
     };
     if (!take_slopes()) return fit;
-    constexpr int most_steps = 8;
+    constexpr int most_steps = 16;
     for (int step = 0; step < most_steps; ++step) {
       VectorXd by = pseudo_inverse(fit.columns) * fit.rest;
-      for (Index k = 0; k < count; ++k) by[k] = allowed(causes[static_cast<std::size_t>(k)], fit.value[k], by[k]);
+      for (Index k = 0; k < count; ++k) by[k] = allowed(causes[static_cast<std::size_t>(k)], fit.value[k], by[k], count == 1);
       const double before = fit.rest.squaredNorm();
       int halved = 0;
       VectorXd rest = seen_.error(changes(fit.value + by));
@@ -912,7 +979,25 @@ class Diagnostician {
     fit.half_width = ((rest.interval() * fit.deviation).cwiseAbs2() + fit.discretised.cwiseAbs2()).cwiseSqrt();
     fit.level = rest.quantile(0.05 / tried);
     fit.noise = std::min(1.0, rest.noise() * static_cast<double>(fit.rest.size()) / squared());
-    fit.possible &= fit.value.allFinite() && fit.half_width.allFinite() && std::isfinite(fit.share);
+    fit.possible &= fit.value.allFinite() && fit.half_width.allFinite() && std::isfinite(fit.share) && others_allow(fit);
+  }
+
+  /// Whether the other fields of the flow do not speak against what is wrong with it: with the least of it that its
+  /// interval holds they would be twice as wrong, or more, as they are.
+  bool others_allow(const Fit& fit) const {
+    return std::ranges::all_of(others_, [&](const Seen& other) {
+      Changes by;
+      for (std::size_t k = 0; k < fit.causes.size(); ++k) {
+        const double value = fit.value[static_cast<Index>(k)], wide = fit.half_width[static_cast<Index>(k)];
+        if (other.knows(fit.causes[k])) by(fit.causes[k]) = std::copysign(std::max(0.0, std::abs(value) - wide), value);
+      }
+      return other.allows(other.error(by));
+    });
+  }
+  bool others_allow(const Mistake& mistake) const {
+    if (!mistake.of_time && mistake.cause != "shifted") return true;  // of a field by itself
+    return std::ranges::all_of(
+        others_, [&](const Seen& other) { return other.allows(other.numbers() - other.exact_with(mistake)); });
   }
 
   /// Whether a cause adds to a fit what is no accident, nor what discretisation may make.
@@ -940,7 +1025,12 @@ class Diagnostician {
     for (const Fit& fit : fits)
       if (fit.suffices() && (!best || fit.share > best->share)) best = &fit;
     if (!best || !best->stands()) return named;
+    // What leaves a thousandth of the error at most is told from all that leave ten times as much: no discretisation
+    // blurs these data.
+    const double least = best->rest.squaredNorm();
+    const double most = least <= 1e-6 * squared() ? std::max(100 * least, 1e-12 * squared()) : HUGE_VAL;
     for (std::size_t k = 0; k < fits.size(); ++k) {
+      if (fits[k].rest.squaredNorm() > most) continue;
       const auto adds_to_it = [&](Cause cause) {
         return std::ranges::find(fits[k].causes, cause) == fits[k].causes.end() && adds(fits[k], cause);
       };
@@ -996,6 +1086,15 @@ class Diagnostician {
   static std::string quantity(const FittedCause& c) {
     return fmt::format("{} {}", in_digits_of_interval(std::abs(c.value), c.half_width), c.unit);
   }
+  /// What is five times as large or small, as a ratio: "20.00 ± 0.03 times".
+  static std::string quantity(const FittedCause& c, Cause cause) {
+    constexpr double many = 5;
+    const double ratio = 1 + c.value / 100, wide = c.half_width / 100;
+    const bool is_many = ratio >= many || (ratio > 0 && ratio <= 1 / many);
+    if (c.unit != "%" || cause >= Cause::mean_x || !is_many || wide > ratio / 2) return quantity(c);
+    return ratio > 1 ? fmt::format("{} times", in_digits_of_interval(ratio, wide))
+                     : fmt::format("{} times", in_digits_of_interval(1 / ratio, wide / (ratio * ratio)));
+  }
 
   /// What is there besides it as noise is said with what is named, in words with the best.
   Explanation explanation(const Fit& fit, bool is_named, bool is_best = false) const {
@@ -1008,14 +1107,18 @@ class Diagnostician {
                                                                     scale * fit.value[i], scale * fit.half_width[i]});
       const std::string_view phrase =
           one.value >= 0 || words.where_negative.empty() ? words.where_positive : words.where_negative;
-      made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one));
+      made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one, fit.causes[k]));
+      if (exact_.field == "pressure" && fit.causes[k] == Cause::mean_x) made.sentence += as_atmosphere(fit.value[i]);
       if (words.unit == "%") made.sentence += in_times(fit.value[i], fit.half_width[i]);
-      if (is_named && k < fit.vanishing.size())
+      if (is_named && k < fit.vanishing.size()) {
+        const bool is_wall = words.unit == "spacings";
+        const double in = fit.in_metres ? 1 : scale;
         made.sentence +=
-            fmt::format(" (at vanishing spacing {} {})",
-                        in_digits_of_interval(std::copysign(1, fit.value[i]) * scale * fit.vanishing[k].value,
-                                              scale * fit.vanishing[k].half_width),
-                        words.unit);
+            fmt::format(" ({} {} {})", is_wall ? "at all resolutions" : "at vanishing spacing",
+                        in_digits_of_interval(std::copysign(1, fit.value[i]) * in * fit.vanishing[k].value,
+                                              in * fit.vanishing[k].half_width),
+                        fit.in_metres ? "m" : words.unit);
+      }
     }
     constexpr double worth_a_word = 0.03;
     if (is_named && fit.noise >= worth_a_word) {
@@ -1027,6 +1130,12 @@ class Diagnostician {
             fmt::format(", with noise of {} of the root mean square from sample to sample", quantity(noise.causes[0]));
     }
     return made;
+  }
+
+  /// " (of the air, 101325 Pa?)" where a pressure that is added everywhere is that.
+  std::string as_atmosphere(double mean) const {
+    constexpr double of_air = 101325;  // Pa
+    return std::abs(mean * seen_.norm() / of_air - 1) < 0.01 ? " (that of the air, 101325 Pa?)" : "";
   }
 
   /// " (doubled)" or " (halved)" where a fraction is that but for its interval.
@@ -1047,6 +1156,7 @@ class Diagnostician {
 
   const Exact& exact_;
   Seen seen_;
+  std::vector<Seen> others_;
   const Domain& domain_;
   double spacing_, discretisation_;
   std::vector<Cause> causes_;
@@ -1098,16 +1208,18 @@ void hear_all_resolutions(std::vector<Diagnostician>& levels) {
     Line line = line_of(value, deviation, made);
     VectorXd unit = VectorXd::Ones(count);
     const Cause cause = heard[0]->singles()[k].causes[0];
-    if (cause == Cause::floor || cause == Cause::ceiling || cause == Cause::walls || cause == Cause::slip) {
+    bool in_metres = cause == Cause::floor || cause == Cause::ceiling || cause == Cause::walls || cause == Cause::slip;
+    if (in_metres) {
       const Line in_spacings =
           line_of(value.cwiseQuotient(spacing), deviation.cwiseQuotient(spacing), made.cwiseQuotient(spacing));
-      if (in_spacings.scatter < line.scatter) line = in_spacings, unit = spacing;
+      if (in_spacings.scatter < line.scatter) line = in_spacings, unit = spacing, in_metres = false;
     }
     if (!std::isfinite(line.at_zero.value) || !std::isfinite(line.at_zero.half_width)) continue;
     for (Index l = 0; l < count; ++l) {
       Fit& fit = heard[static_cast<std::size_t>(l)]->singles()[k];
       const Extrapolated here{unit[l] * line.at_zero.value, unit[l] * line.at_zero.half_width};
       fit.vanishing = {here};
+      fit.in_metres = in_metres;
       fit.half_width[0] = std::abs(fit.value[0] - here.value) + here.half_width;
     }
   }
@@ -1116,10 +1228,13 @@ void hear_all_resolutions(std::vector<Diagnostician>& levels) {
 }  // namespace
 
 std::vector<Diagnosis> diagnose(const Exact& exact, const std::vector<Diagnosed>& levels, const Domain& domain,
-                                double discretisation) {
+                                double discretisation, const std::vector<const Exact*>& others) {
   std::vector<Diagnostician> all;
   for (const Diagnosed& level : levels) {
-    all.emplace_back(exact, Seen(exact, level.samples, domain), domain, level.spacing, discretisation);
+    std::vector<Seen> seen;
+    for (const Exact* other : others)
+      if (Seen one(*other, level.samples, domain); !one.empty()) seen.push_back(std::move(one));
+    all.emplace_back(exact, Seen(exact, level.samples, domain), domain, level.spacing, discretisation, std::move(seen));
     all.back().fit();
   }
   hear_all_resolutions(all);

@@ -39,7 +39,10 @@ struct Diagnosed {
 /// long as forward ones may be, 1/3. At several, the values of a cause are extrapolated to vanishing spacing, the
 /// interval of each reaches over that of the extrapolated, and what the finest names is named at all where it is more
 /// than its interval. 0: samples are those of an exact field, and noise.
+///
+/// `others` are fields of the flow that the samples hold, too: what is wrong with the flow is not offered where one of
+/// them would be twice as wrong by it.
 std::vector<Diagnosis> diagnose(const Exact& exact, const std::vector<Diagnosed>& levels, const Domain& domain,
-                                double discretisation = 0.3);
+                                double discretisation = 0.3, const std::vector<const Exact*>& others = {});
 
 }  // namespace touchstone::vnv::doors

@@ -90,8 +90,8 @@ class Changes {
  public:
   double operator()(Cause cause) const { return by_[static_cast<std::size_t>(cause)]; }
   double& operator()(Cause cause) { return by_[static_cast<std::size_t>(cause)]; }
-  /// So many times the right one, for what is never zero or less: a hundredth at least, whatever a fit tries.
-  double factor(Cause cause) const { return std::max(0.01, 1 + (*this)(cause)); }
+  /// So many times the right one, for what is never zero or less, whatever a fit tries.
+  double factor(Cause cause) const { return std::max(1e-6, 1 + (*this)(cause)); }
 
  private:
   std::array<double, static_cast<std::size_t>(Cause::mean_y) + 1> by_{};
@@ -99,6 +99,12 @@ class Changes {
 
 /// The exact field at a place and a time: a velocity [m/s], or a pressure [Pa] and zero.
 using FieldTruth = std::function<Vec2(const Vec2& x, double t)>;
+
+/// Another flow that may have been computed instead.
+struct Instead {
+  std::string cause, sentence;  // "free slip", "the fluid slips freely along both walls"
+  FieldTruth truth;
+};
 
 /// A field whose exact solution is known, and what it would be of a flow in which something is wrong.
 struct Exact {
@@ -108,6 +114,8 @@ struct Exact {
   bool less_mean = false;                          // only differences matter
   std::vector<Cause> causes;                       // that `with` knows; lead, amplitude and mean apply to each field
   std::function<FieldTruth(const Changes&)> with;  // lead, amplitude and mean left aside
+  std::vector<Instead> instead{};
+  double period = 0;  // s  of what has always oscillated, before t = 0 too; 0: nothing is known before t = 0
 };
 
 /// A measurement and the fields that it reads besides places.

@@ -373,7 +373,7 @@ void refuse_what_is_worse_than_nothing(const Flow& flow, Record& record) {
 
 /// Errors that are rounding, of numbers in single precision or with eight digits, have no order, and need none.
 void take_rounding_for_converged(const std::vector<Claim>& claims, Record& record) {
-  constexpr double rounding = 1e-5;  // %
+  constexpr double rounding = 1e-4;  // %  of files with six digits
   const auto is_rounding = [](const ObservedOrder& order) {
     return order.quantity.ends_with("[%]") && std::abs(order.errors.back()) <= rounding;
   };
@@ -470,14 +470,19 @@ bool is_of(const Exact& exact, const Verdict& verdict, const std::vector<Claim>&
 
 /// What diagnose() finds of each level; of all of them that it cannot be made, should it throw: a judgement does not
 /// end by it.
-std::vector<Diagnosis> diagnosed(const Flow& flow, const Exact& exact, const Results& results) {
+std::vector<Diagnosis> diagnosed(const Flow& flow, const Exact& exact, const Results& results, const Record& record) {
   std::vector<Diagnosed> levels;
+  std::vector<const Exact*> others;
+  for (const Exact& other : flow.exact)
+    if (&other != &exact &&
+        std::ranges::any_of(record.values, [&](const Value& v) { return has(other.norms, v.quantity.name); }))
+      others.push_back(&other);
   for (std::size_t k = 0; k < results.runs.size(); ++k) {
     levels.push_back({.samples = {}, .spacing = results.method.levels[k].spacing});
     for (const Samples& at : results.runs[k].samples) levels.back().samples.push_back(&at);
   }
   try {
-    return diagnose(exact, levels, flow.domain);
+    return diagnose(exact, levels, flow.domain, 0.3, others);
   } catch (const std::exception& error) {
     return std::vector<Diagnosis>(levels.size(), {.field = exact.field,
                                                   .sentence = fmt::format("no diagnosis of the {} could be made: {}",
@@ -503,7 +508,7 @@ void diagnose_failures(const Flow& flow, const Results& results, const std::vect
           of_it.push_back(&v);
       const auto fails = [](const Verdict* v) { return v->outcome != Outcome::holds; };
       if (std::ranges::none_of(of_it, fails) && !diagnose_all) continue;
-      if (of_levels.empty()) of_levels = diagnosed(flow, exact, results);
+      if (of_levels.empty()) of_levels = diagnosed(flow, exact, results, record);
       Diagnosis& found = of_levels[k];
       found.level = levels[k].name;
       for (Verdict* v : of_it) {

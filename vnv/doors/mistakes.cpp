@@ -50,19 +50,22 @@ std::vector<Mistake> mistakes_of_scale(const Exact& exact, double found) {
       {.cause = "at rest", .unit = "%", .value = -100, .sentence = nothing_is_there(exact), .scale = 0}};
   if (exact.field == "pressure") all[0].cause = "no pressure";
   if (!(std::abs(found) > 0) || !std::isfinite(found)) return all;
-  const int power = static_cast<int>(std::lround(std::log10(std::abs(found))));
-  if (power == 0 && found > 0) return all;
+  int power = static_cast<int>(std::lround(std::log10(std::abs(found))));
+  double size = std::pow(10, power);
+  const double most_off = std::abs(power) == 1 ? 0.03 : 0.3;  // nobody reads one unit for another ten times as large
+  if (std::abs(std::abs(found) / size - 1) > most_off) size = std::abs(found), power = 0;
+  if (found > 0 && power == 0) return all;  // an amplitude
   std::string sentence = found > 0    ? fmt::format("the {} is", exact.field)
-                         : power == 0 ? fmt::format("the {} has the wrong sign", exact.field)
-                                      : fmt::format("the {} has the wrong sign and is", exact.field);
-  if (power != 0)
-    sentence += fmt::format(" {:.10g} times too {}{}", std::pow(10, std::abs(power)), power > 0 ? "large" : "small",
+                         : size == 1 ? fmt::format("the {} has the wrong sign", exact.field)
+                                     : fmt::format("the {} has the wrong sign and is", exact.field);
+  if (size != 1)
+    sentence += fmt::format(" {:.6g} times too {}{}", std::max(size, 1 / size), size > 1 ? "large" : "small",
                             unit_of(exact.field, power));
   all.push_back({.cause = power == 0 ? "reversed" : "power of ten",
                  .unit = "times",
                  .value = found,
                  .sentence = std::move(sentence),
-                 .scale = std::copysign(std::pow(10, power), found)});
+                 .scale = std::copysign(size, found)});
   return all;
 }
 
@@ -133,11 +136,19 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
     all.back().of_time = true;
   };
   add_of_time("frozen", fmt::format("{} is that of the start: nothing changes", field), [](double) { return 0.0; });
+  for (const auto& [factor, words] : {std::pair(2.0, "twice"), std::pair(0.5, "half")})
+    add_of_time("clock", fmt::format("the clock of {} runs {} as fast as it should", field, words),
+                [factor](double t) { return factor * t; });
   if (times.size() > 1) {
     add_of_time("one output late", fmt::format("{} is one output late", field),
                 [times](double t) { return before(times, t); });
     add_of_time("one output early", fmt::format("{} is one output ahead", field),
                 [times](double t) { return after(times, t); });
+  }
+  for (const Instead& one : exact.instead) {
+    add(one.cause, one.sentence,
+        [truth = one.truth](const FieldTruth&, const Vec2& x, double t) -> Vec2 { return truth(x, t); });
+    all.back().of_time = true;
   }
   return all;
 }

@@ -22,12 +22,12 @@ struct Mistake {
   Shown seen{};          // before it is scaled; empty: the truth
 };
 
-/// Nothing but a factor is wrong: nothing is there, the sign is wrong, or a power of ten, the one that is nearest to
-/// what was found; none where that is 1.
+/// Nothing but a factor is wrong: nothing is there, the sign is wrong, or a power of ten that is near what was found.
 std::vector<Mistake> mistakes_of_scale(const Exact& exact, double found);
 
 /// Mirrored, turned, with its components swapped or one of them reversed; shifted along a periodic axis by quarters of
-/// the box; frozen at its start, one output late or early at these times [s].
+/// the box; frozen at its start, its clock twice or half as fast, one output late or early at these times [s]; and the
+/// flows that may have been computed instead.
 std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain& domain,
                                                 const std::vector<double>& times);
 
