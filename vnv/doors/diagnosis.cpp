@@ -943,11 +943,17 @@ class Diagnostician {
       fit.possible = fit.columns.allFinite() && (fit.columns.colwise().squaredNorm().array() > 0).all();
       return fit.possible;
     };
+    if (exact_.period > 0 && causes == std::vector{Cause::lead})  // from the nearest quarter on: a slope may be zero
+      for (const double quarters : {-1, 1, 2}) {
+        const VectorXd there = VectorXd::Constant(1, quarters * exact_.period / 4), rest = seen_.error(changes(there));
+        if (rest.squaredNorm() < fit.rest.squaredNorm()) fit.value = there, fit.by = changes(there), fit.rest = rest;
+      }
     if (!take_slopes()) return fit;
     constexpr int most_steps = 16;
     for (int step = 0; step < most_steps; ++step) {
       VectorXd by = pseudo_inverse(fit.columns) * fit.rest;
-      for (Index k = 0; k < count; ++k) by[k] = allowed(causes[static_cast<std::size_t>(k)], fit.value[k], by[k], count == 1);
+      for (Index k = 0; k < count; ++k)
+        by[k] = allowed(causes[static_cast<std::size_t>(k)], fit.value[k], by[k], count == 1);
       const double before = fit.rest.squaredNorm();
       int halved = 0;
       VectorXd rest = seen_.error(changes(fit.value + by));
@@ -975,11 +981,13 @@ class Diagnostician {
     const Rest rest(seen_, fit.rest, fit.columns);
     const MatrixXd inverse = pseudo_inverse(fit.columns);
     for (Index k = 0; k < inverse.rows(); ++k) fit.deviation[k] = std::sqrt(rest.variance(inverse.row(k).transpose()));
-    if (modes_.cols() > 0) fit.discretised = (inverse * modes_).rowwise().norm();
+    const double slower = std::min(1.0, seen_.numbers().norm() / seen_.exact().norm());  // and its errors with it
+    if (modes_.cols() > 0) fit.discretised = slower * (inverse * modes_).rowwise().norm();
     fit.half_width = ((rest.interval() * fit.deviation).cwiseAbs2() + fit.discretised.cwiseAbs2()).cwiseSqrt();
     fit.level = rest.quantile(0.05 / tried);
     fit.noise = std::min(1.0, rest.noise() * static_cast<double>(fit.rest.size()) / squared());
-    fit.possible &= fit.value.allFinite() && fit.half_width.allFinite() && std::isfinite(fit.share) && others_allow(fit);
+    fit.possible &= fit.value.allFinite() && fit.half_width.allFinite() && std::isfinite(fit.share);
+    fit.possible = fit.possible && others_allow(fit);
   }
 
   /// Whether the other fields of the flow do not speak against what is wrong with it: with the least of it that its
@@ -1025,10 +1033,10 @@ class Diagnostician {
     for (const Fit& fit : fits)
       if (fit.suffices() && (!best || fit.share > best->share)) best = &fit;
     if (!best || !best->stands()) return named;
-    // What leaves a thousandth of the error at most is told from all that leave ten times as much: no discretisation
-    // blurs these data.
-    const double least = best->rest.squaredNorm();
-    const double most = least <= 1e-6 * squared() ? std::max(100 * least, 1e-12 * squared()) : HUGE_VAL;
+    // What leaves a ten thousandth of the error at most is told from all that leave ten times as much: no
+    // discretisation blurs these data.
+    const double all = std::min(squared(), seen_.numbers().squaredNorm());
+    const double most = best->rest.squaredNorm() <= 1e-8 * all ? 1e-6 * all : HUGE_VAL;
     for (std::size_t k = 0; k < fits.size(); ++k) {
       if (fits[k].rest.squaredNorm() > most) continue;
       const auto adds_to_it = [&](Cause cause) {

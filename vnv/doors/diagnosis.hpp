@@ -21,14 +21,16 @@ struct Diagnosed {
 /// from all others.
 ///
 /// First come mistakes that are made or not (mistakes.hpp): one is named that leaves a fifth of the squared error or
-/// less, unless a cause leaves a tenth of that; what it leaves is diagnosed in turn.
+/// less, unless one or two causes leave a tenth of that; what it leaves is diagnosed in turn.
 ///
 /// One cause suffices if it explains four fifths of that of the squared error which is no noise (what is 3 times as
 /// large as the rest of an error explains 9 tenths) and differs from zero (5 %). With it are named all others that
 /// suffice and to which the best adds nothing significant (1 %): these data cannot tell them apart. Two causes are
-/// named where none suffices, or where they leave a tenth of what one leaves and that is more than 2 %. Noise that is
-/// left is named with them. None is named or offered that is less than the half-width of its interval. Where none is,
-/// the sentence says where the error lies (where.hpp). At most 1500 samples at each of at most 6 times are used.
+/// named where none suffices, or where they leave a tenth of what one leaves and that is more than 0.5 %. Noise that is
+/// left is named with them. Where one leaves a ten thousandth of the error at most, only those are named with it that
+/// leave a thousandth; where nothing explains an error that is all of one time, that time is diagnosed alone. None is
+/// named or offered that is less than the half-width of its interval. Where none is, the sentence says where the error
+/// lies (where.hpp). At most 1500 samples at each of at most 6 times are used.
 ///
 /// Intervals hold what is random and what discretisation may make. The first is that of least squares under errors that
 /// are correlated in space and time: their spectrum over waves in the box and their correlation between times are those

@@ -522,6 +522,130 @@ TEST(Diagnosis, NamesMistakesOfPlaceAndTime) {
   EXPECT_EQ(lacks(said_of(wave, at(wave, [](double) { return 0.0; })), {"is that of the start: nothing changes"}), "");
 }
 
+/// A change that shows another field at the places and times of samples.
+std::function<void(Samples&)> shows(const std::function<Vec2(const Vec2& x, double t)>& field) {
+  return [=](Samples& s) {
+    for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = field(s.x.col(p), s.time);
+  };
+}
+FieldTruth truth_with(const Flow& flow, Cause cause, double value) {
+  Changes by;
+  by(cause) = value;
+  return flow.exact[0].with(by);
+}
+
+TEST(Diagnosis, NamesAnyFactor) {
+  const Flow flow = flow_named("poiseuille");
+  for (const auto& [factor, words] :
+       {std::pair(20., "the velocity is 20.0"), {60., "the velocity is 60.0"}, {8., "the velocity is 8.0"},
+        {1 / 7., "times too weak"}, {-3., "the velocity has the wrong sign and is 3 times too large"}})
+    EXPECT_EQ(lacks(said_of(flow, [=](Samples& s) { s.v *= factor; }), {words}), "");
+  for (const double factor : {10., 100., 1000., 0.1}) {
+    const Diagnosis found = said_of(flow, shows(truth_with(flow, Cause::viscosity, factor - 1)));
+    EXPECT_EQ(lacks(found, {"the flow is that of a fluid ", factor > 1 ? "times too viscous" : "times less viscous"}), "");
+    EXPECT_EQ(found.sentence.find("indistinguishable"), std::string::npos) << found.sentence;
+  }
+  EXPECT_EQ(lacks(said_of(flow, [](Samples& s) { s.v = s.v.colwise().reverse().eval(); }), {"v_x and v_y are swapped"}),
+            "");
+  EXPECT_EQ(lacks(said_of(flow_named("hydrostatic"), [](Samples& s) { s.v.row(0).array() += 101325; }),
+                  {"is added everywhere (that of the air, 101325 Pa?)"}),
+            "");
+}
+
+TEST(Diagnosis, NamesWhatIsExactBeforeWhatIsNearly) {
+  const Flow flow = flow_named("poiseuille");
+  EXPECT_EQ(lacks(said_of(flow, shows([truth = flow.exact[0].with({})](const Vec2& x, double t) {
+                            return truth(x, 2 * t);
+                          })),
+                  {"the clock of the velocity runs twice as fast as it should"}),
+            "");
+  EXPECT_EQ(lacks(said_of(flow, shows([truth = flow.exact[0].with({})](const Vec2& x, double t) {
+                            return truth(x, t == 0.1 ? 0.09 : t);
+                          })),
+                  {"only at 0.1 s is there an error: the flow is 0.010", " s late"}),
+            "");
+  Changes by;
+  by(Cause::viscosity) = 0.06, by(Cause::force) = 0.1;
+  EXPECT_EQ(lacks(said_of(flow, shows(flow.exact[0].with(by))), {"6.0", "too viscous and", "10.0", "too strong"}), "");
+}
+
+TEST(Diagnosis, KnowsThePhaseOfWhatHasAlwaysOscillated) {
+  for (const char* name : {"oscillating_poiseuille", "stokes_second"}) {
+    const Flow flow = flow_named(name);
+    const double period = flow.exact[0].period;
+    EXPECT_EQ(lacks(said_of(flow, shows([=, truth = flow.exact[0].with({})](const Vec2& x, double t) {
+                              return truth(x, t - period / 4);
+                            })),
+                    {fmt::format("the flow is {:.4f}", period / 4), "s late"}),
+              "")
+        << name;
+  }
+}
+
+TEST(Diagnosis, NamesFlowsThatWereComputedInstead) {
+  for (const char* name : {"poiseuille", "couette", "stokes_first"}) {
+    Flow flow = flow_named(name);
+    if (flow.name == "stokes_first") flow.judged.times = {0.2};
+    ASSERT_FALSE(flow.exact[0].instead.empty());
+    for (const Instead& one : flow.exact[0].instead)
+      EXPECT_EQ(lacks(said_of(flow, shows(one.truth)), {one.sentence}), "") << name;
+  }
+}
+
+TEST(Diagnosis, FindsWallsFarInWithFluidAtRestBehindThem) {
+  const Flow flow = flow_named("poiseuille");
+  for (const double spacings : {0.4, 0.8, 1.6}) {
+    const double in = spacings * flow.across / 20, H = flow.across;
+    const auto inner = flow_named("poiseuille", Settings({{"H", H - 2 * in}})).exact[0].with({});
+    EXPECT_EQ(lacks(said_of(flow, shows([=](const Vec2& x, double t) -> Vec2 {
+                              const double y = x.y() - in;
+                              return y < 0 || y > H - 2 * in ? Vec2(0, 0) : inner({x.x(), y}, t);
+                            })),
+                    {fmt::format("both walls stand {:.1f}", spacings), "too far in"}),
+              "");
+  }
+}
+
+/// The velocity near a plate along which the fluid slips is that of the oracle: no slope but b dv/dn is left there.
+TEST(Diagnosis, FindsASlipLengthInMetresAtAllResolutions) {
+  for (const char* name : {"poiseuille", "couette"}) {
+    const Flow flow = flow_named(name);
+    const double b = 0.03 * flow.across, t = flow.judged.times[0], d = 1e-5 * flow.across;
+    const FieldTruth truth = truth_with(flow, Cause::slip, b);
+    const auto v = [&](double y) { return truth({0, y}, t).x(); };
+    EXPECT_NEAR(v(0), b * (v(d) - v(0)) / d, 1e-3 * v(0)) << name;
+    EXPECT_NEAR(v(flow.across), flow.exact[0].with({})({0, flow.across}, t).x() -
+                                    b * (v(flow.across) - v(flow.across - d)) / d,
+                1e-3 * v(flow.across))
+        << name;
+    std::vector<std::vector<Samples>> runs;
+    std::vector<Diagnosed> levels;
+    for (const int across : {12, 24, 48}) {
+      Changes by;
+      by(Cause::slip) = b;
+      runs.push_back(samples_of(flow, flow.exact[0], by, flow.across / across));
+      levels.push_back({pointers(runs.back()), flow.across / across});
+    }
+    for (const Diagnosis& found : diagnose(flow.exact[0], levels, flow.domain))
+      EXPECT_EQ(lacks(found, {"slip length of ", "(at all resolutions 0.000030"}), "") << name;
+  }
+}
+
+TEST(Diagnosis, HearsTheOtherFieldsOfAFlow) {
+  const Flow flow = flow_named("taylor_green");
+  std::vector<Samples> samples = samples_of(flow, flow.exact[0], {}, flow.across / 24);
+  for (Samples& s : samples)
+    for (Eigen::Index p = 0; p < s.size(); ++p)
+      s.pressure[p] = 1.1 * flow.exact[1].with({})(s.x.col(p), s.time).x();
+  samples.erase(samples.begin());
+  const auto of_pressure = [&](const std::vector<const Exact*>& others) {
+    return diagnose(flow.exact[1], {{pointers(samples), flow.across / 24}}, flow.domain, 0.3, others).at(0);
+  };
+  EXPECT_TRUE(of(of_pressure({}), "viscosity").named);
+  EXPECT_FALSE(of(of_pressure({&flow.exact[0]}), "viscosity").named);
+  EXPECT_TRUE(of(of_pressure({&flow.exact[0]}), "amplitude").named);
+}
+
 TEST(Diagnosis, SaysThatAForceIsTwiceOrHalf) {
   const Flow flow = flow_named("poiseuille");
   for (const auto& [by, words] : {std::pair(1.0, "(doubled)"), std::pair(-0.5, "(halved)")}) {
