@@ -641,6 +641,18 @@ TEST_F(Doors, LeaveUnjudgedWhatNoFieldIsThereFor) {
   EXPECT_TRUE(says(judgement.not_judged[1], "--at-most PERCENT"));
 }
 
+TEST_F(Doors, FailAVelocityThatIsNoNumberInOneRow) {
+  const std::string whole = files::read_whole(poiseuille(20));
+  for (const char* bad : {",nan,0\n", ",0,nan\n", ",inf,0\n"}) {
+    const std::string holed = std::regex_replace(whole, std::regex(",[^,]+,0\n$"), bad);
+    ASSERT_NE(holed, whole);
+    const Record record = judged("poiseuille", {write("holed.csv", holed)}).record;
+    EXPECT_TRUE(std::ranges::any_of(record.verdicts, [](const Verdict& v) {
+      return v.outcome == Outcome::fails && says(v.quantity, "v_");
+    })) << bad;
+  }
+}
+
 TEST_F(Doors, JudgeAChannelWithoutTheVelocityAcrossAndNoSquare) {
   const std::string whole = files::read_whole(poiseuille(20, 0.01));
   const Judgement both = judged("poiseuille", {write("both.csv", whole)}),
@@ -659,8 +671,8 @@ TEST_F(Doors, JudgeAChannelWithoutTheVelocityAcrossAndNoSquare) {
 
 TEST_F(Doors, RefuseInOneLineWhatIsNoSuchFlow) {
   const std::string rows = "0.0001,0.0001,0,0\n0.0004,0.0001,0,0\n0.0001,0.0009,0,0\n0.0004,0.0009,0,0\n";
-  EXPECT_TRUE(says(refusal("poiseuille", write("a.csv", "x,y,vx,vy\n" + rows + "0.1,0.0001,nan,0\n")),
-                   "row 5: vx, vy = nan, expected a finite number"));
+  EXPECT_TRUE(says(refusal("poiseuille", write("a.csv", "x,y,vx,vy\n" + rows + "nan,0.0001,0,0\n")),
+                   "row 5: x, y = nan, expected a finite number"));
   EXPECT_TRUE(says(refusal("poiseuille", write("b.csv", "x,y,vx,vy\n" + rows + "0.0001,0.002,0,0\n")),
                    "1 of 5 rows lie outside the domain"));
   EXPECT_TRUE(says(refusal("poiseuille", write("c.csv", "x,y,vx,vy,velx,vely\n1e-4,1e-4,0,0,0,0\n")),

@@ -499,7 +499,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     each_row([&](std::size_t row, Eigen::Index p) {
       for (int k = 0; k < (is_along_x ? 1 : 2); ++k) {
         const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
-        if (!std::isfinite(value))
+        if (field == "position" && !std::isfinite(value))  // a velocity is judged
           throw Unreadable(
               fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));
         all(k, p) = to_si * value;
@@ -574,7 +574,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     Scalars all(count);
     each_row([&](std::size_t row, Eigen::Index p) {
       all[p] = to_si * found(row, 0);
-      if (field != "pressure" && !std::isfinite(all[p]))  // by which rows are weighed; a pressure is judged
+      if (field != "pressure" && !std::isfinite(all[p]))  // by which rows are weighed
         throw Unreadable(fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words,
                                      found(row, 0)));
     });

@@ -508,7 +508,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
         }));
   add(changed(
       "velocity of one row no number", "", [](const Flow&, Samples& s, Generator&) { s.v(1, s.size() / 3) = NAN; },
-      [](const Planted&) { return "red: expected a finite number"; }));
+      [=](const Planted&) { return by_motion; }));
   add(changed(
       "half its velocity across it", "", [](const Flow&, Samples& s, Generator&) { s.v.row(1) = s.v.row(0) / 2; },
       [=](const Planted& c) {
