@@ -23,6 +23,10 @@ Difference of_whole_method(const std::string& case_name, const std::string& meth
           .why = std::move(why)};
 }
 
+RunExcerpt excerpts_of(const Program& program, const std::string& method, const std::string& suite) {
+  return [=](const Excerpt& excerpt) { return run_of(program, method, suite, excerpt); };
+}
+
 /// What both builds can run, and in `found` what is only in one of them or need not be run.
 std::vector<Contest> contests_of(const Build& before, const Build& after, const GateRequest& request, Findings& found) {
   std::vector<Contest> contests;
@@ -33,8 +37,13 @@ std::vector<Contest> contests_of(const Build& before, const Build& after, const 
     }
     for (const std::string& method : program.methods) {
       if (other && std::ranges::count(other->methods, method) > 0)
-        contests.push_back({program.case_name, method, program.is_timed, run_of(program, method, request.suite),
-                            run_of(*other, method, request.suite)});
+        contests.push_back({.case_name = program.case_name,
+                            .method = method,
+                            .is_timed = program.is_timed,
+                            .before = run_of(program, method, request.suite),
+                            .after = run_of(*other, method, request.suite),
+                            .excerpt_before = excerpts_of(program, method, request.suite),
+                            .excerpt_after = excerpts_of(*other, method, request.suite)});
       else
         found.differences.push_back(of_whole_method(program.case_name, method, Change::worse, "no longer there"));
     }
@@ -88,7 +97,7 @@ void append(std::vector<Difference> more, Findings& found) {
   std::ranges::move(more, std::back_inserter(found.differences));
 }
 
-Turns compare_in_turn(const std::vector<Contest>& contests, const GateRequest& request, std::ostream& progress,
+Turns compare_in_turn(std::vector<Contest> contests, const GateRequest& request, std::ostream& progress,
                       Findings& found) {
   found.suite = request.suite;
   if (contests.empty()) return {};

@@ -137,6 +137,7 @@ int explore(const Case& declared) {
     for (int k = 0; options.every > 0 && options.every * k < level.acceptance * (1 - 1e-9); ++k)
       unjudged.times.push_back(as_meant(options.every * k));
     const Record record = assess(case_name, unjudged, results_of(unjudged, custom, Suite::acceptance), std::nullopt);
+    if (!options.records.empty()) write(record, options.records / fmt::format("{}.{}.json", case_name, method->name));
     print(record);
     for (const Value& e : record.values) fmt::print("{} = {:.6g} at {:.6g} s\n", e.quantity.heading(), e.value, e.time);
     if (!record.runs.front().finished) return EXIT_FAILURE;
