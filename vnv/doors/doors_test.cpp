@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <random>
 #include <regex>
 #include <set>
 
@@ -639,6 +640,31 @@ TEST_F(Doors, LeaveUnjudgedWhatNoFieldIsThereFor) {
   ASSERT_EQ(judgement.not_judged.size(), 2u) << "and what limits would add";
   EXPECT_EQ(judgement.not_judged[0], "no pressure in the files: what is measured of it is not judged");
   EXPECT_TRUE(says(judgement.not_judged[1], "--at-most PERCENT"));
+}
+
+TEST_F(Doors, TakeNoLossOfRowsForAnotherResolution) {
+  std::mt19937 random(3);
+  const auto rows = [&](int across, double time, double lost) {
+    std::string text = fmt::format("# t = {}\nx,y,v_x,v_y\n", time);
+    const Vectors places = lattice({.high = {0.5e-3, 1e-3}}, 1e-3 / across).places();
+    for (const auto& x : places.colwise())
+      if (std::uniform_real_distribution<double>()(random) >= lost)
+        text += fmt::format("{},{},{},0\n", x.x(), x.y(), exact(x.y(), time));
+    return write(fmt::format("{}_{}.csv", across, time), text);
+  };
+  const auto fails_on_rows = [](const Record& record) {
+    return std::ranges::any_of(
+        record.verdicts, [](const Verdict& v) { return v.quantity == "rows" && v.outcome == Outcome::fails; });
+  };
+  for (const double lost : {0.2, 0.6, 0.8}) {
+    const Record record = judge_files(flow_named("poiseuille"), {rows(40, 0.5, 0), rows(40, 1, lost)}, {}).record;
+    EXPECT_EQ(record.runs.size(), 1u) << lost;
+    EXPECT_TRUE(fails_on_rows(record)) << lost;
+  }
+  const double as_many = 1 - std::pow(20.0 / 22, 2);
+  EXPECT_TRUE(fails_on_rows(judge_files(flow_named("poiseuille"),
+                                        {rows(20, 0.5, 0), rows(20, 1, 0), rows(22, 0.5, 0), rows(22, 1, as_many)}, {})
+                                .record));
 }
 
 TEST_F(Doors, FailAVelocityThatIsNoNumberInOneRow) {

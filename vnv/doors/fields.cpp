@@ -605,7 +605,10 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     volume *= fraction;
   }
   const auto known = [](const Scalars& field) { return field.allFinite() && (field > 0).all(); };
-  if (!known(s.density)) s.density = Scalars::Constant(count, density);
+  if (!known(s.density)) {
+    if (std::erase(reading.fields, "density") > 0) say("density", "that of the flow, as not all of it is positive");
+    s.density = Scalars::Constant(count, density);
+  }
   if (known(volume)) {  // the weight of a row in a norm is its volume
     s.mass = volume * s.density;
   } else if (!known(s.mass)) {

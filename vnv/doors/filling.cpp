@@ -23,6 +23,7 @@ bool holds(const std::vector<std::string>& fields, const std::string& name) {
 /// What the scene holds at a resolution: rows, and the area [m²] that they stand for.
 struct Expected {
   double rows, fewest, most, area;
+  double on_walls = 0;  // rows of one line along each pair of walls
 
   Expected(const Flow& flow, double spacing) {
     const Vec2 size = flow.filled.size();
@@ -34,10 +35,11 @@ struct Expected {
       rows = static_cast<double>(flow.start.places_on(regular.places()).cols());
       area = rows * regular.volume();
     }
-    double lines_on_walls = 0;
     for (const int axis : {0, 1})
-      if (!flow.domain.periodic(axis)) lines_on_walls += counts[1 - axis];
-    fewest = std::min((1 - room) * rows, rows - lines_on_walls);
+      if (!flow.domain.periodic(axis)) on_walls += counts[1 - axis];
+    double least = std::min(rows, flow.filled_area() / (spacing * spacing));
+    if (flow.shape.empty()) least = std::min(least, (size / spacing).array().floor().max(1).prod());  // whole ones
+    fewest = std::min((1 - room) * least, least - on_walls);
     most = std::max(densest_lattice * rows, rows + counts.sum() + 1);
   }
 };
@@ -81,7 +83,7 @@ class Worst {
 
 bool is_of_filling(const std::string& quantity) {
   return is_of_coverage(quantity) || quantity == rows_found.name || quantity == mass_found.name ||
-         quantity == mass_kept.name || quantity == density_found.name;
+         quantity == mass_kept.name || quantity == density_found.name || quantity == without_velocity.name;
 }
 
 Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel& given,
@@ -103,6 +105,11 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       return Value{level, given.spacing, at, quantity, found};
     };
     const double rows = static_cast<double>(samples.size());
+    const Index components = holds(fields, "velocity") ? 2 : holds(fields, velocity_along_x) ? 1 : 0;
+    if (const auto none = (!samples.v.topRows(components).array().isFinite()).colwise().any().count(); none > 0) {
+      worst.take(value(without_velocity, static_cast<double>(none)), "");
+      worst.claim(at_most(without_velocity, 0, theory("a velocity is a number")));
+    }
     if (given.has_volumes) {
       const double mass = samples.mass.sum();
       const Quantity& quantity = is_of_one_metre ? mass_found : mass_kept;
@@ -110,7 +117,8 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       worst.take(value(quantity, 100 * (mass / of_it - 1)), "");
       // Of a shape, what a coarse lattice cuts off its edge: up to half of the cells on it.
       const double of_edge = flow.area == 0 ? 0 : (expected.rows - expected.fewest) / expected.rows / 2,
-                   percent = 100 * std::max(room, of_edge);
+                   of_walls = given.has_particles ? 1.01 * expected.on_walls / (expected.rows - expected.on_walls) : 0,
+                   percent = 100 * std::max({room, of_edge, of_walls});
       worst.claim(between(quantity, -percent, percent, kept));
     }
     if (given.has_particles) {

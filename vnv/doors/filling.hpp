@@ -20,6 +20,7 @@ struct Filling {
 
 // Quantities besides those of vnv/measures/coverage.hpp.
 inline const Quantity rows_found{"rows", "", Kind::count},
+    without_velocity{"rows whose velocity is no number", "", Kind::count},
     mass_found{"mass, less that of the scene", "%", Kind::invariant},
     mass_kept{"mass, less that at the first time", "%", Kind::invariant},
     density_found{"median density, less that of the fluid's law", "%", Kind::invariant};
@@ -29,7 +30,8 @@ bool is_of_filling(const std::string& quantity);
 
 /// Of a level by that name; `fields` are those of the files.
 ///
-/// Mass, where rows have volumes or masses, is that of the scene to 3 %; masses that differ by more than a factor of 3
+/// Mass, where rows have volumes or masses, is that of the scene to 3 %, or to a line of particles along the walls, which
+/// nodes have more and rows that stand off them have less; masses that differ by more than a factor of 3
 /// are of a layer of another depth than 1 m, and are compared with those at the first time. Without them rows weigh the
 /// same, and their number is that of the scene at a resolution that was said, else that at the first time. The former
 /// has room for nodes, which are one more along each axis, for rows on walls that were left out, and from 3 % fewer to

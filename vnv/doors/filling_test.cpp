@@ -258,5 +258,36 @@ TEST(Filling, OfMassesIsThatOfTheSceneOrOfADepth) {
       says(complaints_of(judged(flow, {s, later}, not_a_number, true)), "mass, less that at the first time = -4 %"));
 }
 
+TEST(Filling, OfMassesHasRoomForNodesOnWallsAndRowsThatStandOffThem) {
+  const Flow flow = flow_named("poiseuille", Settings(channel));
+  for (const int across : {16, 25, 60})
+    for (const int lines : {across + 1, across - 1}) {
+      const double spacing = flow.across / across, first = lines > across ? 0 : spacing;
+      const auto columns = static_cast<int>(std::lround(0.5 * across));
+      Vectors x(2, columns * lines);
+      for (int k = 0; k < x.cols(); ++k)
+        x.col(k) = Vec2((k % columns + 0.5) * 0.5 / columns, first + spacing * (k / columns));
+      Samples all = right_of(flow, across, flow.judged.times.front());
+      all.x = x, all.v = Vectors::Zero(2, x.cols());
+      const auto exact = flow.exact[0].with({});
+      for (Eigen::Index p = 0; p < x.cols(); ++p) all.v.col(p) = exact(x.col(p), all.time);
+      all.pressure = Scalars::Zero(x.cols());
+      all.density = Scalars::Constant(x.cols(), flow.fluid.density);
+      all.mass = all.density * (spacing * 0.5 / columns);
+      EXPECT_EQ(complaints_of(judged(flow, {all}, not_a_number, true)), "") << across << ", " << lines << " lines";
+      all.mass *= 0.9;
+      EXPECT_NE(complaints_of(judged(flow, {all}, not_a_number, true)), "") << across << ", " << lines << " lines";
+    }
+}
+
+TEST(Filling, OfAVelocityThatIsNoNumberAnywhereFails) {
+  for (const std::string name : {"cavity", "dam_break", "poiseuille"}) {
+    const Flow flow = flow_named(name);
+    Samples s = right_of(flow, 20, flow.judged.times.back());
+    s.v(1, s.size() / 2) = NAN;
+    EXPECT_TRUE(says(complaints_of(judged(flow, {s})), "rows whose velocity is no number = 1")) << name;
+  }
+}
+
 }  // namespace filling_test
 }  // namespace touchstone::vnv::doors

@@ -176,30 +176,36 @@ double apart(const Vectors& x, double part) {
 }
 
 /// Whether fewer rows are those of a coarser resolution, which stand farther apart almost everywhere, by as much as
-/// their number says; where rows were lost many of the others stay as near to each other as they were.
+/// their number says; where rows were lost many of the others stay as near to each other as they were. Of a cloud in
+/// which distances scatter widely nobody can tell, and rows are lost.
 bool is_coarser(const Vectors& x, const Vectors& before) {
-  const double farther = std::sqrt(static_cast<double>(before.cols()) / static_cast<double>(x.cols()));
-  return apart(x, 0.1) / apart(before, 0.5) > 1 + 0.7 * (farther - 1);
+  const double farther = std::sqrt(static_cast<double>(before.cols()) / static_cast<double>(x.cols())),
+               nearest = apart(x, 0.1);
+  return nearest > (1 + 0.6 * (farther - 1)) * apart(before, 0.1) && nearest > 0.9 * apart(before, 0.5);
 }
 
-/// The level that a file's rows are of: one of its spacing, or, where fewer than half of the rows are missing, one
-/// before that has none of its time: a code that loses rows has no coarser resolution.
+/// The level that a file's rows are of: one of its spacing, or one before of which rows are missing; each that has none
+/// of its time yet. A code that loses rows has no coarser resolution.
 GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
-  const auto is_equal = [&](const GivenLevel& level) { return std::abs(level.spacing / one.spacing - 1) < 0.01; };
-  if (const auto equal = std::ranges::find_if(levels, is_equal); equal != levels.end()) return *equal;
   const double time = one.at.begin()->first;
-  const auto rows = one.at.begin()->second.size();
+  const auto has_its_time = [&](const GivenLevel& level) {
+    return std::ranges::any_of(level.at,
+                               [&](const auto& at) { return std::abs(at.first - time) <= time_tolerance * time; });
+  };
+  const auto is_equal = [&](const GivenLevel& level) { return std::abs(level.spacing / one.spacing - 1) < 0.01; };
+  const auto takes_it = [&](const GivenLevel& level) { return is_equal(level) && !has_its_time(level); };
+  if (const auto equal = std::ranges::find_if(levels, takes_it); equal != levels.end()) return *equal;
   GivenLevel* before = nullptr;
   for (GivenLevel& level : levels) {
-    const auto is_of_time = [&](const auto& at) { return std::abs(at.first - time) <= time_tolerance * time; };
-    if (one.spacing_is_said || std::ranges::any_of(level.at, is_of_time) || level.at.begin()->first > time) continue;
-    const Samples& first = level.at.begin()->second;
-    if (rows < first.size() && 2 * rows >= first.size() && (!before || level.spacing > before->spacing) &&
-        !is_coarser(one.at.begin()->second.x, first.x))
+    if (one.spacing_is_said || has_its_time(level) || level.at.begin()->first > time) continue;
+    const Vectors& first = level.at.begin()->second.x;
+    if (const Vectors& x = one.at.begin()->second.x;
+        x.cols() < first.cols() && (!before || level.spacing > before->spacing) && !is_coarser(x, first))
       before = &level;
   }
-  return before ? *before
-                : levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
+  if (before) return *before;
+  if (const auto twice = std::ranges::find_if(levels, is_equal); twice != levels.end()) return *twice;
+  return levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
 }
 
 /// A run of what was given, whose samples it takes, as if it had been computed here.
