@@ -94,8 +94,9 @@ void print(const std::string& name, const ObservedOrder& order, std::optional<do
   const auto asymptotic = [&](bool above_floor) {
     return order.asymptotic && order.trend == Trend::converging && above_floor == has_floor ? ", asymptotic" : "";
   };
-  fmt::print("{}: observed order {:.4g} +- {:.2g} over {} resolutions, {}{}\n", name, order.order, order.half_width,
-             order.errors.size(), name_of(order.trend), asymptotic(false));
+  fmt::print("{}: observed order {:.4g} +- {:.2g} over {} resolutions, {}{}{}\n", name, order.order, order.half_width,
+             order.errors.size(), name_of(order.trend),
+             order.trend == Trend::stalled && !has_floor ? " (within 0.5 of 0)" : "", asymptotic(false));
   if (has_floor)
     fmt::print("  above a floor of {:.4g} +- {:.2g}: {:.4g} +- {:.2g}{}\n", order.floor, order.floor_half_width,
                order.order_to_floor, order.order_to_floor_half_width, asymptotic(true));
@@ -106,16 +107,20 @@ void print(const std::string& name, const ObservedOrder& order, std::optional<do
     fmt::print("  not trusted: far above the formal order {:g}\n", *formal_order);
 }
 
-/// Whether the whole 95 % interval, above a floor if there is one, lies above a limit.
-bool is_surely_above(const ObservedOrder& order, double limit) {
+/// Why an order is not surely above a limit by its whole 95 % interval, above a floor if there is one; empty if it is.
+/// An order within 0.5 of 0, as of a jump, is stalled without a floor: its interval decides.
+std::string why_not_above(const ObservedOrder& order, double limit) {
   const bool above_floor = !std::isnan(order.floor);
   const double middle = above_floor ? order.order_to_floor : order.order,
                half = above_floor ? order.order_to_floor_half_width : order.half_width;
-  return order.trend == Trend::converging && falls_throughout(order) && middle - half > limit;
+  if (order.trend == Trend::stalled && above_floor) return "stalled at a floor, not trusted";
+  if (order.trend != Trend::converging && order.trend != Trend::stalled) return std::string(name_of(order.trend));
+  if (!(middle - half > limit)) return fmt::format("may be {:.4g}", middle - half);
+  return std::ranges::all_of(order.pairwise, [](double pair) { return pair > 0; }) ? "" : "not trusted";
 }
 
-/// Prints what the errors of a column say and whether their order is surely above a limit, if there is one.
-bool judge_errors(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
+/// Prints what the errors of a column say. Returns why their order is not surely above a limit, if there is one.
+std::string judge_errors(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
   std::vector<double> errors = column.values;
   if (const auto zero = std::ranges::find(errors, 0); zero != errors.end()) {
     const bool is_exact = std::ranges::all_of(errors, [](double error) { return error == 0; });
@@ -123,7 +128,7 @@ bool judge_errors(const TableColumn& column, const std::vector<double>& spacings
         "{}: {}: no order\n", column.name,
         is_exact ? "zero at each resolution, exact to rounding"
                  : fmt::format("row {} is exactly zero, through which no power law passes", zero - errors.begin() + 1));
-    return !options.surely_above;
+    return options.surely_above ? "no order" : "";
   }
   const auto negative = std::ranges::count_if(errors, [](double error) { return error < 0; });
   const bool change_sign = negative > 0 && negative < std::ssize(errors);
@@ -132,38 +137,41 @@ bool judge_errors(const TableColumn& column, const std::vector<double>& spacings
   print(column.name, found, options.formal_order);
   if (negative > 0) fmt::print("  of the magnitudes of signed errors\n");
   if (change_sign) fmt::print("  not trusted: the errors change sign\n");
-  return !options.surely_above || (!change_sign && is_surely_above(found, *options.surely_above));
+  if (!options.surely_above) return "";
+  return change_sign ? "not trusted" : why_not_above(found, *options.surely_above);
 }
 
-bool judge_values(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
+std::string judge_values(const TableColumn& column, const std::vector<double>& spacings, const OrderOptions& options) {
   double found = 0;
   const bool is_trusted =
       print_convergence(column.name, ladder_of(spacings, column.values), options.formal_order.value_or(2), found);
-  return !options.surely_above || (is_trusted && found > *options.surely_above);
+  if (!options.surely_above || (is_trusted && found > *options.surely_above)) return "";
+  return is_trusted ? fmt::format("{:.4g}", found) : "not trusted";
 }
 
 }  // namespace
 
 int order(const Build&, const OrderOptions& options) {
-  const OrderTable table = order_table(options.file, options.table);
+  const OrderTable table = order_table(options.file, options.table, options.are_values);
   fmt::print("spacing: {}\n", table.resolution);
   if (!table.left_alone.empty()) fmt::print("left alone: {}\n", fmt::join(table.left_alone, ", "));
-  bool all_above = true, all_numbers = true;
+  std::vector<std::string> not_above;
   for (const TableColumn& column : table.columns) {
     const auto odd = std::ranges::find_if_not(column.values, [](double value) { return std::isfinite(value); });
     if (odd != column.values.end()) {
       fmt::print("{}: row {} is {}, expected a finite number: no order\n", column.name, odd - column.values.begin() + 1,
                  *odd);
-      all_numbers = false;
+      not_above.push_back(column.name + " no order");
     } else {
-      all_above &= (options.are_values ? judge_values : judge_errors)(column, table.spacings, options);
+      const std::string why = (options.are_values ? judge_values : judge_errors)(column, table.spacings, options);
+      if (!why.empty()) not_above.push_back(column.name + " " + why);
     }
   }
-  all_above &= all_numbers;
   if (options.surely_above)
-    fmt::print("{} above {:g}{}\n", all_above ? "all orders are" : "not all orders are", *options.surely_above,
-               options.are_values ? "" : ", the 95 % interval included");
-  return all_above ? all_holds : something_fails;
+    fmt::print("{} surely above {:g}{}{}{}\n", not_above.empty() ? "all orders are" : "not all orders are",
+               *options.surely_above, options.are_values ? "" : ", the 95 % interval included",
+               not_above.empty() ? "" : ": ", fmt::join(not_above, "; "));
+  return not_above.empty() ? all_holds : something_fails;
 }
 
 }  // namespace touchstone::vnv::command

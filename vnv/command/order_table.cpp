@@ -12,6 +12,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <regex>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -110,19 +111,25 @@ constexpr std::array spacing_names{"h",
                                    "delta",
                                    "spacing",
                                    "gridspacing",
+                                   "gridsize",
                                    "meshsize",
                                    "meshwidth",
                                    "cellsize",
                                    "cellwidth",
+                                   "elementsize",
                                    "particlespacing",
                                    "initialspacing",
-                                   "particledistance"};
+                                   "particledistance",
+                                   "interparticledistance",
+                                   "interparticlespacing"};
 constexpr std::array across_names{
     "n", "nx", "ny", "nz", "cells", "ncells", "ncell", "across", "cellsacross", "particlesacross", "cellsperside"};
 constexpr std::array either_names{"n", "cells", "ncells", "ncell"};  // across, if nothing says that they are all
 constexpr double most_across = 1e4;                                  // of these without being asked
-constexpr std::array all_names{"particles", "nparticles", "nparticle", "npart", "np",       "nptot",    "ntotal",
-                               "dofs",      "dof",        "ndofs",     "ndof",  "unknowns", "nunknowns"};
+constexpr std::array all_names{"particles", "nparticles", "nparticle", "npart",      "np",         "nptot",
+                               "ntotal",    "dofs",       "dof",       "ndofs",      "ndof",       "unknowns",
+                               "nunknowns", "elements",   "nelements", "totalcells", "cellstotal", "vertices",
+                               "nvertices", "nodes",      "nnodes"};
 constexpr std::array step_names{"dt", "timestep", "tau"};
 constexpr std::array order_words{"order",       "orders", "eoc",    "rate", "rates", "roc",   "ooc", "slope",
                                  "convergence", "ratio",  "ratios", "log",  "log2",  "log10", "ln"};
@@ -131,10 +138,18 @@ constexpr std::array other_words{
     "step",       "nsteps",  "timesteps", "iterations", "iter",     "memory",  "cfl",     "cycle", "level",
     "levels",     "lvl",     "id",        "index",      "run",      "date",    "seed",    "cost",  "speedup",
     "efficiency", "threads", "nthreads",  "nproc",      "nprocs",   "procs",   "cores",   "ranks", "c0"};
-constexpr std::array error_words{"l1",  "l2",   "linf", "lmax", "infty",    "h1",
-                                 "rms", "rmse", "e",    "u",    "velocity", "pressure"};
+constexpr std::array time_names{"t", "time", "times"};
+constexpr std::array work_words{"solve", "solver", "compute", "computing", "computation", "computational", "execution"};
+constexpr std::array norm_words{"l1", "l2", "linf", "lmax", "inf", "infty", "h1", "rms", "rmse"};
+constexpr std::array field_words{"e", "u", "velocity", "pressure"};
 
 bool is_in(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+/// A heading without what only says where or when: "L2 at " of "L2 at t=0.5".
+std::string without_settings(const std::string& heading) {
+  static const std::regex setting(R"([A-Za-z]\w*\s*=\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?)");
+  return std::regex_replace(heading, setting, " ");
+}
 
 /// The words of a heading, in small letters.
 Words words_of(std::string_view heading) {
@@ -155,11 +170,20 @@ bool has_capital(std::string_view text) {
   return std::ranges::any_of(text, [](unsigned char c) { return std::isupper(c) != 0; });
 }
 
+/// L2 of "L2_T" and of "$L_2$ t", e of "e_T", which is no energy E.
+bool names_norm(std::string_view heading) {
+  const Words words = words_of(heading);
+  const auto is_split = [](const std::string& a, const std::string& b) { return a == "l" && (b == "1" || b == "2"); };
+  return heading.find("∞") != heading.npos || heading == "e" || heading.starts_with("e_") ||
+         std::ranges::adjacent_find(words, is_split) != words.end() ||
+         std::ranges::any_of(words, [](const std::string& word) { return is_in(norm_words, word); });
+}
+
 /// Such a column that does not change is an error that does not converge: any other, as the speed U, a parameter.
 bool may_be_error(std::string_view heading) {
   const Words words = words_of(heading);
-  return names_error(words) || std::ranges::any_of(words, [&](const std::string& word) {
-           return is_in(error_words, word) && !(word.size() == 1 && has_capital(heading));
+  return names_error(words) || names_norm(heading) || std::ranges::any_of(words, [&](const std::string& word) {
+           return is_in(field_words, word) && !(word.size() == 1 && has_capital(heading));
          });
 }
 
@@ -197,16 +221,34 @@ std::optional<ToldBy> told_by(std::string_view heading) {
   return std::nullopt;
 }
 
-/// What is no error by its heading: orders that somebody has observed already, costs, counts of steps, h/dx. Of
-/// headings that speak of an error, too, those of its order or logarithm: "order of the error", "L2 error rate".
-bool is_aside(std::string_view heading) {
-  const Words words = words_of(heading);
-  const auto is_of_order = [](const std::string& word) { return is_in(order_words, word); };
+/// "t" and "time [s]", but not a period or temperature T.
+bool is_time(std::string_view heading) {
+  const std::string name = plain_name(heading);
+  return is_in(time_names, name) && !(name.size() == 1 && has_capital(heading.substr(0, heading.find_first_of("[("))));
+}
+
+/// Whether the order in a heading is that of a scheme, as in "order 1 scheme".
+bool names_scheme(const Words& words) {
+  const auto at = std::ranges::find(words, "order");
+  return words.end() - at > 2 && at[1].find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// What is no error or value by its heading: orders that somebody has observed already, costs, counts of steps, h/dx.
+/// Of headings that speak of an error, too, those of its order or logarithm: "order of the error", "L2 error rate".
+/// Among values a time is one, as the "reattachment time", unless it stands alone.
+bool is_aside(const std::string& heading, bool are_values) {
+  const std::string what = without_settings(heading);
+  const Words words = words_of(what);
+  const auto is_of_order = [&](const std::string& word) { return is_in(order_words, word) && !names_scheme(words); };
+  if (words.empty()) return false;
   if (names_error(words)) return is_of_order(words.front()) || is_of_order(words.back());
-  const auto quotient = quotient_in(heading);
-  return (quotient && names_spacing(quotient->under) && !may_be_error(heading)) ||
-         std::ranges::any_of(words,
-                             [&](const std::string& word) { return is_of_order(word) || is_in(other_words, word); });
+  if (std::ranges::any_of(words, is_of_order)) return true;
+  if (names_norm(what)) return false;
+  const auto quotient = quotient_in(what);
+  return (quotient && names_spacing(quotient->under) && !may_be_error(what)) || (are_values && is_time(what)) ||
+         std::ranges::any_of(words, [&](const std::string& word) {
+           return (is_in(other_words, word) && !(are_values && is_in(time_names, word))) || is_in(work_words, word);
+         });
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
@@ -215,19 +257,20 @@ bool is_aside(std::string_view heading) {
 
 /// The names in a heading of so many columns, or of some more that a row leaves out as they are no errors; none where
 /// the line is no heading.
-Words names_in(std::string_view heading, char separator_of_rows, std::size_t count) {
+Words names_in(std::string_view heading, char separator_of_rows, std::size_t count, bool are_values) {
   if (heading.empty()) return {};
   const char separator = separator_in(heading);
   for (const Words& names : {cells_in(heading, separator), cells_in(heading, separator_of_rows),
                              cells_in(heading, ' ', 2)}) {  // "h   L2 error": a blank may be part of a name
-    const auto aside = static_cast<std::size_t>(std::ranges::count_if(names, is_aside));
+    const auto aside = static_cast<std::size_t>(
+        std::ranges::count_if(names, [&](const std::string& name) { return is_aside(name, are_values); }));
     if (names.size() == count || names.size() == count + aside) return names;
   }
   return {};
 }
 
 /// Rows of numbers, a line each: the cells that hold none are NaN.
-std::vector<TableColumn> columns_of(const std::filesystem::path& file) {
+std::vector<TableColumn> columns_of(const std::filesystem::path& file, bool are_values) {
   std::string text = files::read_whole(file);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark
   std::string heading;
@@ -254,11 +297,11 @@ std::vector<TableColumn> columns_of(const std::filesystem::path& file) {
       continue;
     }
     if (columns.empty()) {
-      const Words names = names_in(heading, separator, cells.size());
+      const Words names = names_in(heading, separator, cells.size(), are_values);
       for (std::size_t k = 0; k < std::max(names.size(), cells.size()); ++k)
         columns.push_back({names.empty() ? fmt::format("column {}", k + 1) : printable(names[k]), {}});
       for (std::size_t k = 0; k < columns.size(); ++k)
-        if (is_aside(columns[k].name)) skipped.push_back(k);
+        if (is_aside(columns[k].name, are_values)) skipped.push_back(k);
     }
     const bool leaves_out = cells.size() + skipped.size() == columns.size();
     if (cells.size() != columns.size() && !leaves_out)
@@ -411,8 +454,8 @@ void leave_alone_by_values(OrderTable& table) {
 
 }  // namespace
 
-OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& said) {
-  std::vector<TableColumn> columns = columns_of(file);
+OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& said, bool are_values) {
+  std::vector<TableColumn> columns = columns_of(file, are_values);
   const Found found = resolution_in(columns, said, file.string());
   const int dimension = said.dimension.value_or(2);
   OrderTable table{.spacings = spacings_of(*found.column, found.kind, dimension), .resolution = in_words(found, said)};
@@ -429,7 +472,7 @@ OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& sai
   for (TableColumn& column : columns) {
     if (&column == found.column) continue;
     const bool is_none = std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
-    if (is_none || is_aside(column.name) || told_by(column.name))
+    if (is_none || is_aside(column.name, are_values) || told_by(column.name))
       table.left_alone.push_back(column.name);
     else
       table.columns.push_back(std::move(column));

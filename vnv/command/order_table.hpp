@@ -35,7 +35,8 @@ struct OrderTable {
 /// Of text: a line a row, cells separated by semicolons, tabs, bars, ampersands, commas or blanks, with a heading or
 /// without, in double quotes or not, comments after # or %. Throws std::invalid_argument, in one line that says where,
 /// what and what was expected: no rows of numbers, a resolution that is not known or told twice and differently, one
-/// that is not positive, stands there twice or alone, no column beside it.
-OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& said = {});
+/// that is not positive, stands there twice or alone, no column beside it. Of values,
+/// a T and times that do not stand alone are some.
+OrderTable order_table(const std::filesystem::path& file, const SaidOfTable& said = {}, bool are_values = false);
 
 }  // namespace touchstone::vnv::command

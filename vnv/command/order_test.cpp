@@ -88,6 +88,13 @@ const std::vector<Layout> layouts{
     {"\xEF\xBB\xBFM,L2\n10,16\n20,4\n40,1\n", "L2", 2, {.resolution = "M", .told_by = "across"}},
     {"\"N\", \"L2, velocity\"\n10,16\n20,4\n40,1\n", "L2, velocity", 2},
     {"dt,error\n0.4,16\n0.2,4\n0.1,1\n", "error", 2},
+    {"grid size,L2\n0.4,16\n0.2,4\n0.1,1\n", "L2", 2},
+    {"element size [m],L2\n0.4,16\n0.2,4\n0.1,1\n", "L2", 2},
+    {"inter-particle distance,L2\n0.4,16\n0.2,4\n0.1,1\n", "L2", 2},
+    {"elements,L2\n1000,16\n8000,4\n64000,1\n", "L2", 2, {.dimension = 3}},
+    {"total cells,L2\n1000,16\n8000,4\n64000,1\n", "L2", 2, {.dimension = 3}},
+    {"vertices,L2\n100,16\n400,4\n1600,1\n", "L2", 2},
+    {"# nodes,L2\n100,16\n400,4\n1600,1\n", "L2", 2, {.dimension = 2}},
 };
 
 TEST_F(OrderOfATable, KnowsTheResolutionByItsHeadingInManyLayouts) {
@@ -120,6 +127,55 @@ TEST_F(OrderOfATable, LeavesAloneParametersCostsAndOrdersByTheirValuesToo) {
   EXPECT_EQ(status, all_holds);
   EXPECT_NE(said("h,u,p\n0.4,16,4\n0.2,4,2\n0.1,1,1\n").find("p: observed order 1 "), std::string::npos) << "pressure";
   EXPECT_EQ(said("N,Cd,Cl\n20,1.125,0.3\n40,1.03125,0.15\n80,1.0078125,0.075\n", {}, true).find("left alone"),
+            std::string::npos);
+}
+
+TEST_F(OrderOfATable, TakesAnErrorWhateverTimeOrTemperatureItsHeadingSpeaksOf) {
+  for (const char* heading : {"L2 at t=1", "L2(t=0.5)", "t=0.1", "u (t = 1e-1)", "L2_T", "L2 t", "e_t", "e_T", "L∞ T",
+                              "$L_2$ T", "L2 run 1", "error at time 2", "order 1 scheme", "L2 order 2 scheme"}) {
+    const std::string words = said(fmt::format("h,{}\n0.4,16\n0.2,4\n0.1,1\n", heading));
+    EXPECT_NE(words.find(fmt::format("{}: observed order 2 ", heading)), std::string::npos) << words;
+  }
+  for (const char* heading : {"t", "T", "time [s]", "CPU time (t=1)", "L2 order", "L2 order (t=1)", "order of L2 t",
+                              "solver time", "E_t", "order", "order 1"})
+    EXPECT_NE(said(fmt::format("h,{}\n0.4,16\n0.2,4\n0.1,1\n", heading)).find("no column of errors"), std::string::npos)
+        << heading;
+}
+
+TEST_F(OrderOfATable, TakesTimesForValuesUnlessTheyStandAlone) {
+  const auto of = [&](const char* heading) {
+    return said(fmt::format("h,{}\n0.4,1.16\n0.2,1.04\n0.1,1.01\n", heading), {}, true);
+  };
+  for (const char* heading : {"reattachment time", "front t", "T", "T [s]", "period", "t=1", "order 2 scheme"})
+    EXPECT_NE(of(heading).find("observed order 2,"), std::string::npos) << of(heading);
+  for (const char* heading : {"time", "t [s]", "CPU time", "solver time", "time step 1", "steps", "run", "Cd order"})
+    EXPECT_NE(of(heading).find("no column of errors"), std::string::npos) << of(heading);
+}
+
+TEST_F(OrderOfATable, BelowAHalfIsAboveALimitThatItsIntervalDoesNotReach) {
+  const char* slow = "h,L2\n.1,1e-2\n.05,7.5e-3\n.025,5.625e-3\n.0125,4.22e-3\n";
+  const std::string above = said(slow, 0.3);
+  EXPECT_NE(above.find("stalled (within 0.5 of 0)\n"), std::string::npos) << above;
+  EXPECT_NE(above.find("\nall orders are surely above 0.3, the 95 % interval included\n"), std::string::npos) << above;
+  EXPECT_EQ(status, all_holds);
+  EXPECT_NE(
+      said(slow, 0.45).find("not all orders are surely above 0.45, the 95 % interval included: L2 may be 0.4146\n"),
+      std::string::npos);
+  EXPECT_EQ(status, something_fails);
+}
+
+TEST_F(OrderOfATable, SaysWhyNotAllAreAboveALimit) {
+  EXPECT_NE(said("h,L2\n0.1,0.031\n0.05,0.0085\n0.025,0.002875\n0.0125,0.00146875\n0.00625,0.00111719\n"
+                 "0.003125,0.0010293\n",
+                 0.3)
+                .find("included: L2 stalled at a floor, not trusted\n"),
+            std::string::npos);
+  EXPECT_NE(said("h,L2,e\n0.4,-16,0\n0.2,4,0\n0.1,-1,0\n", 0.3).find("included: L2 not trusted; e no order\n"),
+            std::string::npos);
+  EXPECT_NE(said("h,L2\n0.2,4\n0.1,1\n", 0.3).find("included: L2 inconclusive\n"), std::string::npos);
+  EXPECT_NE(said("h,L2\n0.4,1\n0.2,1.01\n0.1,0.95\n0.05,0.96\n", -1).find("included: L2 not trusted\n"),
+            std::string::npos);
+  EXPECT_NE(said("h,Cd\n0.1,1\n0.05,1.2\n0.025,1.1\n", 0.3, true).find("above 0.3: Cd not trusted\n"),
             std::string::npos);
 }
 
