@@ -4,21 +4,78 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/judge/norms.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace touchstone::vnv {
 
-double fitted_at(const Samples& samples, const Field& field, const Vec2& place, double reach) {
+namespace {
+
+using Monomials = Eigen::Vector<double, 6>;
+
+/// How much the middle of a fit leans on few rows, by the squares of its weights: 1 for the mean of all of them, 2 to 4
+/// for a fit on a lattice, infinite for rows that do not tell six factors apart. Takes the sum over the rows of weight
+/// times the products of two monomials.
+double leaning_of(const Eigen::Matrix<double, 6, 6>& moments) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> of(moments);
+  const double all = moments(0, 0);
+  if (!(of.eigenvalues().minCoeff() > 1e-10 * all)) return INFINITY;
+  return all * (of.eigenvectors().row(0).transpose().array().square() / of.eigenvalues().array()).sum();
+}
+
+struct Fitted {
+  double value;
+  bool is_sound;
+};
+
+/// By the rows in the upright ellipse with these half axes [m].
+Fitted fitted_within(const Samples& samples, const Field& field, const Vec2& place, const Vec2& reach) {
   using Fit = QuadraticFit<double, 1>;
   Fit::Sums sums{};
+  Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
   for (Eigen::Index p = 0; p < samples.size(); ++p) {
-    const Vec2 way = (samples.x.col(p) - place) / reach;
+    const Vec2 way = (samples.x.col(p) - place).cwiseQuotient(reach);
     const double left = 1 - way.squaredNorm();
     if (left <= 0) continue;
     const Fit::Sums terms = Fit::terms(left * left, way.x(), way.y(), {field(samples, p)});
     for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += terms[s];
+    const Monomials at{1, way.x(), way.y(), way.x() * way.x(), way.x() * way.y(), way.y() * way.y()};
+    moments += left * left * at * at.transpose();
   }
-  return Fit::of(sums)[0][0];
+  constexpr double most = 100;  // particles that mix lean by up to 20 or so
+  return {Fit::of(sums)[0][0], leaning_of(moments) < most};
+}
+
+/// How far apart [m] rows are along x and along y, about the one that is closest to a place: on an upright grid, the
+/// smaller of the gaps on its two sides.
+Vec2 gaps_at(const Samples& samples, const Vec2& place) {
+  Eigen::Index closest = 0;
+  const auto away = [&](Eigen::Index p) { return (samples.x.col(p) - place).squaredNorm(); };
+  for (Eigen::Index p = 1; p < samples.size(); ++p)
+    if (away(p) < away(closest)) closest = p;
+  Vec2 gaps = Vec2::Constant(INFINITY);
+  for (Eigen::Index p = 0; p < samples.size(); ++p) {
+    const Vec2 way = (samples.x.col(p) - samples.x.col(closest)).cwiseAbs();
+    if (way.x() > way.y()) gaps.x() = std::min(gaps.x(), way.x());
+    if (way.y() > way.x()) gaps.y() = std::min(gaps.y(), way.y());
+  }
+  return gaps;
+}
+
+}  // namespace
+
+double fitted_at(const Samples& samples, const Field& field, const Vec2& place, double reach) {
+  const Fitted round = fitted_within(samples, field, place, Vec2::Constant(reach));
+  if (round.is_sound) return round.value;
+  const Vec2 gaps = gaps_at(samples, place);
+  for (const double many : {2.5, 3.0, 3.5, 4.0, 5.0, 6.0}) {
+    const Fitted stretched = fitted_within(samples, field, place, many * gaps);
+    if (stretched.is_sound) return stretched.value;
+  }
+  return not_a_number;
 }
 
 Quantity norm_of(std::string_view norm, Centreline::Direction direction) {

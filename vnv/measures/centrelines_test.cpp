@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace touchstone::vnv {
 namespace centrelines_test {
@@ -65,6 +67,77 @@ TEST(FittedAt, ConvergesWithThirdOrderOrBetter) {
 
 TEST(FittedAt, WhereThereAreNoParticlesIsNotANumber) {
   EXPECT_TRUE(std::isnan(fitted_at(scattered(bowl), velocity_x, {5, 5}, 2.5 * spacing)));
+}
+
+/// Moves as a smooth vortex below a lid does, on the grid of these lines.
+double below_a_lid(const Vec2& x) {
+  return std::pow(x.y(), 6) * std::cos(2 * (x.x() - 0.5)) - 0.3 * std::sin(3 * x.y());
+}
+Samples on_lines(const std::vector<double>& along_x, const std::vector<double>& along_y) {
+  Samples s{.time = 1, .x = Vectors(2, static_cast<Eigen::Index>(along_x.size() * along_y.size()))};
+  Eigen::Index p = 0;
+  for (const double x : along_x)
+    for (const double y : along_y) s.x.col(p++) = Vec2(x, y);
+  s.v = s.x;
+  for (p = 0; p < s.x.cols(); ++p) s.v.col(p) = Vec2::Constant(below_a_lid(s.x.col(p)));
+  return s;
+}
+
+/// The middles of cells from 0 to 1, graded towards both ends, or their corners.
+std::vector<double> lines(int cells, double graded = 0, bool at_corners = false) {
+  std::vector<double> all;
+  for (double k = at_corners ? 0 : 0.5; k <= cells; ++k) {
+    const double even = k / cells;
+    all.push_back(graded > 0 ? 0.5 + 0.5 * std::tanh(graded * (2 * even - 1)) / std::tanh(graded) : even);
+  }
+  return all;
+}
+
+/// The largest error on both centrelines, at the places of Ghia et al. and more.
+double worst_on_centrelines(const Samples& s) {
+  constexpr Cavity unit{.side = 1, .lid_speed = 1};
+  const double spacing_of_all = 1 / std::sqrt(static_cast<double>(s.size()));
+  double worst = 0;
+  for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
+    std::vector<double> places = ghia_centreline(data_folder(), direction, 100).at;
+    for (double at = 0.05; at < 0.96; at += 0.0137) places.push_back(at);
+    for (const double at : places) {
+      const double right = below_a_lid(direction == Centreline::vertical ? Vec2(0.5, at) : Vec2(at, 0.5));
+      const double off = std::abs(unit.velocity_at(s, direction, at, spacing_of_all) - right);
+      if (std::isnan(off)) return off;
+      worst = std::max(worst, off);
+    }
+  }
+  return worst;
+}
+
+TEST(Centrelines, AreReadOnCellsOfAnyAspect) {
+  for (const bool at_corners : {false, true})
+    for (const int coarse : {20, 21, 32, 33, 48})
+      for (const int aspect : {1, 2, 4}) {
+        const auto few = lines(coarse, 0, at_corners), many = lines(aspect * coarse, 0, at_corners);
+        EXPECT_LT(worst_on_centrelines(on_lines(many, few)), 0.01) << coarse << " along y, aspect " << aspect;
+        EXPECT_LT(worst_on_centrelines(on_lines(few, many)), 0.01) << coarse << " along x, aspect " << aspect;
+      }
+}
+
+TEST(Centrelines, AreReadOnGridsGradedTowardsTheWalls) {
+  for (const bool at_corners : {false, true})
+    for (const int cells : {24, 32, 33, 48, 64})
+      for (const double graded : {0.5, 1.0, 1.5, 2.0, 2.5}) {
+        const auto along = lines(cells, graded, at_corners);
+        EXPECT_LT(worst_on_centrelines(on_lines(along, along)), 0.01) << cells << " cells, graded by " << graded;
+      }
+}
+
+TEST(Centrelines, AreNoNumbersWhereARowThatIsReadIsNone) {
+  for (const int along_y : {64, 32, 16}) {  // cells 1:1, and those whose rows are sought along x and y apart
+    Samples s = on_lines(lines(64), lines(along_y));
+    Eigen::Index closest = 0;
+    (s.x.colwise() - Vec2(0.5, 0.9766)).colwise().squaredNorm().minCoeff(&closest);
+    s.v(0, closest) = not_a_number;
+    EXPECT_TRUE(std::isnan(worst_on_centrelines(s))) << along_y;
+  }
 }
 
 TEST(CentrelineErrors, OfWhatWasPublishedAreNone) {
