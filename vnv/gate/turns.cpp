@@ -24,7 +24,7 @@ const vnv::RunSummary* finished_run(const vnv::Record& record, const std::string
   return found == record.runs.end() || !found->finished ? nullptr : &*found;
 }
 
-constexpr double long_enough = 1.5;  // s  of an excerpt: clocks and what a program does besides steps are noise to it
+constexpr double long_enough = 0.6;  // s  of an excerpt: twelve times the shortest run that is timed
 constexpr long whole_pairs = 2;      // where excerpts are timed: whether values are the same in all runs
 
 /// So long a beginning of the level that took longest; none where the whole took little longer, or is not told in
