@@ -43,7 +43,8 @@ struct Coverage {
 /// wider than 16; a narrower one is the largest of some. A flow that strains draws rows apart, however well they follow
 /// it, and presses them together across: at a distance s of neighbours the lines of a lattice are 1 / s apart, 4 to 5
 /// spacings in the manufactured solution after 0.2 s. Where rows about a circle are as many as they should be, and half
-/// of them have another one nearer than 0.75 spacings, on a line and not all around, it is counted in that distance over 0.75.
+/// of them have another one nearer than 0.75 spacings, on a line and not all around, it is counted in that distance over
+/// 0.75.
 /// Where no circle is a hole, a strip along an axis from one side of the region to the other, as rows along a wall leave
 /// that are missing, counts as the circle of the area by which it is wider than the lines of a lattice are apart.
 ///
