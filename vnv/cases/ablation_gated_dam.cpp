@@ -4,7 +4,7 @@
 #include "solvers/mpm/lanes/in_lanes.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
-#include "vnv/flows/gated_dam.hpp"
+#include "vnv/flows/dams/gated_dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/methods/sph_of_parts.hpp"
 #include "vnv/stability/ablation.hpp"

@@ -18,10 +18,10 @@ using namespace touchstone::vnv::lid_driven;
 namespace {
 
 /// The flow that a level names; the first for a run at any resolution.
-const Flow& flow_of(const Level& level) {
+const Tabulated& flow_of(const Level& level) {
   const auto named = std::ranges::find_if(
-      flows, [&](const Flow& flow) { return level.name.starts_with(fmt::format("Re {},", flow.Re)); });
-  return named == flows.end() ? flows.front() : *named;
+      tabulated, [&](const Tabulated& flow) { return level.name.starts_with(fmt::format("Re {},", flow.Re)); });
+  return named == tabulated.end() ? tabulated.front() : *named;
 }
 
 /// The same, and every output interval while the flow is to be steady, over which velocities are averaged.
@@ -39,14 +39,14 @@ Schedule sampled_while_steady(Schedule when) {
 /// A method in the flow that each level names.
 template <class MakeMethod>
 Method in_cavity(const MakeMethod& make, std::vector<Level> levels, std::vector<Claim> claims) {
-  Method method = make(scene_at(flows.front().Re));
+  Method method = make(scene_at(tabulated.front().Re));
   method.run = [make](const Level& level, const Schedule& when) {
     return make(scene_at(flow_of(level).Re)).run(level, sampled_while_steady(when));
   };
   method.levels = std::move(levels);
   method.relative_cost = 0;  // particles times steps; started late, these would prolong the nightly suite
   for (const Level& level : method.levels) method.relative_cost += 1e-6 * level.nightly / std::pow(level.spacing, 3);
-  for (const Flow& flow : flows) {
+  for (const Tabulated& flow : tabulated) {
     Ladder ladder{fmt::format("particles across at Re {}", flow.Re), {}};
     for (const Level& level : method.levels)
       if (flow_of(level).Re == flow.Re) ladder.levels.push_back(level.name);
@@ -61,11 +61,11 @@ std::vector<Level> levels_of(const std::vector<std::vector<int>>& particles) {
   std::vector<Level> levels;
   for (std::size_t k = 0; k < particles.size(); ++k)
     for (const int across : particles[k])
-      levels.push_back({.name = flows[k].at(across),
+      levels.push_back({.name = tabulated[k].at(across),
                         .spacing = cavity.side / across,
                         .cell = 2 * cavity.side / across,
-                        .acceptance = across == 24 ? flows[k].end : 0,
-                        .nightly = flows[k].end});
+                        .acceptance = across == 24 ? tabulated[k].end : 0,
+                        .nightly = tabulated[k].end});
   return levels;
 }
 /// The thinner the boundary layers, the fewer levels are useful.
@@ -95,12 +95,12 @@ std::vector<Claim> within(double percent, const std::string& level, const Author
 }
 
 /// What is claimed of 24 across, and of 100 across at these Reynolds numbers.
-std::vector<Claim> near_ghia(double of_24_across, const std::vector<Flow>& at, std::vector<Claim> more = {}) {
+std::vector<Claim> near_ghia(double of_24_across, const std::vector<Tabulated>& at, std::vector<Claim> more = {}) {
   const auto add = [&](double percent, const std::string& level, const Author& author) {
     for (const Claim& claim : within(percent, level, author)) more.push_back(claim);
   };
-  add(of_24_across, flows[0].at(24), first_measured);
-  for (const Flow& flow : at) add(2, flow.at(100), ghia);
+  add(of_24_across, tabulated[0].at(24), first_measured);
+  for (const Tabulated& flow : at) add(2, flow.at(100), ghia);
   return more;
 }
 
@@ -114,7 +114,7 @@ std::vector<Claim> steady_on_average() {
   std::vector<Claim> all;
   for (const Level& level : all_levels)
     all.push_back(
-        (level.name == flows[0].at(24)
+        (level.name == tabulated[0].at(24)
              ? at_most(change_of_energy, 1,
                        baseline("fluctuates by 0.21 %/s, the standard deviation of 40 times 5 s in eight runs "
                                 "that differ by their steps; over 8 s 0.10"))
@@ -125,7 +125,7 @@ std::vector<Claim> steady_on_average() {
 
 std::vector<Plot> profiles() {
   std::vector<Plot> plots;
-  for (const Flow& flow : flows)
+  for (const Tabulated& flow : tabulated)
     for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
       const bool is_vertical = direction == Centreline::vertical;
       plots.push_back(centreline_profile(
@@ -144,31 +144,32 @@ std::vector<Plot> profiles() {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("cavity");
   return with_plots(
-      {.title = "Lid-driven cavity",
+      {.title = flow.title(),
        .description =
-           "The lid of a square box of 1 m slides at 1 m/s from t = 0, Mach number 0.2. When the flow is steady, at 12, 30 "
-           "and 35 s for Reynolds numbers of 100, 400 and 1000, velocities on both centrelines are compared with the tables of "
-           "Ghia, Ghia & Shin (1982), whose own errors are up to 1 % of the lid's speed. The velocities are evaluated "
-           "from the particles by local fits of second degree and averaged over the last 5 s; norms are relative to the lid's speed.\n\nMPM as "
+           flow.judged.description +
+           " The Mach number is 0.2; the flow is steady at 12, 30 and 35 s for Reynolds numbers of 100, 400 and 1000. "
+           "Velocities on the centrelines are evaluated from the particles by local fits of second degree; norms are "
+           "relative to the lid's speed.\n\nMPM as "
            "printed and transport-velocity SPH are left out: within 0.4 s the lid drives one of their particles "
            "through the downstream wall.",
-       .times = {flows.front().end},
+       .times = {tabulated.front().end},
        .monitor = kinetic_energy_every(output_interval),
        .measurements = {against_tables},
        .findings = {unsteadiness(0, steady_for)},
-       .methods = {in_cavity(affine, coarse_levels, within(5, flows[0].at(24), first_measured)),
+       .methods = {in_cavity(affine, coarse_levels, within(5, tabulated[0].at(24), first_measured)),
                    in_cavity(least_squares, all_levels,
-                             near_ghia(8, {flows[0]}, steady_and(within(11, flows[2].at(100), first_measured)))),
+                             near_ghia(8, {tabulated[0]}, steady_and(within(11, tabulated[2].at(100), first_measured)))),
                    mixing(in_cavity(second_order, all_levels,
-                                    near_ghia(2.1, {flows.begin(), flows.end()}, steady_on_average())))},
-       .plots = {kinetic_energy_over_time(0, {flows[0].at(100), flows[1].at(100), flows[2].at(100)}), work(),
+                                    near_ghia(2.1, {tabulated.begin(), tabulated.end()}, steady_on_average())))},
+       .plots = {kinetic_energy_over_time(0, {tabulated[0].at(100), tabulated[1].at(100), tabulated[2].at(100)}), work(),
                  snapshots({"speed",
                             "Speed at Re 1000",
                             "10000 particles coloured by speed.",
                             {"x [m]", 1, false, 0, 1},
                             {"y [m]", 1, false, 0, 1},
                             {"speed [m/s]", 1, false, 0, 0.6}},
-                           {flows[2].at(100)}, {flows[2].end}, speed)}},
+                           {tabulated[2].at(100)}, {tabulated[2].end}, speed)}},
       profiles());
 }

@@ -1,7 +1,7 @@
 /// Start-up of plane Couette flow [Sun et al., section 3.2]. Water at rest between two plates, of which the upper one
 /// slides at a constant velocity from t = 0; at 1 s the profile is the straight line to four digits.
 
-#include "vnv/flows/start_up.hpp"
+#include "vnv/flows/channels/start_up.hpp"
 
 #include <cmath>
 
@@ -23,14 +23,14 @@ double middle_velocity(const Samples& samples) {
 }
 
 /// Kept to show that the suite detects it.
-Method mpm_unfelt() {
+Method mpm_unfelt(const Scene<Newtonian>& scene) {
   return {.name = "mpm_unfelt",
           .family = Family::mpm,
           .description = mpm_words +
                          "Here a wall node has the velocity of the wall but transmits no acceleration: particles next "
                          "to a wall that starts impulsively never feel the start. Kept to show that the suite detects "
                          "this.",
-          .run = mpm_with<mpm::PrescribedVelocity>(couette::scene),
+          .run = mpm_with<mpm::PrescribedVelocity>(scene),
           .levels = {{.name = "M2", .spacing = H / 80, .cell = H / 40, .acceptance = 0.1, .report = 1, .nightly = 1}},
           .claims = {at_least(l2, 5, theory("the impulse of the wall is missing")).on("M2").at(0.1)}};
 }
@@ -60,13 +60,8 @@ std::map<std::string, std::vector<Claim>> claims() {
 }  // namespace
 
 Case vnv::the_case() {
-  std::vector<Method> methods = start_up_methods(couette::scene, flow);
-  methods.insert(methods.begin() + 2, mpm_unfelt());
-  Case declared = start_up_case(flow, couette::exact, middle_velocity, std::move(methods), claims());
-  declared.title = "Start-up of plane Couette flow";
-  declared.description =
-      "Water at rest between two plates 1 mm apart, the upper of which slides at 0.1 mm/s from t = 0. The "
-      "oracle is the exact series of Morris, Fox & Zhu (1997), evaluated by Fourier terms at late times and by images "
-      "at early times.";
-  return declared;
+  const auto scene = scene_of<Newtonian>(flow_named(flow.name));
+  std::vector<Method> methods = start_up_methods(scene, flow);
+  methods.insert(methods.begin() + 2, mpm_unfelt(scene));
+  return start_up_case(flow, middle_velocity, std::move(methods), claims());
 }

@@ -1,20 +1,21 @@
 /// Work-precision diagram of start-up plane Couette flow [Sun et al., section 3.2], at the paper's bulk modulus.
 
-#include "vnv/flows/channel_run_time.hpp"
+#include "vnv/flows/channels/channel_run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::channel;
 
 Case vnv::the_case() {
-  const WorkStudy study = start_up_study(couette::V);
+  const Flow couette = flow_named("couette");
+  const WorkStudy study = start_up_study(couette["V"]);
   const Claim as_m1 = at_most(price_of(study.diagram(), 1), 98,
                               literature("Sun et al., table 4, M1: 200000 steps of 0.49 ms for 1.08 %")),
               as_s1 = at_most(price_of(study.diagram(), 3), 944,
                               literature("Sun et al., table 4, S1: 200000 steps of 4.72 ms for 1.35 %"));
   Case declared =
-      error_against_run_time_in(couette::scene, couette::exact, study, published_work("couette"),
-                                {{"mpm", {as_m1}}, {"sph_difference", {as_s1}}, {"sph_regularised", {as_s1}}});
+      error_against_run_time_in<NoForce>(couette, study, published_work(couette.name),
+                                         {{"mpm", {as_m1}}, {"sph_difference", {as_s1}}, {"sph_regularised", {as_s1}}});
   declared.title = "Couette flow: work-precision diagram";
   declared.description =
       "The start-up of plane Couette flow from rest to 1 s, at the paper's bulk modulus: each method is run over "

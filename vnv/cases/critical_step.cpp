@@ -1,6 +1,6 @@
 /// The largest stable time step of each method in Poiseuille flow, compared with the Courant limit (31) of Sun et al.
 
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 #include "vnv/stability/critical_step.hpp"
 
 using namespace touchstone;

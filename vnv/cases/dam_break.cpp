@@ -95,15 +95,15 @@ Method smooth() {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("dam_break");
   Case declared = front_followed(
-      "Dam break",
-      "A column of water 0.6 m square collapses under gravity in a tank 1.61 m long. The oracle is the front "
-      "measured by Lobovský et al. (2014) for that column, with L = l / l0 and T = t sqrt(g h0) / l0; Martin & "
-      "Moyce (1952) and Ritter's bound dL/dT = 2 are shown for comparison. The gate of the experiment takes time to rise "
-      "and a jet leaves under it first, so the front is judged for T >= 1. The front is the centre of the farthest "
-      "vertical slice 0.02 m wide that is half full.\n\nThe cells divide the tank evenly: 81 of 0.0199 m along its "
+      flow.title(),
+      flow.judged.description +
+          " Here the front measured by Lobovský et al. (2014) judges. The gate of the experiment takes time to rise and a "
+          "jet leaves under it first, so the front is judged for T >= 1. It is the centre of the farthest "
+          "vertical slice 0.02 m wide that is half full.\n\nThe cells divide the tank evenly: 81 of 0.0199 m along its "
       "length, where the paper gives 0.02 m.");
-  declared.times = {0.32, 0.41, 0.46, 0.5};
+  declared.times = flow.judged.times;
   declared.measurements.push_back(
       roughness_of("pressure", pressure, "rho g h0", water.density * g * column.y(), {0.32}));
   declared.claims = {

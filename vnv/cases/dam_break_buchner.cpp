@@ -1,8 +1,8 @@
 /// The dam break of Zhou, De Kat & Buchner (1999) and Buchner (2002), released at once: levels at two gauges and the
 /// pressure in the far wall.
 
-#include "vnv/flows/buchner_dam.hpp"
-#include "vnv/flows/dam_methods.hpp"
+#include "vnv/flows/dams/buchner_dam.hpp"
+#include "vnv/flows/dams/dam_methods.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,6 +1,6 @@
 /// Where the energy of a dam break goes: what each part of a method adds to it, found from its own forces in each step.
 
-#include "vnv/flows/gated_dam.hpp"
+#include "vnv/flows/dams/gated_dam.hpp"
 #include "vnv/methods/energy_budgets.hpp"
 #include "vnv/record/record.hpp"
 

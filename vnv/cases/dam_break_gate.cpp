@@ -1,8 +1,8 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, with its gate, through the impact on the far wall to
 /// 2 s: front, levels and wall pressures beside the experiment's, and the energy budget.
 
-#include "vnv/flows/dam_methods.hpp"
-#include "vnv/flows/gated_dam_figures.hpp"
+#include "vnv/flows/dams/dam_methods.hpp"
+#include "vnv/flows/dams/gated_dam_figures.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,7 +1,7 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.6 m, with its gate: the column that Sun et al. compute.
 
-#include "vnv/flows/dam_methods.hpp"
-#include "vnv/flows/gated_dam.hpp"
+#include "vnv/flows/dams/dam_methods.hpp"
+#include "vnv/flows/dams/gated_dam.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,8 +1,8 @@
 /// Which methods run a dam break through the impact on the far wall to 2 s: four columns, from disturbed starts, at up
 /// to 160 particles over the height.
 
-#include "vnv/flows/gated_dam.hpp"
-#include "vnv/flows/open_dam.hpp"
+#include "vnv/flows/dams/gated_dam.hpp"
+#include "vnv/flows/dams/open_dam.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/studies/disturbed.hpp"

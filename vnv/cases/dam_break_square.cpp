@@ -1,7 +1,7 @@
 /// The square column of Martin & Moyce (1952), 2.25 in, released at once: front and residual height beside theirs.
 
-#include "vnv/flows/dam_methods.hpp"
-#include "vnv/flows/open_dam.hpp"
+#include "vnv/flows/dams/dam_methods.hpp"
+#include "vnv/flows/dams/open_dam.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,8 +1,8 @@
 /// A column of water twice as high as long, released at once: front and residual height beside Martin & Moyce (1952)
 /// and Koshizuka & Oka (1995).
 
-#include "vnv/flows/dam_methods.hpp"
-#include "vnv/flows/open_dam.hpp"
+#include "vnv/flows/dams/dam_methods.hpp"
+#include "vnv/flows/dams/open_dam.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

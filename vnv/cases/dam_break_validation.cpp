@@ -1,7 +1,7 @@
 /// The dam break of Lobovský et al. (2014) at a filling of 0.3 m, judged by ASME V&V 20-2009.
 
-#include "vnv/flows/gated_dam_ensemble.hpp"
-#include "vnv/flows/gated_dam_validation.hpp"
+#include "vnv/flows/dams/gated_dam_ensemble.hpp"
+#include "vnv/flows/dams/gated_dam_validation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 using namespace touchstone;

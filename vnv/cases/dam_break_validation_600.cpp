@@ -1,6 +1,6 @@
 /// The front of the dam break of Lobovský et al. (2014) at a filling of 0.6 m, judged by ASME V&V 20-2009.
 
-#include "vnv/flows/gated_dam_validation.hpp"
+#include "vnv/flows/dams/gated_dam_validation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 using namespace touchstone;

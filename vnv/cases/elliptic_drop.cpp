@@ -30,15 +30,12 @@ std::map<std::string, std::vector<Claim>> claims() {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("elliptic_drop");
   const auto length = [](double t) { return exact.at(t).a; };
   Case declared{
-      .title = "Stretching elliptic drop",
-      .description =
-          "A circular drop of an inviscid fluid, 1 m in radius, starts with a uniform strain rate of 1/s, stretching "
-          "along x; no force acts on it. It stays an ellipse, whose half-axes and pressure follow from an ordinary "
-          "differential equation (Monaghan 1994). After 0.8 s it is twice as long as at the start. The Mach number is "
-          "1/60.",
-      .times = {0.2, 0.4, 0.6, end},
+      .title = flow.title(),
+      .description = flow.judged.description + " At the end it is twice as long as at the start. The Mach number is 1/60.",
+      .times = flow.judged.times,
       .monitor = monitored_axes(),
       .measurements = {error_of_axes, velocity_errors(velocity_of(exact)), error_of_pressure(exact)},
       .methods = with_ladder(levels, methods_on(scene()), claims()),

@@ -36,13 +36,12 @@ Claim rearranges() { return at_most(kinetic, 2e-5, baseline("1.5 times the first
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("hydrostatic");
   Case declared{
-      .title = "Hydrostatic equilibrium",
-      .description =
-          "Water 1 m deep rests under gravity for 10 s between a bottom wall and a free surface, periodic along x. The oracle is "
-          "the equilibrium of Tait's law; each row of particles starts at the height at which it has its equilibrium "
-          "column of water above it. Any motion is spurious.",
-      .times = {settled, 2, end},
+      .title = flow.title(),
+      .description = flow.judged.description + " Each row of particles starts at the height at which it has its "
+                                               "equilibrium column of water above it.",
+      .times = flow.judged.times,
       .monitor = monitored(g),
       .measurements = {norms_of("p, per particle", pressures, pressure_at), spurious_motion(depth)},
       .methods = {with_ladder(levels, printed(scene)), with_ladder(levels, affine(scene), claims()),

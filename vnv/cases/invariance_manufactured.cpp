@@ -2,16 +2,18 @@
 /// takes part.
 
 #include "vnv/flows/manufactured.hpp"
-#include "vnv/flows/square_views.hpp"
+#include "vnv/flows/squares/square_views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("manufactured");
+  const auto force_in = [force = flow.drive.at](const View& view) -> ForceField {
+    return {[=](const Vec2& x, double t) -> Vec2 { return view.turned * force(view.place_in_plain_flow(x, t), t); }};
+  };
   Case declared = square::in_several_views(
-      square::PlaneFlow<ForceField>{manufactured::fluid, manufactured::velocity, manufactured::pressure,
-                                    [](const View& view) { return ForceField{manufactured::Sustaining{view}}; }},
-      manufactured::end);
+      square::PlaneFlow<ForceField>{flow.fluid, flow.velocity(), flow.pressure(), force_in}, manufactured::end);
   for (Method& method : declared.methods)
     if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);
   declared.title = "Invariance: manufactured solution";

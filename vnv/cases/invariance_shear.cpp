@@ -1,15 +1,16 @@
 /// A decaying shear wave under symmetry transformations: on its lattice rows of particles slip past each other, turned
 /// they do not.
 
-#include "vnv/flows/shear_wave.hpp"
-#include "vnv/flows/square_views.hpp"
+#include "vnv/flows/flow.hpp"
+#include "vnv/flows/squares/square_views.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 
 Case vnv::the_case() {
-  Case declared = square::in_several_views(square::PlaneFlow<>{.fluid = shear_wave::fluid,
-                                                               .velocity = shear_wave::velocity,
+  const Flow flow = flow_named("shear_wave");
+  Case declared = square::in_several_views(square::PlaneFlow<>{.fluid = flow.fluid,
+                                                               .velocity = flow.velocity(),
                                                                .pressure = [](const Vec2&, double) { return 0.0; }},
                                            0.2);
   declared.title = "Invariance: shear wave";

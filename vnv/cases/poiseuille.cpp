@@ -1,7 +1,7 @@
 /// Start-up of plane Poiseuille flow [Sun et al., section 3.1]. Water at rest between two plates is subject to a body
 /// force along x from t = 0; at 1 s the profile is the steady parabola to four digits.
 
-#include "vnv/flows/start_up.hpp"
+#include "vnv/flows/channels/start_up.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -38,12 +38,6 @@ std::map<std::string, std::vector<Claim>> claims() {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared =
-      start_up_case(flow, poiseuille::exact, largest_velocity, start_up_methods(poiseuille::scene, flow), claims());
-  declared.title = "Start-up of plane Poiseuille flow";
-  declared.description =
-      "Water at rest between two plates 1 mm apart is driven by a body force of 8 mm/s² along them from t = 0. The "
-      "oracle is the exact series of Morris, Fox & Zhu (1997), evaluated by Fourier terms at late times and by images "
-      "at early times.";
-  return declared;
+  const auto scene = scene_of<Newtonian, Uniform>(flow_named(flow.name));
+  return start_up_case(flow, largest_velocity, start_up_methods(scene, flow), claims());
 }

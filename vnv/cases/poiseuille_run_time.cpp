@@ -2,7 +2,7 @@
 
 #include "vnv/bench/in_turn.hpp"
 #include "vnv/bench/plain_musl.hpp"
-#include "vnv/flows/channel_run_time.hpp"
+#include "vnv/flows/channels/channel_run_time.hpp"
 #include "vnv/record/record.hpp"
 
 using namespace touchstone;
@@ -33,8 +33,9 @@ std::vector<WorkPoint> elsewhere() {
 const Quantity beside_plain_loop{"CPU time to 1 % over that of the reference loop", "", Kind::cost};
 std::vector<Value> price_beside_a_plain_loop(const Results& results, const Record& record) {
   if (results.method.name != "mpm") return {};
+  const auto scene = scene_of<Newtonian, Uniform>(flow_named("poiseuille"));
   const auto to_one_second = [&] {
-    bench::PlainMusl loop(bench::plain(poiseuille::scene), H / 12, H / 12, 70 * us);
+    bench::PlainMusl loop(bench::plain(scene), H / 12, H / 12, 70 * us);
     for (long step = 0; step < std::lround(1 / (70 * us)); ++step) loop.step();
   };
   const double plain = bench::time_in_turn({to_one_second}, {.seconds = 0}).of(0);
@@ -49,8 +50,8 @@ std::vector<Value> price_beside_a_plain_loop(const Results& results, const Recor
 Case vnv::the_case() {
   const Claim as_m1 = price_at_most(3, 92, literature("Sun et al., table 3, M1: 200000 steps of 0.46 ms for 3.34 %")),
               as_s1 = price_at_most(3, 1006, literature("Sun et al., table 3, S1: 200000 steps of 5.03 ms for 4.39 %"));
-  Case declared = error_against_run_time_in(
-      poiseuille::scene, poiseuille::exact, study, elsewhere(),
+  Case declared = error_against_run_time_in<Uniform>(
+      flow_named("poiseuille"), study, elsewhere(),
       {{"mpm", {as_m1, at_most(beside_plain_loop, 0.75, baseline("goal: 0.03 s where a plain loop takes 0.04 s"))}},
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1, price_at_most(1, 2, baseline("goal: the best of other codes takes 83 s"))}}});

@@ -1,7 +1,7 @@
 /// How stiff a fluid has to be: plane Poiseuille flow at sound speeds from a thousand times the largest velocity, which
 /// is that of Sun et al., down to the ten times that are usual.
 
-#include "vnv/flows/channel_run_time.hpp"
+#include "vnv/flows/channels/channel_run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -11,7 +11,7 @@ Case vnv::the_case() {
   WorkStudy study = start_up_study(1 * mm);
   study.stiffness = stiff_to_soft;
   study.budget = 30;
-  Case declared = error_against_run_time_in(poiseuille::scene, poiseuille::exact, study);
+  Case declared = error_against_run_time_in<Uniform>(flow_named("poiseuille"), study);
   declared.title = "Poiseuille flow: how stiff must the fluid be?";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s in fluids of several sound speeds c. With K = 143 Pa in "

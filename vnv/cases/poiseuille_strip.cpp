@@ -1,7 +1,7 @@
 /// Work-precision diagram of start-up plane Poiseuille flow in no more of the channel than the flow needs: nothing
 /// varies along it, so a strip is enough that fills a vector register with cells, or holds a kernel of SPH.
 
-#include "vnv/flows/channel_run_time.hpp"
+#include "vnv/flows/channels/channel_run_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -13,7 +13,7 @@ Case vnv::the_case() {
   study.particles.insert(study.particles.end(), {224, 320});
   study.budget = 60;
   study.steps = {2, 1.7, 1.4, 1};
-  Case declared = error_against_run_time_in(poiseuille::scene, poiseuille::exact, study);
+  Case declared = error_against_run_time_in<Uniform>(flow_named("poiseuille"), study);
   declared.title = "Poiseuille flow in a strip: work-precision diagram";
   declared.description =
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus, as in poiseuille_run_time; but the "

@@ -37,7 +37,7 @@ Level mpm_level(const Point& p) {
       {.name = fmt::format("{0} cells, {1:g} x {1:g} points, c dt = {2:g} cells", p.across, p.finer, p.courant),
        .spacing = cell / p.finer,
        .cell = cell,
-       .time_step = step_for(scene, p.courant, cell, output_interval)},
+       .time_step = step_for(scene(), p.courant, cell, output_interval)},
       p.quick);
 }
 Level sph_level(const Point& p) {
@@ -46,7 +46,7 @@ Level sph_level(const Point& p) {
       {.name = fmt::format("h = 1.3 / {} m, {:g} spacings, c dt = {:g} spacings", p.across, p.finer, p.courant),
        .spacing = spacing,
        .smoothing_length = h,
-       .time_step = step_for(scene, p.courant, spacing, output_interval)},
+       .time_step = step_for(scene(), p.courant, spacing, output_interval)},
       p.quick);
 }
 
@@ -107,7 +107,8 @@ void over_time_steps(const Results& results, Record& record) {
 }  // namespace
 
 Case vnv::the_case() {
-  const Method mpm = mpm_least_squares(scene, output_interval), sph = sph_second_order(scene, output_interval);
+  const Method mpm = mpm_least_squares(scene(), output_interval), sph = sph_second_order(scene(), output_interval);
+  const Flow flow = flow_named("manufactured");
   return {
       .title = "Refinement of cells, particles and time step separately",
       .description =
@@ -116,7 +117,7 @@ Case vnv::the_case() {
           "it, or by shorter steps. Only refining cells or kernels reduces the second-order error; the other ladders show "
           "the remaining error.",
       .times = {end},
-      .measurements = {velocity_errors(velocity), pressure_errors(pressure)},
+      .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure())},
       .methods = {over_surface(mpm, surface(points), mpm_level, cells_at, points_in_cells),
                   over_surface(sph, surface(ratios), sph_level, kernels_at, spacing_in_kernels)},
       .plots = {error_against_spacing("surface", "Error against spacing, each parameter refined separately",

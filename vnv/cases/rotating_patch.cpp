@@ -49,15 +49,14 @@ Method rotating(const Make& make, std::vector<Claim> claims = {}) {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("rotating_patch");
   return {
-      .title = "Rotating square patch",
-      .description =
-          "A square patch of an inviscid fluid starts in rigid rotation, with a free surface all around (Colagrossi 2005; Le Touzé et al. "
-          "2013). Arms grow from its corners, and its pressure, negative apart from acoustic ripples, exposes the tensile instability of "
-          "particle methods. Momentum, angular momentum and the symmetry of a square are conserved; kinetic energy too, "
-          "in the incompressible limit. One run starts from a disturbed lattice, which lacks that symmetry "
-          "from the start. The Mach number of the corners is 1/28.",
-      .times = {0.5, end},
+      .title = flow.title(),
+      .description = flow.judged.description +
+                     " Arms grow from its corners, and its pressure, negative apart from acoustic ripples, exposes the "
+                     "tensile instability of particle methods (Le Touzé et al. 2013). One run starts from a disturbed "
+                     "lattice, which lacks the symmetry from the start. The Mach number of the corners is 1/28.",
+      .times = flow.judged.times,
       .monitor = monitored(L),
       .measurements = {conservation_errors(exact, is_disturbed), roughness_of_pressure(exact)},
       .methods = {rotating(printed, {keeps_momentum()}), rotating(apic, {keeps_momentum()}),

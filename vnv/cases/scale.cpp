@@ -3,7 +3,7 @@
 #include "vnv/bench/flows.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/race.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/channels/channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -13,9 +13,6 @@ using namespace touchstone::vnv::square;
 namespace {
 
 constexpr double early = 0.1, end = 1;  // s
-const Scene<Newtonian> scene{.domain = domain, .fluid = fluid, .filled = box, .start = {.velocity = [](const Vec2& x) {
-                                                                                return velocity(x, 0);
-                                                                              }}};
 
 const std::vector<Level> levels = levels_across(
     side, {{32, early, 0, end}, {44, early, 0, end}, {64, 0, 0, end}, {88, 0, 0, early}, {128, 0, 0, early}});
@@ -30,15 +27,16 @@ Claim of_second_order(const std::string& words) {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("shear_wave");
+  const auto scene = scene_of<>(flow);
+  const reference::ShearWave exact = exact_of(flow);
   Case declared = with_plots(
-      {.title = "Decaying shear wave",
-       .description =
-           "In a periodic square of side L = 1 m the initial velocity along x is U sin(2 pi y / L) with U = 1 m/s; "
-           "Reynolds number 100, Mach number 0.1. The oracle is an exact solution of the full Navier-Stokes equations: "
-           "pressure and density stay uniform, and the wave decays by viscosity alone.",
-       .times = {early, end},
+      {.title = flow.title(),
+       .description = flow.judged.description +
+                      " Reynolds number 100, Mach number 0.1. Pressure and density stay uniform.",
+       .times = flow.judged.times,
        .monitor = kinetic_energy_every(0.02),
-       .measurements = {velocity_errors(velocity), decay_of_energy(0, 2 * exact.decay_rate())},
+       .measurements = {velocity_errors(flow.velocity()), decay_of_energy(0, 2 * exact.decay_rate())},
        .methods = {with_ladder(levels, mpm_as_printed(scene, output_interval)),
                    with_ladder(levels, mpm_gimp(scene, output_interval),
                                {of_second_order("linear shape functions, averaged over particles that stay in rows")}),
@@ -51,12 +49,12 @@ Case vnv::the_case() {
                                {of_second_order("fits of second degree")})},
        .plots = {kinetic_energy_over_time(0, {"32 across"}), exact_over_time(
                                                                  "energy",
-                                                                 [](double t) {
+                                                                 [exact, rho = flow.fluid.density](double t) {
                                                                    const double v = exact(side / 4, t);
                                                                    return rho * side * side * v * v / 4;
                                                                  },
                                                                  end)}},
       figures(early, l2_velocity, 10));
   return with_work(std::move(declared),
-                   {.error = l2_velocity, .times = {end}, .length = side, .largest_speed = U, .stiffness = {10, 5, 3}});
+                   {.error = l2_velocity, .times = {end}, .length = side, .largest_speed = flow["U"], .stiffness = {10, 5, 3}});
 }

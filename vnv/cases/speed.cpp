@@ -26,7 +26,7 @@
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
 #include "vnv/bench/race.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/channels/channel.hpp"
 #include "vnv/flows/manufactured.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/run/state_check.hpp"
@@ -167,15 +167,21 @@ auto race_free_surface(const MakeParts& parts) {
 sph::Antuono diffusion_in_dam(double h) { return {.delta = 0.1, .sound_speed = dam().fluid.sound_speed(), .h = h}; }
 
 /// A square of vortices, without the force of the manufactured flow: its evaluation is not the method's.
-const Scene<Newtonian> vortices{
-    .domain = square::domain, .fluid = manufactured::fluid, .filled = square::box, .start = manufactured::scene.start};
-double step_in_vortices(const Level& level) { return 0.2 * level.spacing / vortices.fluid.sound_speed(); }
+const Scene<Newtonian>& vortices() {
+  static const Scene<Newtonian> scene = [] {
+    Flow flow = flow_named("manufactured");
+    flow.drive = {};
+    return scene_of<>(flow);
+  }();
+  return scene;
+}
+double step_in_vortices(const Level& level) { return 0.2 * level.spacing / vortices().fluid.sound_speed(); }
 
 /// MPM by least squares in the manufactured flow without its force, whose evaluation is not the method's, against as
 /// many particles of the plain loop in a square channel.
 Run race_least_squares(const Level& level, const Schedule&) {
-  const double time_step = 0.3 * level.cell / vortices.fluid.sound_speed(), side = channel_cell / level.cell;
-  return race(mpm::least_squares(vortices, mpm_settings(level, time_step)),
+  const double time_step = 0.3 * level.cell / vortices().fluid.sound_speed(), side = channel_cell / level.cell;
+  return race(mpm::least_squares(vortices(), mpm_settings(level, time_step)),
               PlainMusl(plain(bench::channel(side, side)), channel_cell, channel_cell / 2, channel_step), 100);
 }
 
@@ -407,7 +413,7 @@ std::vector<Method> of_accurate_sph() {
       rates(
           "sph_second_order_square", second + " in vortices",
           [](const Level& level, const Schedule&) {
-            return race_second_order(vortices, level, step_in_vortices(level));
+            return race_second_order(vortices(), level, step_in_vortices(level));
           },
           in_square, 2.85),
       rates(
@@ -419,7 +425,7 @@ std::vector<Method> of_accurate_sph() {
       rates(
           "sph_transport_velocity_square", transport + " in vortices, two passes",
           [](const Level& level, const Schedule&) {
-            return race_transport_velocity(vortices, level, step_in_vortices(level));
+            return race_transport_velocity(vortices(), level, step_in_vortices(level));
           },
           in_square, 3.2)};
 }

@@ -43,14 +43,11 @@ std::vector<Method> methods_up_levels() {
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("standing_wave");
   return {
-      .title = "Standing gravity wave",
-      .description =
-          "Water 0.5 m deep, 1 m from crest to crest, starts at rest with a surface elevation of 2 cm and oscillates for five "
-          "periods; a viscosity of 2e-3 m²/s reduces the amplitude by a tenth in each. The oracle is the linear wave (Lamb 1932): "
-          "period from the dispersion relation, decay rate 2 nu k² from the potential flow. Period and decay rate are those of the "
-          "damped oscillation fitted to the first moment of the particle heights.",
-      .times = {end},
+      .title = flow.title(),
+      .description = flow.judged.description + " Viscosity reduces the amplitude by a tenth in each of five periods.",
+      .times = flow.judged.times,
       .monitor = monitored(L),
       .measurements = {errors_of_oscillation(exact)},
       .methods = methods_up_levels(),

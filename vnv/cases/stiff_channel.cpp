@@ -1,15 +1,15 @@
 /// Poiseuille flow of a fluid with a hundredfold bulk modulus: K x 100, sound ten times faster, the time step ten times
 /// shorter.
 
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::channel;
 
 Case vnv::the_case() {
-  constexpr Newtonian stiff{{.density = 1000, .bulk_modulus = 14300}, 1e-3};
-  Case declared = forty_across(driven_by(Uniform{{drive, 0}}, stiff), {0.05}, 0.5 * us, 1 * us);
+  const Flow stiff = flow_named("poiseuille", Settings({{"c", 10 * water.sound_speed()}}));
+  Case declared = forty_across(stiff, {0.05}, 0.5 * us, 1 * us);
   declared.title = "Poiseuille flow with a hundredfold bulk modulus";
   declared.description =
       "Poiseuille flow with K = 14.3 kPa, a hundred times the paper's: the sound speed is 10 m/s, the Mach number "

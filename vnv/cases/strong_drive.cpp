@@ -1,6 +1,6 @@
 /// Poiseuille flow with a hundredfold body force, Reynolds number 100, Mach number 0.1.
 
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -8,7 +8,7 @@ using namespace touchstone::vnv::channel;
 
 Case vnv::the_case() {
   constexpr double end = 0.5;  // s
-  Case declared = forty_across(driven_by(Uniform{{100 * drive, 0}}), {0.05, end}, dt, 2 * dt);
+  Case declared = forty_across(flow_named("poiseuille", Settings({{"F", 100 * drive}})), {0.05, end}, dt, 2 * dt);
   declared.title = "Poiseuille flow with a hundredfold body force";
   declared.description =
       "Poiseuille flow with a body force of 0.8 m/s², a hundred times the paper's: steady velocity 0.1 m/s, "

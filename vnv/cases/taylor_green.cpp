@@ -33,7 +33,8 @@ Claim no_worse_than(double percent) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared = taylor_green::declared({.reynolds = 100, .sound_speed = 80},
+  const Flow flow = flow_named("taylor_green");
+  Case declared = taylor_green::declared(flow,
                                          {{50, early, 0, end},
                                           {60, 0, 0, early},
                                           {70, early, 0, early},
@@ -49,15 +50,13 @@ Case vnv::the_case() {
                                           {"sph_second_order", claims_of_second_order(of_sph())}});
   declared.methods.back().tolerance = {
       0.1, "particles are redistributed: a sanitized build differed by 5 % in pressure"};  // they return to no lattice
-  declared.title = "Taylor-Green vortices";
-  declared.description =
-      "Four vortices in a periodic square of 1 m decay; maximum initial speed 1 m/s, Reynolds number 100, Mach number 1/80. "
-      "The oracle is Taylor's solution for an incompressible fluid. Within half a second the flow stretches the fluid near the "
-      "corners of the vortices ten times.";
+  declared.description +=
+      " Here the Reynolds number is 100 and the Mach number 1/80. Within half a second the flow stretches the fluid near "
+      "the corners of the vortices ten times.";
   return with_work(std::move(declared), {.error = l2_velocity,
                                          .times = {end},
                                          .length = square::side,
-                                         .largest_speed = U,
+                                         .largest_speed = flow["U"],
                                          .stiffness = {80, 40, 20, 10},
                                          .budget = 30});
 }

@@ -8,12 +8,8 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::taylor_green;
 
 Case vnv::the_case() {
-  Case declared = taylor_green::declared({.reynolds = 1000, .sound_speed = 40},
+  Case declared = taylor_green::declared(flow_named("taylor_green", Settings({{"Re", 1000}, {"c", 40}})),
                                          {{50, early, 0, end}, {70, 0, 0, end}, {100, 0, 0, end}, {140, 0, 0, early}});
-  declared.title = "Taylor-Green vortices at Re = 1000";
-  declared.description =
-      "Four vortices in a periodic square of 1 m decay; maximum initial speed 1 m/s, Mach number 1/40. The oracle is "
-      "Taylor's solution for an incompressible fluid. The kinetic energy decays by 4 % in half a second: numerical dissipation "
-      "is visible.";
+  declared.description += " The kinetic energy decays by 4 % in half a second: numerical dissipation is visible.";
   return declared;
 }

@@ -112,7 +112,7 @@ struct OrderOptions {
 };
 int order(const Build& build, const OrderOptions& options);
 
-/// Of what this was built: "0.1.0"; and "5617f2c", with "-dirty" where that was changed, or "unknown".
+/// Of what this was built: "0.2.0"; and "5617f2c", with "-dirty" where that was changed, or "unknown".
 std::string_view project_version();
 std::string_view revision();
 

@@ -3,7 +3,7 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/doors/fields.hpp"
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/programs/programs.hpp"
 
 #include <fmt/format.h>
@@ -29,13 +29,13 @@ const std::map<std::string, Values>& kinds_of_values() {
   static const std::map<std::string, Values> kinds{{"AFTER", {.paths = Paths::files}},
                                                    {"AXES", {.words = doors::names_of_planes()}},
                                                    {"BEFORE", {.paths = Paths::files}},
-                                                   {"CASE", {.words = doors::flow_names(), .listed = Listed::cases}},
+                                                   {"CASE", {.words = flow_names(), .listed = Listed::cases}},
                                                    {"ENGINE", {.words = engines}},
                                                    {"FILE", {.paths = Paths::files}},
                                                    {"FILES", {.paths = Paths::files}},
-                                                   {"FLOW", {.words = doors::flow_names()}},
+                                                   {"FLOW", {.words = flow_names()}},
                                                    {"FOLDER", {.paths = Paths::folders}},
-                                                   {"NAME", {.words = doors::flow_names(), .listed = Listed::methods}},
+                                                   {"NAME", {.words = flow_names(), .listed = Listed::methods}},
                                                    {"PATTERN", {.paths = Paths::solvers, .listed = Listed::methods}},
                                                    {"RECORDS", {.paths = Paths::folders}},
                                                    {"SHELL", {.words = {"bash", "zsh"}}},
@@ -234,7 +234,7 @@ else
 fi
 )zsh",
                      fmt::arg("commands", commands), fmt::arg("arguments", arguments),
-                     fmt::arg("options", specifications(vnv)), fmt::arg("flows", fmt::join(doors::flow_names(), " ")));
+                     fmt::arg("options", specifications(vnv)), fmt::arg("flows", fmt::join(flow_names(), " ")));
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ void print_data(const Description& one) {
 }
 
 /// "the front: 20 times or more, to 0.5 s"
-std::string over_time(const doors::Measured& one) {
+std::string over_time(const Measured& one) {
   const auto [first, last, least, is_steady] = *one.over;
   if (!std::isfinite(first)) return one.name + ": at whatever times there are";
   const std::string span =
@@ -112,18 +112,18 @@ std::string over_time(const doors::Measured& one) {
 
 /// A flow, by which any code is judged, at its published parameters.
 void explain_flow(const std::string& name) {
-  const doors::Flow flow = doors::flow_named(name);
+  const Flow flow = flow_named(name);
   const Description one = doors::describe(flow);
   fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", name, one.title)));
   print_wrapped(one.description, 0);
   print_heading("Parameters, as published; --set gives them other values");
-  for (const doors::Parameter& p : flow.parameters)
+  for (const Parameter& p : flow.parameters)
     print_wrapped(fmt::format("{} = {:.10g}{}: {}", p.name, p.value, p.unit == "-" ? "" : " " + p.unit, p.words), 2);
   print_heading("Judged");
-  for (const doors::Exact& exact : flow.exact)
+  for (const Exact& exact : flow.exact)
     print_wrapped(fmt::format("exact {}: {}", exact.field, fmt::join(exact.norms, "; ")), 2);
   print_wrapped(fmt::format("at {} s, or at the times of your files", fmt::join(one.times, ", ")), 2);
-  for (const doors::Measured& measured : flow.measured)
+  for (const Measured& measured : flow.measured)
     if (measured.over) print_wrapped("over time, " + over_time(measured), 2);
   print_heading("Claimed of any code");
   for (std::size_t k = 0; k < one.claims.size(); ++k)
@@ -170,7 +170,7 @@ int explain(const Build& build, const ExplainOptions& options) {
     return all_holds;
   }
   const Catalogue catalogue = read_catalogue(build, {options.pattern});
-  const std::vector<std::string> flows = doors::flow_names();
+  const std::vector<std::string> flows = flow_names();
   if (std::ranges::find(flows, options.pattern) != flows.end() &&
       std::ranges::find(catalogue.cases, options.pattern, &Description::name) == catalogue.cases.end()) {
     fmt::print(stderr, "vnv: the case {} is not built; this is the flow by which any code is judged\n",

@@ -46,7 +46,7 @@ void print(const Diagnosis& diagnosis) {
 }
 
 /// What `--json` prints: of the record what a judgement is, with what was read and what was not judged.
-void print_as_json(const doors::Flow& flow, const doors::Judgement& judgement, bool holds) {
+void print_as_json(const Flow& flow, const doors::Judgement& judgement, bool holds) {
   const auto record = nlohmann::ordered_json::parse(as_json(judgement.record));
   nlohmann::ordered_json all{{"schema", "touchstone judgement 1"},
                              {"flow", flow.name},
@@ -76,7 +76,7 @@ bool all_hold(const Record& record) {
 }
 
 /// What was read, measured and claimed, for a person.
-void print_for_people(const doors::Flow& flow, const doors::Judgement& judgement, bool diagnose) {
+void print_for_people(const Flow& flow, const doors::Judgement& judgement, bool diagnose) {
   const Record& record = judgement.record;
   fmt::print("{}\n", flow.title());
   constexpr std::size_t few = 6;
@@ -101,7 +101,7 @@ struct Wanted {
   std::string records, junit;
   bool as_json, diagnose = false;
 };
-int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const Wanted& wanted) {
+int conclude(const Flow& flow, const doors::Judgement& judgement, const Wanted& wanted) {
   const bool holds = all_hold(judgement.record);
   if (wanted.as_json)
     print_as_json(flow, judgement, holds);
@@ -115,7 +115,7 @@ int conclude(const doors::Flow& flow, const doors::Judgement& judgement, const W
 
 int judge(const Build&, const JudgeOptions& options) {
   make_folder_of(options.records);
-  const doors::Flow flow = doors::flow_named(options.flow, settings_of(options.set));
+  const Flow flow = flow_named(options.flow, settings_of(options.set));
   return conclude(
       flow,
       doors::judge_files(

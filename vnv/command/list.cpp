@@ -56,10 +56,10 @@ void print_for_people(const std::vector<Chosen>& methods, const std::string& onl
 }
 
 /// "exact velocity, pressure; over time: half-axes"
-std::string judged_by(const doors::Flow& flow) {
+std::string judged_by(const Flow& flow) {
   std::vector<std::string> exact, over_time;
-  for (const doors::Exact& one : flow.exact) exact.push_back(one.field);
-  for (const doors::Measured& one : flow.measured)
+  for (const Exact& one : flow.exact) exact.push_back(one.field);
+  for (const Measured& one : flow.measured)
     if (one.over) over_time.push_back(one.name);
   return fmt::format("{}{}{}{}{}", exact.empty() ? "" : "exact ", fmt::join(exact, ", "),
                      exact.empty() || over_time.empty() ? "" : "; ",
@@ -71,7 +71,7 @@ void print_what_is_installed(const std::vector<std::string>& flows) {
   fmt::print(
       "No cases of our methods are installed; --build names a build folder that has them. Any code can be judged by\n\n");
   for (const std::string& name : flows) {
-    const doors::Flow flow = doors::flow_named(name);
+    const Flow flow = flow_named(name);
     fmt::print("{:24} {:36} {}\n", name, flow.judged.title, judged_by(flow));
   }
   fmt::print(

@@ -418,7 +418,7 @@ void add_subcommands(Session& session) {
       if (option->get_positional()) option->type_name("");  // its name says what it is
 }
 
-/// "vnv (Touchstone) 0.1.0, revision 5617f2c"
+/// "vnv (Touchstone) 0.2.0, revision 5617f2c"
 std::string version_in_words() {
   return fmt::format("vnv (Touchstone) {}{}", project_version(),
                      revision() == "unknown" ? "" : fmt::format(", revision {}", revision()));

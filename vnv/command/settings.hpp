@@ -1,5 +1,5 @@
 #pragma once
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 
 #include <fmt/format.h>
 
@@ -33,10 +33,10 @@ inline double number_of(std::string_view what, std::string_view text) {
   return value;
 }
 
-inline doors::Settings settings_of(const std::vector<std::string>& set) {
+inline Settings settings_of(const std::vector<std::string>& set) {
   std::map<std::string, double> numbers;
   for (const auto& [name, text] : pairs_of("--set", set)) numbers[name] = number_of("--set " + name, text);
-  return doors::Settings(std::move(numbers));
+  return Settings(std::move(numbers));
 }
 
 }  // namespace touchstone::vnv::command

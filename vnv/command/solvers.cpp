@@ -23,7 +23,7 @@ std::vector<doors::Solver> take_solvers(Patterns& patterns) {
 }
 
 std::vector<std::string> chosen_flows(const Patterns& patterns) {
-  const std::vector<std::string> all = doors::flow_names();
+  const std::vector<std::string> all = flow_names();
   if (patterns.empty()) return all;
   std::vector<std::string> chosen;
   for (const std::string& pattern : patterns) {
@@ -40,7 +40,7 @@ std::vector<Task> tasks_of(const doors::Solver& solver, const fs::path& records)
   const std::map<std::string, double> costs = costs_of_levels(record_file(records, solver.case_and_method()));
   std::vector<Task> tasks;
   for (const double spacing : solver.spacings) {
-    const std::string level = level_name(solver.flow, spacing);
+    const std::string level = doors::level_name(solver.flow, spacing);
     const auto cost = costs.find(level);
     tasks.push_back({.name = solver.case_and_method(),
                      .level = level,

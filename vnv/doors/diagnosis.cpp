@@ -1121,11 +1121,11 @@ class Diagnostician {
       if (is_named && k < fit.vanishing.size()) {
         const bool is_wall = words.unit == "spacings";
         const double in = fit.in_metres ? 1 : scale;
+        const FittedCause at_zero{one.cause, std::string(fit.in_metres ? "m" : words.unit), in * fit.vanishing[k].value,
+                                  in * fit.vanishing[k].half_width};
         made.sentence +=
-            fmt::format(" ({} {} {})", is_wall ? "at all resolutions" : "at vanishing spacing",
-                        in_digits_of_interval(std::copysign(1, fit.value[i]) * in * fit.vanishing[k].value,
-                                              in * fit.vanishing[k].half_width),
-                        fit.in_metres ? "m" : words.unit);
+            fmt::format(" ({} {}{})", is_wall ? "at all resolutions" : "at vanishing spacing",
+                        at_zero.value * fit.value[i] < 0 ? "-" : "", quantity(at_zero, fit.causes[k]));
       }
     }
     constexpr double worth_a_word = 0.03;

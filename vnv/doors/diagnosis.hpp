@@ -1,7 +1,7 @@
 #pragma once
 /// What is wrong, not only that it is wrong: causes of an error are fitted to it, each with its 95 % interval.
 
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/record/diagnosis.hpp"
 
 #include <vector>

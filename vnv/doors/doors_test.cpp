@@ -6,7 +6,7 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/flows/dam_break.hpp"
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 #include "vnv/flows/drop.hpp"
 #include "vnv/flows/gravity_wave.hpp"
 #include "vnv/flows/lid_driven.hpp"

@@ -4,6 +4,7 @@
 #include "solvers/samples.hpp"
 #include "solvers/scene.hpp"
 #include "vnv/doors/read/dataset.hpp"
+#include "vnv/flows/flow.hpp"
 
 #include <functional>
 #include <map>
@@ -32,8 +33,6 @@ std::vector<std::string> names_of_planes();
 /// them.
 void require_known_names(const Mapping& mapping, const std::string& where);
 
-/// The field of a velocity of which no more than its component along the flow's x need be there.
-inline const std::string velocity_along_x = "velocity along x";
 /// Rows that evenly fill more than one and a half periods along an axis, which is no motion beyond them: the period is
 /// another one.
 struct LongerThanPeriod : Unreadable {

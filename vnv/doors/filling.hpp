@@ -1,7 +1,7 @@
 #pragma once
 /// Whether all the fluid of a flow is in what files hold, at every time: a claim on any code, whatever its errors.
 
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/doors/judge.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "vnv/doors/right_data.hpp"
 
 #include "vnv/files/whole_file.hpp"
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 #include "vnv/measures/coverage.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 

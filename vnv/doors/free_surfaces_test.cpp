@@ -1,4 +1,3 @@
-#include "vnv/doors/flows.hpp"
 #include "vnv/doors/judge.hpp"
 #include "vnv/doors/right_data.hpp"
 #include "vnv/flows/drop.hpp"

@@ -25,7 +25,7 @@ install(FILES vnv/doors/client/TouchstoneConfig.cmake ${PROJECT_BINARY_DIR}/Touc
 install(DIRECTORY vnv/doors/client vnv/doors/python vnv/doors/examples DESTINATION share/touchstone PATTERN __pycache__ EXCLUDE PATTERN TouchstoneConfig.cmake EXCLUDE)
 install(FILES vnv/doors/IS_MY_SOLVER_RIGHT.md vnv/doors/README.md vnv/doors/scene.schema.json vnv/doors/LICENSE-MIT LICENSE DESTINATION share/touchstone)
 
-# build-portable/touchstone_0.1.0_amd64.deb: `cpack --config build-portable/CPackConfig.cmake`, with dpkg-dev and file.
+# build-portable/touchstone_0.2.0_amd64.deb: `cpack --config build-portable/CPackConfig.cmake`, with dpkg-dev and file.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME touchstone)
 set(CPACK_PACKAGE_CONTACT "Touchstone's authors <touchstone@localhost>")

@@ -2,7 +2,7 @@
 /// The output of any code, judged by a flow.
 
 #include "vnv/doors/fields.hpp"
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/record/record.hpp"
 
 #include <filesystem>

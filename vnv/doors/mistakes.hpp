@@ -1,7 +1,7 @@
 #pragma once
 /// Mistakes that are made or not: what is seen is the exact field with another sign, in another unit, place or time.
 
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 
 #include <functional>
 #include <string>

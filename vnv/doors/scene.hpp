@@ -1,7 +1,7 @@
 #pragma once
 /// All that a solver needs to compute a flow, in words or as JSON, and the particles that it starts from.
 
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/record/description.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// Samples of flows, as tests make them.
 
-#include "vnv/doors/flow.hpp"
+#include "vnv/flows/flow.hpp"
 
 namespace touchstone::vnv::doors {
 

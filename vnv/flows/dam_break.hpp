@@ -5,7 +5,8 @@
 #include "solvers/fluids/tait.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
-#include "vnv/flows/dam_front.hpp"
+#include "vnv/flows/dams/dam_front.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/record/record.hpp"
 
 namespace touchstone::vnv::dam_break {

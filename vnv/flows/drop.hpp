@@ -2,6 +2,7 @@
 /// A round drop that a strain stretches along x [Monaghan 1994], in nothing.
 
 #include "reference/elliptic_drop.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/judge/norms.hpp"
 #include "vnv/measures/field_errors.hpp"
 #include "vnv/measures/half_axes.hpp"

@@ -4,6 +4,7 @@
 #include "reference/standing_wave.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/measures/damped_oscillation.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 

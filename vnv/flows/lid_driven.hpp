@@ -2,6 +2,7 @@
 /// A square box whose lid slides over the fluid in it [Ghia, Ghia & Shin 1982].
 
 #include "solvers/walls/no_slip.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/measures/centrelines.hpp"
 #include "vnv/methods/methods.hpp"
 #include "vnv/plots/along_ladders.hpp"
@@ -16,13 +17,13 @@ inline constexpr double rho = 1000, c = 5;       // kg/m³, m/s
 inline constexpr double output_interval = 0.25;  // s  holds a whole number of steps
 
 /// A Reynolds number of the tables, and when its flow is steady.
-struct Flow {
+struct Tabulated {
   int Re;
   double end;  // s
 
   std::string at(int particles) const { return fmt::format("Re {}, {} across", Re, particles); }
 };
-inline constexpr std::array flows{Flow{100, 12}, Flow{400, 30}, Flow{1000, 35}};
+inline constexpr std::array tabulated{Tabulated{100, 12}, Tabulated{400, 30}, Tabulated{1000, 35}};
 
 /// For so long before its end a flow is to be steady [s], and its velocities are averaged: particles of second-order
 /// SPH mix, and fluctuate about the flow. With 100 across at Re 1000 L2 of v_x is 0.5 to 3 % at one instant, and of the

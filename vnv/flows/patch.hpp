@@ -2,6 +2,7 @@
 /// A square patch of an inviscid fluid that begins to rotate as if rigid, in nothing [Colagrossi 2005].
 
 #include "reference/rotating_patch.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/judge/norms.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/half_axes.hpp"

@@ -4,6 +4,7 @@
 #include "reference/hydrostatic.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/walls/free_slip.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"

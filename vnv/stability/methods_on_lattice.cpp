@@ -7,7 +7,7 @@
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/terms/pressure_difference.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/channels/channel.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 #include <stdexcept>

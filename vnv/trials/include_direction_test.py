@@ -28,7 +28,7 @@ def allowed_includes():
     """{folder: the others that its files may include}"""
     allowed = {"solvers": set(), "solvers/mpm": {"solvers"}, "solvers/sph": {"solvers"}, "reference": set(),
                "vnv/gate": RECORDS, "vnv/doors/read": {"vnv/files"}, "vnv/processor": set(),
-               "vnv/command": RECORDS | {"vnv/judge", "vnv/gate", "vnv/doors", "vnv/doors/read"}}
+               "vnv/command": RECORDS | {"vnv/judge", "vnv/gate", "vnv/flows", "vnv/doors", "vnv/doors/read"}}
     solvers, below = {"solvers", "solvers/mpm", "solvers/sph"}, set()
     for layer in LAYERS:
         for name in layer.split():

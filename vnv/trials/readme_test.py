@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Code that README quotes is that of the tree: under a line that ends in a link to a file, "[name](path):", a case is quoted whole,
-of any other file consecutive lines. Prints what differs; exit status 0: nothing does; 1: something does. It runs nothing else.
+"""Code that README quotes is that of the tree: under a line that ends in a link to a file, "[name](path):", a case or a flow is quoted
+whole, of any other file consecutive lines. Prints what differs; exit status 0: nothing does; 1: something does. It runs nothing else.
 
 Example: vnv/trials/readme_test.py
 """
@@ -18,7 +18,7 @@ def difference(path, quoted):
     """What the quoted lines have otherwise than the file, as a list of lines; empty if nothing."""
     file = TOP / path
     text = file.read_text(encoding="utf-8") if file.is_file() else ""
-    if quoted == text or (not path.startswith("vnv/cases/") and "\n" + quoted in "\n" + text):
+    if quoted == text or (not path.startswith(("vnv/cases/", "vnv/flows/")) and "\n" + quoted in "\n" + text):
         return []
     return list(difflib.unified_diff(text.splitlines(), quoted.splitlines(), path, "README.md", lineterm=""))
 

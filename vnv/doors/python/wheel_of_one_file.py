@@ -7,13 +7,13 @@ import hashlib
 import pathlib
 import zipfile
 
-NAME = "touchstone_judge-0.1.0"
+NAME = "touchstone_judge-0.2.0"
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     files = {
         "touchstone.py": (pathlib.Path(__file__).parent / "touchstone.py").read_text(encoding="utf-8"),
-        f"{NAME}.dist-info/METADATA": "Metadata-Version: 2.1\nName: touchstone-judge\nVersion: 0.1.0\nLicense: MIT\n",
+        f"{NAME}.dist-info/METADATA": "Metadata-Version: 2.1\nName: touchstone-judge\nVersion: 0.2.0\nLicense: MIT\n",
         f"{NAME}.dist-info/WHEEL": "Wheel-Version: 1.0\nGenerator: wheel_of_one_file\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
     }
     record = f"{NAME}.dist-info/RECORD"

@@ -36,11 +36,11 @@ class Ours {
 
 struct Mpm : Ours {
   explicit Mpm(const client::Scene& scene)
-      : Ours(vnv::mpm_affine(vnv::manufactured::scene, vnv::square::output_interval), scene) {}
+      : Ours(vnv::mpm_affine(vnv::manufactured::scene(), vnv::square::output_interval), scene) {}
 };
 struct Sph : Ours {
   explicit Sph(const client::Scene& scene)
-      : Ours(vnv::sph_second_order(vnv::manufactured::scene, vnv::square::output_interval), scene) {}
+      : Ours(vnv::sph_second_order(vnv::manufactured::scene(), vnv::square::output_interval), scene) {}
 };
 
 }  // namespace

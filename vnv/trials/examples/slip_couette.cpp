@@ -3,7 +3,7 @@
 
 #include "solvers/sph/second_order/second_order.hpp"
 #include "solvers/walls/no_slip.hpp"
-#include "vnv/flows/channel.hpp"
+#include "vnv/flows/channels/channel.hpp"
 #include "vnv/methods/across.hpp"
 #include "vnv/trials/examples/sliding_slip.hpp"
 #include "vnv/trials/examples/wendland_c6.hpp"

@@ -32,7 +32,7 @@ SEEDS = {"table": ("data/experiments/*.csv", "data/papers/*.csv", "data/peers/*.
          "solver": ("vnv/peers/*.toml", "vnv/doors/examples/program/*.toml"),
          "case_options": ("vnv/trials/inputs/seeds/case_options/*",),
          "command": ("vnv/trials/inputs/seeds/command/*",)}
-SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solver_file.cpp", "vnv/doors/flow.cpp", "vnv/record/record.cpp",
+SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solver_file.cpp", "vnv/flows/flow.cpp", "vnv/record/record.cpp",
              "vnv/record/accepted_claims.cpp", "vnv/judge/baselines.cpp", "vnv/files/tables.cpp", "reports/read/*.cpp")
 EDGES = ("-1", "1e999", "-1e308", "5e-324", "18446744073709551616", "null", "2026-02-30", "'''", "[[", "{", "\ufeff", "\x1b[2J", "\r\n", "../")
 

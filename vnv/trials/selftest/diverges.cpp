@@ -1,7 +1,7 @@
 /// Must fail, and say where: a time step eight times the Courant limit.
 
 #include "solvers/mpm/walls/prescribed_motion.hpp"
-#include "vnv/flows/driven_channel.hpp"
+#include "vnv/flows/channels/driven_channel.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -1,0 +1,37 @@
+/// Decaying Taylor-Green vortices [Taylor 1923] in a periodic square.
+
+#include "vnv/flows/taylor_green.hpp"
+
+#include "vnv/flows/squares/in_square.hpp"
+
+namespace touchstone::vnv::flows {
+
+Flow taylor_green(Settings& set) {
+  const double L = set.positive("L", square::side, "m", "side of the periodic square");
+  const double U = set.positive("U", 1, "m/s", "largest velocity at t = 0");
+  const double rho = set.positive("rho", 1000, "kg/m³", "density at rest");
+  const double Re = set.positive("Re", 100, "-", "Reynolds number U L / nu");
+  const double c = set.positive("c", 80, "m/s", "speed of sound at rest");
+  const auto exact = [=](const Changes& by) {
+    return reference::TaylorGreen{.L = L, .U = U, .nu = U * L / Re * by.factor(Cause::viscosity), .rho = rho};
+  };
+  const PressureWith pressure = [=](const Changes& by) -> PressureTruth {
+    return [now = exact(by)](const Vec2& x, double t) { return now.p(x.x(), x.y(), t); };
+  };
+  Flow flow = in_square(L, fluid_of(rho, c, exact({}).nu),
+                        [=](const Changes& by) -> VelocityTruth {
+                          return [now = exact(by)](const Vec2& x, double t) -> Vec2 {
+                            return {now.v_x(x.x(), x.y(), t), now.v_y(x.x(), x.y(), t)};
+                          };
+                        },
+                        pressure({}), {Cause::viscosity});
+  add_pressure(flow, pressure, {Cause::viscosity});
+  flow.judged.title = "Taylor-Green vortices";
+  flow.judged.description =
+      "Four vortices in a periodic square decay. The oracle is Taylor's (1923) solution for an incompressible fluid.";
+  flow.judged.times = {vnv::taylor_green::early * L / U, vnv::taylor_green::end * L / U};
+  flow.judged.plots = errors_of_velocity("order", "L2 v [%]", l2_velocity, flow.judged.times.front());
+  return flow;
+}
+
+}  // namespace touchstone::vnv::flows
