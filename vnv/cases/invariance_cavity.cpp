@@ -15,7 +15,7 @@ constexpr double Re = 100, end = 1;  // -, s
 const SeveralViews in_views = several_views({views::mirrored_about_x(cavity.side / 2)}, cavity.side / 24, end,
                                             {"kinetic energy over that of a box moving at the lid speed", "%"});
 
-Scene<Newtonian> scene_of(const View& view) {
+Scene<Newtonian> scene_in(const View& view) {
   Scene<Newtonian> seen = scene_at(Re, view.turned * Vec2(cavity.lid_speed, 0));
   seen.start.places = view.rearranged;
   return seen;
@@ -30,7 +30,7 @@ std::vector<Method> methods_on(const Scene<Newtonian>& seen) {
 Case vnv::the_case() {
   const double of_lid = rho * std::pow(cavity.side * cavity.lid_speed, 2) / 2;  // J/m
   Case declared = in_views.declared(kinetic_energy_over(of_lid / 100, in_views.error),
-                                    in_views.methods(scene_of, methods_on), "Mirrored: the lid slides to the left.");
+                                    in_views.methods(scene_in, methods_on), "Mirrored: the lid slides to the left.");
   declared.title = "Invariance: lid-driven cavity";
   declared.description =
       "A lid-driven cavity, Reynolds number 100 and Mach number 0.2, 24 particles across, under symmetry transformations: mirrored, so "

@@ -15,7 +15,7 @@ constexpr double sliding = 1 * mm, end = 0.1;  // m/s, s
 const SeveralViews in_views =
     several_views({views::mirrored_about_y(H / 2), views::carried_along({2 * sliding, 0})}, H / 16, end, l2);
 
-Scene<Newtonian> scene_of(const View& view) {
+Scene<Newtonian> scene_in(const View& view) {
   const auto plate = [&](double y) {
     const VelocityTruth of_plates = [](const Vec2& x, double) -> Vec2 { return {x.y() > H / 2 ? sliding : 0, 0}; };
     return no_slip(view.velocity(of_plates, {0, y}, 0));
@@ -43,7 +43,7 @@ std::vector<Method> methods_at_given_steps(const Scene<Newtonian>& seen) {
 Case vnv::the_case() {
   const Flow flow = flow_named("couette", Settings({{"V", sliding}}));
   Case declared = in_views.declared(norms_of("v_x, per particle", by_particles, flow.along_x()),
-                                    in_views.methods(scene_of, methods_at_given_steps),
+                                    in_views.methods(scene_in, methods_at_given_steps),
                                     "Carried along: a uniform velocity of 2 mm/s is added.");
   declared.title = "Invariance: Couette flow";
   declared.description =

@@ -18,7 +18,7 @@ const View turned = views::turned(Eigen::Rotation2Dd(std::numbers::pi / 6).toRot
 const SeveralViews in_views =
     several_views({mirrored, views::carried_along({0.3, 0.2}), turned}, 2 * R / 30, end, axes_error);
 
-Scene<Tait> scene_of(const View& view) {
+Scene<Tait> scene_in(const View& view) {
   Scene<Tait> seen = scene();
   seen.start = view.start(velocity, drop::pressure);
   seen.start.places = [=](const Vectors& lattice) { return view.places_on(within(lattice)); };
@@ -29,7 +29,7 @@ Scene<Tait> scene_of(const View& view) {
 
 Case vnv::the_case() {
   Case declared =
-      in_views.declared(error_of_axes, in_views.methods(scene_of, methods_on, {"sph", "sph_corrected"}),
+      in_views.declared(error_of_axes, in_views.methods(scene_in, methods_on, {"sph", "sph_corrected"}),
                         "Carried along: a uniform velocity of (0.3, 0.2) m/s is added. Turned: rotated by 30 degrees.");
   declared.title = "Invariance: stretching drop";
   declared.description =

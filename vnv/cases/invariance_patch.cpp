@@ -25,7 +25,7 @@ const View turned = turned_with_its_lattice();
 const SeveralViews in_views = several_views({views::mirrored_about_x(0), views::carried_along({0.5, 0.3}), turned},
                                             L / 24, end, {"kinetic energy over that of a rigidly rotating square"});
 
-Scene<Tait> scene_of(const View& view) {
+Scene<Tait> scene_in(const View& view) {
   Scene<Tait> seen = scene();
   seen.start = view.start(velocity, patch::pressure);
   return seen;
@@ -40,7 +40,7 @@ std::vector<Method> methods_on(const Scene<Tait>& seen) {
 Case vnv::the_case() {
   Case declared = in_views.declared(
       kinetic_energy_over(exact.kinetic_energy(), in_views.error),
-      in_views.methods(scene_of, methods_on, {"sph_delta"}),
+      in_views.methods(scene_in, methods_on, {"sph_delta"}),
       "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included.");
   for (Method& method : declared.methods)
     if (method.family == Family::sph)

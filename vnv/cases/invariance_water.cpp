@@ -14,7 +14,7 @@ constexpr double end = 1;  // s
 
 const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, depth / 20, end, l2_p);
 
-Scene<Tait, Uniform> scene_of(const View& view) {
+Scene<Tait, Uniform> scene_in(const View& view) {
   Scene<Tait, Uniform> seen = scene;
   seen.start.velocity = [=](const Vec2&) { return view.carried; };
   seen.start.places = [=](const Vectors& lattice) { return view.places_on(scene.start.places_on(lattice)); };
@@ -29,7 +29,7 @@ std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
 
 Case vnv::the_case() {
   Case declared =
-      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_of, methods_on),
+      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_in, methods_on),
                         "Carried along: a uniform velocity of 0.5 m/s is added.");
   declared.title = "Invariance: hydrostatic equilibrium";
   declared.description =

@@ -1,6 +1,7 @@
 /// A decaying shear wave: the viscous term alone, in a fluid whose rows of particles slip past each other.
 
 #include "vnv/flows/shear_wave.hpp"
+#include "vnv/flows/squares/square.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/plots/over_time.hpp"
 #include "vnv/studies/run_time.hpp"

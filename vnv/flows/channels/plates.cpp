@@ -79,6 +79,13 @@ double continued(const Truth& truth, double height, double y, double t) {
   return truth(y, t);
 }
 
+/// Whether all the fluid is at rest at t = 0.
+bool is_zero(const Truth& exact, double H) {
+  for (int k = 1; k < 40; ++k)
+    if (exact(k * H / 40, 0) != 0) return false;
+  return true;
+}
+
 const Quantity across_plates{"L2 v_y over that of v_x, per particle", "%", Kind::error},
     fastest_across_plates{"Linf v_y over that of v_x, per particle", "%", Kind::error};
 
@@ -132,11 +139,12 @@ Altered Plates::slipping(const Altered& walls, const std::function<double(const 
 Flow Plates::flow(std::string title, std::string description, std::vector<double> times, WallVelocity floor,
                   WallVelocity ceiling, const Altered& altered, std::vector<Cause> causes, bool slips) const {
   const Truth exact = altered({});
+  Start start;
+  if (!is_zero(exact, H()))
+    start.velocity = [exact](const Vec2& x) -> Vec2 { return {exact(x.y(), 0), 0}; };
   Flow made;
-  set_scene(made, channel::between_plates(gap, fluid, std::move(floor), std::move(ceiling), NoForce{},
-                                          {.velocity = [exact](const Vec2& x) -> Vec2 {
-                                            return {exact(x.y(), 0), 0};
-                                          }}));
+  set_scene(made,
+            channel::between_plates(gap, fluid, std::move(floor), std::move(ceiling), NoForce{}, std::move(start)));
   made.across = H();
   made.is_uniform_along_x = true;
   made.judged.title = std::move(title);

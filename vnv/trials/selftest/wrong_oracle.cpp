@@ -8,7 +8,7 @@ using namespace touchstone::vnv;
 using namespace touchstone::vnv::channel;
 
 Case vnv::the_case() {
-  const reference::Poiseuille half_the_force{.H = H, .F = drive / 2, .nu = water.kinematic_viscosity()};
+  const Truth half_the_force = flow_named("poiseuille", Settings({{"F", drive / 2}})).along_x();
   return {
       .title = "Wrong oracle",
       .times = {0.02},
