@@ -50,9 +50,6 @@ class Fault:
     why: str = ""  # no test notices it, as far as is known
     folder: str = ""
 
-    def expects(self, test):
-        return any(re.fullmatch(pattern, test) for pattern in self.tests)
-
 
 def require_pattern(where, pattern):
     try:
