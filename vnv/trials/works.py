@@ -74,8 +74,6 @@ def rows_of(table, but_for="#"):
 class Work:
     """What a program does in a folder, and what it may leave there."""
 
-    session = None  # of the one that was killed
-
     def __init__(self, build, former=None):
         self.build, self.former = build, former  # records of before
         self.vnv, self.guard = built(build, "vnv/vnv"), built(build, "vnv/touchstone_guard")
@@ -90,6 +88,10 @@ class Work:
     def found(self, folder):
         """What is compared with what an undisturbed run leaves."""
         return verdicts(folder / "records")
+
+    def done(self, folder):
+        """What of it is there after it was killed."""
+        return self.found(folder)
 
     def undisturbed(self, folder):
         """Does it once, for what is expected of it, and how long it takes [s]."""

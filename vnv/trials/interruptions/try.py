@@ -22,8 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import shared  # noqa: E402
 from shared import LONGEST, kill, only_line, processes, require, said_by, start, try_parts, until, well  # noqa: E402
-from works import (FullDisk, OfReport, Trouble, Work, disk, disturbed, may_mount, mount, refused_and_unchanged,  # noqa: E402
-                   require_whole, tree, verdicts)
+from works import FullDisk, OfReport, Trouble, Work, disk, disturbed, may_mount, mount, refused_and_unchanged, tree, verdicts  # noqa: E402
 
 WHOM = ("all of it", "the command alone", "one of its programs")
 FULL = "No space left on device|File too large|disk.* full"
@@ -57,6 +56,8 @@ def kill_at(words, moment, whom, choose):
 class OfMethods(Work):
     """vnv run; the next one skips what was finished, and orphans of the killed one go on meanwhile."""
 
+    session = None  # of the killed one
+
     def __init__(self, build, methods):
         super().__init__(build)
         self.methods = methods
@@ -67,7 +68,7 @@ class OfMethods(Work):
     def words(self, folder, methods=None):
         return [self.vnv, "run", *(methods or self.methods), "-j", "2", "--records", folder / "records"]
 
-    def finished(self, folder):
+    def done(self, folder):
         """Records that are taken for finished work, with the time when they were written."""
         records = folder / "records"
         names = [file.name for file in (records / "inputs").glob("*")
@@ -76,12 +77,12 @@ class OfMethods(Work):
         return {name: file.stat().st_mtime_ns for name, file in files.items() if file.is_file()}
 
     def goes_on(self, folder):
-        done = self.finished(folder)
+        done = self.done(folder)
         said = well(self.words(folder))
         wait_for_orphans(self.session)
         skipped = int((re.search(r"(\d+) skipped", said) or [0, 0])[1])
         require(skipped == len(done), f"{skipped} skipped of {len(done)} that were finished")
-        after = self.finished(folder)
+        after = self.done(folder)
         require(all(after.get(name) == when for name, when in done.items()), "finished work was done again")
         require(self.found(folder) == self.expected, "other verdicts than undisturbed")
         super().goes_on(folder)  # an orphan that brought bytes to the disk ended after its method was done again
@@ -119,27 +120,14 @@ class OfTests(OfMethods):
     def found(self, folder):
         return verdicts(folder / "records" / "acceptance")
 
-    finished = found
+    done = found
 
     def goes_on(self, folder):
-        wait_for_orphans(self.session)
-        require_whole(folder)
         Work.goes_on(self, folder)
         require((folder / "site" / "acceptance" / "index.html").is_file(), "no pages")
 
 
-class OfPages(OfReport):
-    """touchstone_report makes anew what is there."""
-
-    finished = OfReport.found
-
-    def goes_on(self, folder):
-        wait_for_orphans(self.session)
-        self.check(folder, None)
-        super().goes_on(folder)
-
-
-class OfPagesAlone(OfPages):
+class OfPagesAlone(OfReport):
     """Without a history, whose night would be the first file that is too long."""
 
     def words(self, folder):
@@ -184,16 +172,18 @@ class Trials(shared.Trials):
 
     @functools.cached_property
     def pages(self):
-        return OfPages(self.build, self.records).undisturbed(self.folder())
+        return OfReport(self.build, self.records).undisturbed(self.folder())
 
-    def kill(self, what, work):
-        """Who is killed in turn, when by chance."""
+    def kill(self, what, work, waits=True):
+        """Who is killed in turn, when by chance; the next one waits for orphans, or does not."""
 
         def trial(folder, whom, moment):
             work.prepare(folder)
             work.session = kill_at(work.words(folder), moment, whom, self.choose)
+            if waits:
+                wait_for_orphans(work.session)
             work.check(folder, None)
-            count = len(work.finished(folder))
+            count = len(work.done(folder))
             work.goes_on(folder)
             return f"{count} of {len(work.expected)} were left"
 
@@ -203,7 +193,7 @@ class Trials(shared.Trials):
 
 
 def try_runs(trials):
-    trials.kill("vnv run", trials.methods)
+    trials.kill("vnv run", trials.methods, waits=False)
 
 
 def try_tests(trials):
