@@ -15,12 +15,14 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import shared  # noqa: E402
 
 START = 120  # s, that a daemon may take
+os.environ["PATH"] += os.pathsep + "/usr/sbin"
 
 
-def missing(*programs):
-    """The first of these that is not here."""
-    os.environ["PATH"] += os.pathsep + "/usr/sbin"
-    return next((program for program in programs if not shutil.which(program)), None)
+def are_here(what, programs):
+    """Or a line says what is left out for want of which."""
+    if program := next((program for program in programs if not shutil.which(program)), None):
+        print(f"SKIP: {what}: no {program}")
+    return not program
 
 
 def free_ports(count):

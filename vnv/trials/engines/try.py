@@ -38,12 +38,6 @@ class Engine:
         self.name, self.options, self.daemons, self.machines = name, options, daemons, machines
 
 
-def is_installed(name):
-    if program := cluster.missing(*NEEDS[name]):
-        print(f"SKIP: {name}: no {program}")
-    return not program
-
-
 class Trials(shared.Trials):
     """With a record of which others are made up, and the engines, which are started for the first who asks for them."""
 
@@ -65,7 +59,7 @@ class Trials(shared.Trials):
     def engines(self):
         """Local, and of the named engines all that are installed; what they take is counted, if that may be."""
         found, folder, _ = [Engine("local")], self.folder(), self.processor_time
-        names = [name for name in self.options.engines if is_installed(name)]
+        names = [name for name in self.options.engines if cluster.are_here(name, NEEDS[name])]
         if "parallel" in names:
             hosts, daemons = self.enter_context(cluster.ssh_hosts(folder / "ssh"))
             (folder / "hosts").write_text("\n".join(hosts) + "\n", encoding="utf-8")
@@ -258,8 +252,7 @@ def costs(words, expected):
 
 def try_many(trials):
     """Many hosts of GNU parallel, all of them this machine: `ssh` is a script that runs what it is given. Then as many nodes of Slurm."""
-    if program := cluster.missing("parallel"):
-        print(f"SKIP: many: no {program}")
+    if not cluster.are_here("many", ["parallel"]):
         return
     folder, hosts, seconds = trials.folder(), trials.options.hosts, 5
     ssh = folder / "ssh"
@@ -274,7 +267,7 @@ def try_many(trials):
             ("plan", [trials.vnv, "plan", "--build", run.build.folder], "tasks, "), ("run", run.words, all_hold),
             ("run again", run.words, f"{run.build.count} skipped"), ("pages", [trials.report, run.records, folder / "site"], "")):
         trials.attempt(f"{what} {many} hosts", costs, words, expected)
-    if not cluster.missing(*NEEDS["slurm"]):
+    if cluster.are_here("many by Slurm", NEEDS["slurm"]):
         with cluster.slurm(folder / "slurm", nodes=hosts, timeout=300):
             by_slurm = Run(trials.vnv, run.build, folder / "records", Engine("slurm", ["--engine", "slurm"]))
             trials.attempt(f"run {many} nodes of Slurm", costs, by_slurm.words, all_hold)
