@@ -9,14 +9,12 @@ not; 3 bad input.
 Example: vnv/trials/commands/try.py build
 """
 
-import contextlib
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 
 FOLDER = pathlib.Path(__file__).resolve().parent
@@ -26,7 +24,7 @@ import files  # noqa: E402
 import known  # noqa: E402
 import seeded  # noqa: E402
 import texts  # noqa: E402
-from shared import BadInput, Failure, Parser, Trials, exit_with, require, run  # noqa: E402
+from shared import Parser, Trials, built, exit_with, require, require_none, said_by, well  # noqa: E402
 
 ROOT = texts.ROOT
 TWO = ("invariance_cavity", "invariance_patch")  # nights of seconds
@@ -75,11 +73,7 @@ def printed_as(entry, printed):
 
 
 def printed_by(build):
-    programs = [build / name for name in ("vnv/vnv", "vnv/stokes_first", "reports/touchstone_report")]
-    for program in programs:
-        if not os.access(program, os.X_OK):
-            raise BadInput(f"{program}: not there, expected it to be built")
-    return texts.printed(*programs)
+    return texts.printed(*(built(build, name) for name in ("vnv/vnv", "vnv/stokes_first", "reports/touchstone_report")))
 
 
 def try_one(entry, command, scratch):
@@ -89,12 +83,10 @@ def try_one(entry, command, scratch):
     if entry.change:
         commit(entry.change, here)
     if entry.first:
-        before = run(["bash", "-c", entry.first], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
-        require(before.returncode == 0, f"'{entry.first}' ended with status {before.returncode}; it said: {before.stdout[-1000:]!r}")
+        well(["bash", "-c", entry.first], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
     script = f"{command}{entry.also}\nstatus=$?\n{entry.then}\nexit $status\n"
-    done = run(["zsh" if entry.needs == "zsh" else "bash", "-c", script], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
-    said = done.stdout
-    require(done.returncode == entry.status, f"ended with status {done.returncode}, expected {entry.status}; it said: {said[-1000:]!r}")
+    status, said = said_by(["zsh" if entry.needs == "zsh" else "bash", "-c", script], LONGEST, cwd=here, env=around, stdin=subprocess.DEVNULL)
+    require(status == entry.status, f"ended with status {status}, expected {entry.status}; it said: {said[-1000:]!r}")
     require(re.search(entry.says, said, re.MULTILINE), f"expected it to say '{entry.says}'; it said: {said[-3000:]!r}")
     return f"{time.monotonic() - began:.1f} s"
 
@@ -107,8 +99,7 @@ def by_day(build, scratch):
 
 
 def git(clone, *words):
-    done = run(["git", "-C", clone, "-c", "user.name=Trial", "-c", "user.email=trial@example.org", *words])
-    require(done.returncode == 0, f"git {' '.join(map(str, words))}: {done.stdout.strip()}")
+    well(["git", "-C", clone, "-c", "user.name=Trial", "-c", "user.email=trial@example.org", *words])
 
 
 def by_night(_, scratch):
@@ -149,24 +140,20 @@ def unknown(printed):
 
 def main(arguments):
     parser = Parser(__doc__)
-    parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder")
+    parser.take_build()
     parser.add_argument("--part", choices=PARTS, default="day", help="day: what takes seconds; night: what builds, in a clone; gates: of revisions of a clone")
     parser.add_argument("--only", default="", help="regular expression of commands")
     parser.add_argument("--scratch", type=pathlib.Path, help="folder to work in, which is kept; else one that is gone afterwards")
     options = parser.parse_args(arguments)
-    build = options.build.resolve()
-    printed = printed_by(build)
+    printed = printed_by(options.build)
     entries, prepare = PARTS[options.part]
-    trials = Trials()
-    for line in unknown(printed):
-        trials.failed += 1
-        print(f"FAILED {line}")
     if options.part != "day" and not (ROOT / ".git").exists():
         print(f"SKIP: {ROOT} is no repository of git, of which a clone could be made")
         return 0
-    with contextlib.nullcontext(options.scratch) if options.scratch else tempfile.TemporaryDirectory(prefix="commands ") as folder:
-        scratch = pathlib.Path(folder).resolve()
-        prepare(build, scratch)
+    with Trials(options) as trials:
+        trials.attempt("what is printed and what is run", lambda: require_none(list(unknown(printed))))
+        scratch = options.scratch.resolve() if options.scratch else trials.folder("of commands")
+        prepare(options.build, scratch)
         for entry in entries:
             for command in printed_as(entry, printed):
                 if not re.search(options.only, f"{command}{entry.also}"):
@@ -174,9 +161,8 @@ def main(arguments):
                 if entry.needs and not shutil.which(entry.needs):
                     print(f"left out {command}: no {entry.needs}")
                 else:
-                    trials.attempt(command + entry.also, lambda: try_one(entry, command, scratch))
-    print(f"{trials.count} commands, {trials.failed} failed")
-    return 1 if trials.failed else 0
+                    trials.attempt(command + entry.also, try_one, entry, command, scratch)
+        return trials.conclude()
 
 
 if __name__ == "__main__":

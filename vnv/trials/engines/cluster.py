@@ -9,19 +9,20 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import shared  # noqa: E402
 
 START = 120  # s, that a daemon may take
+os.environ["PATH"] += os.pathsep + "/usr/sbin"
 
 
-def missing(*programs):
-    """The first of these that is not here."""
-    os.environ["PATH"] += os.pathsep + "/usr/sbin"
-    return next((program for program in programs if not shutil.which(program)), None)
+def are_here(what, programs):
+    """Or a line says what is left out for want of which."""
+    if program := next((program for program in programs if not shutil.which(program)), None):
+        print(f"SKIP: {what}: no {program}")
+    return not program
 
 
 def free_ports(count):
@@ -32,36 +33,17 @@ def free_ports(count):
         return [one.getsockname()[1] for one in sockets]
 
 
-def until(holds, what):
-    end = time.monotonic() + START
-    while not holds():
-        if time.monotonic() > end:
-            raise shared.BadInput(f"{what}: not within {START} s")
-        time.sleep(0.1)
-
-
-def processes():
-    """{id: (id of its parent, its name, its environment)}"""
-    found = {}
-    for place in pathlib.Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError, ValueError, IndexError):
-            name, rest = (place / "stat").read_text().split("(", 1)[1].rsplit(")", 1)
-            found[int(place.name)] = int(rest.split()[1]), name, (place / "environ").read_bytes().split(b"\0")
-    return found
-
-
 def kill_all(process, marks):
     """Kills a process and all that it started, as a machine does that loses its power: its children, and what has
     these marks in its environment, with the daemon of Slurm that started it."""
-    known = processes()
-    marked = [one for one, (_, _, environment) in known.items() if marks <= set(environment)]
-    victims = [process.pid, *marked, *(known[one][0] for one in marked if known.get(known[one][0], "  ")[1] == "slurmstepd")]
+    known = shared.processes()
+    marked = [one for one, found in known.items() if marks <= set(found.environment)]
+    daemons = [one for one in (known[mark].parent for mark in marked) if one in known and known[one].name == "slurmstepd"]
+    victims = [process.pid, *marked, *daemons]
     for victim in victims:
-        victims.extend(one for one, (parent, _, _) in known.items() if parent == victim and one not in victims)
+        victims.extend(one for one, found in known.items() if found.parent == victim and one not in victims)
     for kind in (signal.SIGSTOP, signal.SIGKILL):  # none tells of another's end
-        for victim in victims:
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(victim, kind)
+        shared.kill(victims, kind)
     process.wait()
 
 
@@ -91,13 +73,12 @@ class Daemons:
         self.folder, self.running = folder, {}
         folder.mkdir(parents=True)
 
-    def start(self, name, words, **more):
+    def start(self, name, words):
         with open(self.folder / f"{name}.txt", "w", encoding="utf-8") as said:
-            self.running[name] = subprocess.Popen([str(word) for word in words], stdout=said, stderr=said,
-                                                  stdin=subprocess.DEVNULL, start_new_session=True, **more)
+            self.running[name] = shared.start(words, stdout=said, stdin=subprocess.DEVNULL)
 
     def kill(self, name):
-        kill_all(self.running.pop(name), {f"SLURMD_NODENAME={name}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()})
+        kill_all(self.running.pop(name), {f"SLURMD_NODENAME={name}", f"SLURM_CONF={self.folder}/slurm.conf"})
 
     def end(self):
         for name in list(self.running):
@@ -148,14 +129,11 @@ def slurm(folder, nodes=2, processors=1, memory=10000, timeout=15):
         for k in range(1, nodes + 1):
             daemons.start(f"n{k}", ["slurmd", "-D", "-N", f"n{k}"])
 
-        def idle():
-            heard = subprocess.run(["sinfo", "--noheader", "--format=%D %T"], capture_output=True, text=True)
-            return f"{nodes} idle" in heard.stdout
-
-        until(idle, f"{nodes} nodes of Slurm, see {folder}")
+        idle = lambda: f"{nodes} idle" in shared.said_by(["sinfo", "--noheader", "--format=%D %T"])[1]
+        shared.until(idle, f"{nodes} nodes of Slurm, see {folder}", START)
         yield daemons
     finally:
-        subprocess.run(["scancel", "--me"], capture_output=True)
+        shared.said_by(["scancel", "--me"])
         daemons.end()
         del os.environ["SLURM_CONF"]
 
@@ -166,7 +144,7 @@ def ssh_hosts(folder, count=2):
     in the user's own when it starts, pyenv's initialisation of 1 s for one, is not what an engine takes."""
     daemons = Daemons(folder)
     key = folder / "key"
-    subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", key], check=True)
+    shared.well(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", key])
     shutil.copy(f"{key}.pub", folder / "allowed")
     pathlib.Path("/run/sshd").mkdir(exist_ok=True)
     ports = free_ports(count)
@@ -182,7 +160,7 @@ def ssh_hosts(folder, count=2):
                 return one.connect_ex(("127.0.0.1", port)) == 0
 
         for port in ports:
-            until(lambda: answers(port), f"sshd at port {port}, see {folder}")
+            shared.until(lambda: answers(port), f"sshd at port {port}, see {folder}", START)
         words = f"ssh -i {key} -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR"
         yield [f"1/{words} -p {port} 127.0.0.1" for port in ports], daemons
     finally:

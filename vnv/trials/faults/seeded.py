@@ -1,6 +1,6 @@
 """Seeded faults and harmless changes: how their files are read, and what of them can be checked without building.
 
-A file is a title, who has to notice, and what is changed where:
+A fault lies in the folder of the module that it changes, a harmless change in `harmless`. A file is a title, who has to notice, and what is changed where:
 
     The fluid is 5 % too viscous
 
@@ -48,9 +48,7 @@ class Fault:
     environment: tuple = ()  # "NAME=VALUE"
     text: str = ""  # the whole file, but for why it survives
     why: str = ""  # no test notices it, as far as is known
-
-    def expects(self, test):
-        return any(re.fullmatch(pattern, test) for pattern in self.tests)
+    folder: str = ""
 
 
 def require_pattern(where, pattern):
@@ -113,20 +111,27 @@ def read(file, needs_tests=True):
         raise BadInput(f"{where}: nothing is changed, expected 'in FILE' and what to change there")
     tried = [line for line in text.splitlines(keepends=True) if not line.startswith(WHY)]
     return Fault(file.stem, lines[0].strip(), harmless, tuple(tests), tuple(changes), tuple(configure),
-                 tuple(environment), "".join(tried), " ".join(why))
+                 tuple(environment), "".join(tried), " ".join(why), file.parent.name)
 
 
 def read_all(folder):
     """All faults, then all harmless changes, each in the order of their names."""
-    files = sorted(folder.glob("*.fault")) + sorted((folder / "harmless").glob("*.fault"))
-    return [read(file) for file in files]
+    return sorted(map(read, folder.rglob("*.fault")), key=lambda fault: (fault.harmless, fault.name))
+
+
+def module_of(file):
+    """What the folder of faults in a file of the sources is called."""
+    top, *inner = pathlib.PurePath(file).parts
+    if top == "solvers":
+        return f"solvers_{inner[0]}" if inner[0] in ("mpm", "sph") else top
+    return inner[0] if top == "vnv" else top
 
 
 def changed(fault, root):
     """The text of each changed file, as it was and as it becomes: {file: (before, after)}."""
     texts = {}
     for change in fault.changes:
-        where = f"{fault.name}.fault:{change.line}"
+        where = f"{fault.folder}/{fault.name}.fault:{change.line}"
         path = root / change.file
         if change.file not in texts:
             if not path.is_file():
@@ -214,6 +219,8 @@ def complaints(folder, root, build=None):
                 found.append(f"{fault.name}: the same {what} as {first[value_of(fault)].name}, expected each once")
     for fault in faults:
         attempt(lambda: changed(fault, root))
+        if not fault.harmless and fault.folder not in (modules := {module_of(change.file) for change in fault.changes}):
+            found.append(f"{fault.folder}/{fault.name}.fault: expected in {' or '.join(sorted(modules))}")
     names, missing = test_names(root, build) if build else (set(unit_tests(root)), None)
     cases = {file.stem for file in (root / "vnv" / "cases").glob("*.cpp")}
     for fault in faults:

@@ -240,7 +240,7 @@ def options_of(arguments):
     parser.add_argument("--check", action="store_true", help="only check that faults fit today's sources and tests")
     parser.add_argument("--list", action="store_true", help="only list names and titles")
     parser.add_argument("--build", type=pathlib.Path, help="with --check: a whole build, to look up names of tests")
-    parser.add_argument("--only", default="", help="regular expression found in a fault's name or title")
+    parser.add_argument("--only", default="", help="regular expression found in a fault's name, MODULE/NAME or title")
     parser.add_argument("--tests", default="", help="regular expression found in a name: of the named tests only these")
     parser.add_argument("--suite", choices=SUITES, help="build and run all of a suite, not only the named tests")
     parser.add_argument("--scratch", type=pathlib.Path, default=ROOT / "build-faults", help="folder of copy and builds")
@@ -263,7 +263,7 @@ def chosen(faults, only, tests):
     found = []
     for fault in faults:
         named = tuple(test for test in fault.tests if re.search(tests, test))
-        if named and (re.search(only, fault.name) or re.search(only, fault.title)):
+        if named and any(re.search(only, text) for text in (fault.name, fault.title, f"{fault.folder}/{fault.name}")):
             found.append(dataclasses.replace(fault, tests=named))
     if not found:
         raise BadInput(f"--only '{only}' --tests '{tests}': fits no fault, expected one of vnv/trials/faults")
@@ -278,7 +278,7 @@ def main(arguments):
         return 3 if found else 0
     faults = chosen(seeded.read_all(FOLDER), options.only, options.tests)
     if options.list:
-        print("\n".join(f"{'harmless/' if fault.harmless else ''}{fault.name}: {fault.title}" for fault in faults))
+        print("\n".join(f"{fault.folder}/{fault.name}: {fault.title}" for fault in faults))
         return 0
     return try_all(faults, options)
 

@@ -171,27 +171,16 @@ std::string nested() { return std::string(200000, '[') + std::string(200000, ']'
 /// A byte changed, an end too early, a part left out, a part twice, or as many brackets as no text means.
 std::string mutated(std::string bytes, std::mt19937& random) {
   const auto place = [&] { return random() % (bytes.size() + 1); };
-  switch (random() % 16) {
-    case 0:
-      return bytes.insert(place(), std::string(100000, "[{\"(,"[random() % 5]));
-    case 1:
-    case 2:
-      bytes.resize(place());
-      return bytes;
-    case 3:
-    case 4:
-    case 5:
-      return bytes.erase(place(), random() % 40);
-    case 6:
-    case 7:
-    case 8: {
-      const std::size_t from = place();
-      return bytes.insert(place(), bytes.substr(from, random() % 40));
-    }
-    default:
-      bytes.insert(place(), 1, static_cast<char>(random()));
-      return random() % 2 ? bytes : bytes.erase(place(), 1);
+  const auto kind = random() % 16;
+  if (kind == 0) return bytes.insert(place(), std::string(100000, "[{\"(,"[random() % 5]));
+  if (kind < 3) return bytes.substr(0, place());
+  if (kind < 6) return bytes.erase(place(), random() % 40);
+  if (kind < 9) {
+    const std::size_t from = place();
+    return bytes.insert(place(), bytes.substr(from, random() % 40));
   }
+  bytes.insert(place(), 1, static_cast<char>(random()));
+  return random() % 2 ? bytes : bytes.erase(place(), 1);
 }
 
 int replay(const std::string& name, const std::vector<fs::path>& files) {

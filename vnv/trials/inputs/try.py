@@ -9,17 +9,16 @@ were taken or refused in one line; 1 one was not: it is kept; 3 bad input.
 Example: vnv/trials/inputs/try.py build-fuzz --runs 1000000 --corpora ~/corpora
 """
 
+import functools
 import pathlib
 import re
 import shutil
 import sys
-import tempfile
 
-FOLDER = pathlib.Path(__file__).resolve().parent
-ROOT = FOLDER.parents[2]
-sys.path.insert(0, str(FOLDER.parent))
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "vnv" / "trials"))
 
-from shared import BadInput, Parser, exit_with, run  # noqa: E402
+from shared import built, require, run, try_parts  # noqa: E402
 
 SEEDS = {"table": ("data/experiments/*.csv", "data/papers/*.csv", "data/peers/*.csv"),
          "baselines": ("data/baselines/stokes_*.csv",),
@@ -37,55 +36,52 @@ SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solve
 EDGES = ("-1", "1e999", "-1e308", "5e-324", "18446744073709551616", "null", "2026-02-30", "'''", "[[", "{", "\ufeff", "\x1b[2J", "\r\n", "../")
 
 
-def seeds_of(reader):
-    return [file for pattern in SEEDS[reader] for file in sorted(ROOT.glob(pattern))]
+def files_of(patterns):
+    return [file for pattern in patterns for file in sorted(ROOT.glob(pattern))]
 
 
 def write_dictionary(file):
     """The words of the readers and of their samples, as libFuzzer wants them."""
     words = set(EDGES)
-    for path in [path for pattern in SPOKEN_IN for path in ROOT.glob(pattern)] + seeds_of("record") + seeds_of("night"):
+    for path in files_of((*SPOKEN_IN, *SEEDS["record"], *SEEDS["night"])):
         words |= set(re.findall(r'"([^"\\\n]{1,30})"', path.read_text(encoding="utf-8")))
     quoted = lambda word: "".join(f"\\x{byte:02x}" if byte < 32 or byte > 126 or byte in b'"\\' else chr(byte) for byte in word.encode())
     file.write_text("".join(f'"{quoted(word)}"\n' for word in sorted(words)), encoding="utf-8")
 
 
-def fuzz(program, reader, folder, options):
+def fuzzed(trials, program, reader):
+    options, folder = trials.options, trials.folder()
     corpus = (options.corpora or folder) / reader
     corpus.mkdir(parents=True, exist_ok=True)
-    for seed in seeds_of(reader):
+    for seed in files_of(SEEDS[reader]):
         shutil.copy(seed, corpus)
     write_dictionary(folder / "words")
-    done = run([program, reader, corpus, f"-runs={options.runs}", f"-seed={options.seed}", f"-dict={folder / 'words'}", f"-timeout={options.timeout}", "-max_len=1024",
-                "-rss_limit_mb=1024", "-close_fd_mask=3", f"-artifact_prefix={(options.corpora or pathlib.Path.cwd()).resolve()}/{reader}-"])
+    artifacts = (options.corpora or pathlib.Path.cwd()).resolve()
+    done = run([program, reader, corpus, f"-runs={options.runs}", f"-seed={options.seed}",
+                f"-timeout={options.timeout}", f"-dict={folder / 'words'}", "-max_len=1024", "-rss_limit_mb=1024", "-close_fd_mask=3",
+                f"-artifact_prefix={artifacts}/{reader}-"])
+    complaints = re.findall(r"ERROR:.*|SUMMARY:.*|runtime error:.*|.*Test unit written to.*", done.stdout)
+    require(done.returncode == 0, "; ".join(complaints))
     found = re.findall(r"#(\d+)\s+(?:DONE|NEW|REDUCE|pulse).*?cov: (\d+)", done.stdout)
-    return done.returncode, f"{found[-1][0]} inputs, {found[-1][1]} edges" if done.returncode == 0 and found else "; ".join(re.findall(r"ERROR:.*|SUMMARY:.*|runtime error:.*|.*Test unit written to.*", done.stdout))
+    return f"{found[-1][0]} inputs, {found[-1][1]} edges" if found else ""
 
 
-def main(arguments):
-    parser = Parser(__doc__)
-    parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder; with --runs of Clang")
-    parser.add_argument("--only", nargs="+", choices=SEEDS, default=SEEDS, metavar="READER", help=", ".join(SEEDS))
-    parser.add_argument("--runs", type=int, default=0, help="inputs by libFuzzer of each reader")
-    parser.add_argument("--seed", type=int, default=1, help="of libFuzzer")
-    parser.add_argument("--timeout", type=int, default=1, help="longest time of an input [s]")
-    parser.add_argument("--corpora", type=pathlib.Path, help="folder that keeps what was found; else nothing is kept but what fails")
-    options = parser.parse_args(arguments)
-    program = options.build.resolve() / "reports" / ("fuzz_inputs" if options.runs else "touchstone_inputs")
-    if not program.is_file():
-        raise BadInput(f"{program}: not there, expected it to be built")
-    failed = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for reader in options.only:
-            if options.runs:
-                status, said = fuzz(program, reader, pathlib.Path(folder), options)
-            else:
-                done = run([program, reader, *seeds_of(reader)])
-                status, said = done.returncode, (done.stdout.splitlines() or [f"ended with status {done.returncode}"])[-1][:300]
-            failed += status != 0
-            print(f"{'passed' if status == 0 else 'FAILED'} {reader}: {said}", flush=True)
-    return 1 if failed else 0
+def replayed(_, program, reader):
+    """The last line that is said."""
+    done = run([program, reader, *files_of(SEEDS[reader])])
+    said = (done.stdout.splitlines() or [f"ended with status {done.returncode}"])[-1][:300]
+    require(done.returncode == 0, said)
+    return said
+
+
+def try_reader(trials, reader):
+    trial, program = (fuzzed, "fuzz_inputs") if trials.options.runs else (replayed, "touchstone_inputs")
+    trials.attempt(reader, trial, trials, built(trials.build, f"reports/{program}"), reader)
 
 
 if __name__ == "__main__":
-    exit_with(main)
+    try_parts(__doc__, {reader: functools.partial(try_reader, reader=reader) for reader in SEEDS},
+              runs={"type": int, "default": 0, "help": "inputs by libFuzzer of each reader, by a build of Clang"},
+              seed={"type": int, "default": 1, "help": "of libFuzzer"},
+              timeout={"type": int, "default": 1, "help": "longest time of an input [s]"},
+              corpora={"type": pathlib.Path, "help": "folder that keeps what was found; else nothing is kept but what fails"})

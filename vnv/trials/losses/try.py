@@ -21,7 +21,7 @@ sys.path.insert(0, str(FOLDER.parent / "faults"))
 
 import seeded  # noqa: E402
 from scratch import ROOT, Scratch  # noqa: E402
-from shared import BadInput, Parser, exit_with, run  # noqa: E402
+from shared import BadInput, Parser, built, exit_with, run  # noqa: E402
 
 CONCLUSIONS = ("same or better", "worse", "inconclusive")
 
@@ -107,8 +107,8 @@ def options_of(arguments):
                         help="folder of copy and builds")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="at once, of the compiler")
     options = parser.parse_args(arguments)
-    if not options.check and not os.access(options.build / "vnv" / "vnv", os.X_OK):
-        raise BadInput(f"{options.build}: no program vnv/vnv, expected a build folder")
+    if not options.check:
+        built(options.build, "vnv/vnv")
     seeded.require_pattern("--only", options.only)
     return options
 

@@ -85,19 +85,11 @@ int open(const char* file, int flags, ...) {
   va_end(more);
   return fails("open") ? -1 : real<Open>("open")(file, flags, mode);
 }
-int open64(const char* file, int flags, ...) {
-  va_list more;
-  va_start(more, flags);
-  const mode_t mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(more, mode_t) : 0;
-  va_end(more);
-  return fails("open") ? -1 : real<Open>("open64")(file, flags, mode);
-}
+int open64(const char* file, int flags, ...) __attribute__((alias("open")));  // with files of 64 bits they are the same
 FILE* fopen(const char* file, const char* mode) {
   return fails("open") ? nullptr : real<decltype(fopen)>("fopen")(file, mode);
 }
-FILE* fopen64(const char* file, const char* mode) {
-  return fails("open") ? nullptr : real<decltype(fopen64)>("fopen64")(file, mode);
-}
+FILE* fopen64(const char* file, const char* mode) __attribute__((alias("fopen")));
 ssize_t write(int file, const void* bytes, size_t size) {
   return fails("write") ? -1 : real<decltype(write)>("write")(file, bytes, size);
 }

@@ -10,90 +10,57 @@ held; 1 something did not; 3 bad input.
 Example: vnv/trials/surroundings/try.py build
 """
 
-import contextlib
+import csv
 import json
 import os
 import pathlib
 import re
 import resource
 import shutil
-import subprocess
 import sys
-import tempfile
 import time
 
-FOLDER = pathlib.Path(__file__).resolve().parent
-ROOT = FOLDER.parents[2]
-sys.path[:0] = [str(FOLDER.parent), str(FOLDER.parent / "interruptions"), str(FOLDER.parent / "machine")]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-import left  # noqa: E402
-from shared import BadInput, Failure, Parser, exit_with, require  # noqa: E402
-from works import CASE, DATA, METHOD, WORKS, Work, copied, said_by  # noqa: E402
+from shared import only_line, processes, refusal, require, require_end, require_none, said_by, start, try_parts, well  # noqa: E402
+from works import (CASE, DATA, METHOD, NAME, ROOT, WORKS, TrialsOfWorks, half_written, refused_and_unchanged,  # noqa: E402
+                   require_whole, rows_of, tree, verdicts)
 
-NOBODY = 65534
+NOBODY = {"user": 65534, "group": 65534, "extra_groups": []}
 STRANGE = "it's a \"strange\" $(name) & ünïcødé 水"
 OF_THE_DAY = re.compile(r'("(?:finished_at|cpu|cpu_lowest|cpu_highest|wall|stepping|harness|peak_memory)":)("[^"]*"|[-+.e0-9]+)')
 
 
-def require_refused(status, said, place, cause):
-    require(0 < status < 128, f"ended with status {status}, expected a refusal; it said: {said[-200:]!r}")
-    lines = [line for line in said.splitlines() if str(place) in line and re.search(cause, line)]
-    require(len(lines) == 1, f"{len(lines)} lines say where and why, expected one; it said: {said[-300:]!r}")
-    return lines[0].strip()
+class Trials(TrialsOfWorks):
+    """Each in a folder of its own."""
 
-
-def without_costs(folder):
-    """Records but for what changes from run to run."""
-    return {file.name: OF_THE_DAY.sub(r"\1", file.read_text(encoding="utf-8")) for file in sorted(folder.glob("*.json"))}
-
-
-class Trials:
-    def __init__(self, build, former, scratch):
-        self.build, self.former, self.scratch, self.failed, self.count = build, former, scratch, 0, 0
-        self.vnv, self.report, self.guard = build / "vnv" / "vnv", build / "reports" / "touchstone_report", build / "vnv" / "touchstone_guard"
-        self.case = build / "vnv" / CASE
-
-    def attempt(self, what, trial, *more):
-        self.count += 1
-        folder = self.scratch / f"trial{self.count}"
-        folder.mkdir()
-        try:
-            found, word = trial(folder, *more) or "", "passed"
-        except (Failure, OSError, subprocess.SubprocessError, ValueError) as problem:
-            found, word, self.failed = str(problem), "FAILED", self.failed + 1
-        print(f"{word} {what}{': ' if found else ''}{found}"[:500], flush=True)
-
-    def work(self, name):
-        return WORKS[name](self.build, self.former)
+    def attempt(self, what, trial, *given):
+        super().attempt(what, trial, self.folder(), *given)
 
 
 # What another user may not write, or not read.
 
 
 def try_user(trials):
-    as_nobody = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
-
-    def unwritable(folder, name):
-        work = trials.work(name)
+    def unwritable(folder, work):
         work.prepare(folder)
-        before = left.tree(folder)
-        line = require_refused(*said_by(work.words(folder), **as_nobody), folder, "[Pp]ermission")
-        require(left.tree(folder) == before, "something was written")
-        return line
+        return refused_and_unchanged(work.words(folder), folder, "[Pp]ermission", **NOBODY)
 
-    def unreadable(folder, name):
-        work = trials.work(name)
+    def unreadable(folder, work):
         work.prepare(folder)
         for file in folder.rglob("*.json"):
             file.chmod(0)
         folder.chmod(0o777)
-        return require_refused(*said_by(work.words(folder), **as_nobody), folder, "[Pp]ermission")
+        return refusal(work.words(folder), folder, "[Pp]ermission", **NOBODY)
 
-    os.chmod(trials.scratch, 0o755)
+    if os.geteuid() != 0:
+        print("only root can be another user: not tried")
+        return
+    trials.scratch.chmod(0o755)
     for name in WORKS:
-        trials.attempt(f"{name} where it may not write", unwritable, name)
+        trials.attempt(f"{name} where it may not write", unwritable, trials.work(name))
     for name in ("report", "gate"):
-        trials.attempt(f"{name} of records that it may not read", unreadable, name)
+        trials.attempt(f"{name} of records that it may not read", unreadable, trials.work(name))
 
 
 # Two at once.
@@ -101,62 +68,54 @@ def try_user(trials):
 
 def both(one, other):
     """Exit status and words of two programs that run beside each other."""
-    begun = [subprocess.Popen([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for words in (one, other)]
+    begun = [start(words) for words in (one, other)]
     return [(process.communicate(timeout=120)[0], process.returncode)[::-1] for process in begun]
 
 
 def try_at_once(trials):
-    def twice(folder, name, expected):
-        work = trials.work(name)
+    programs = trials.programs
+
+    def twice(folder, name, work):
         work.prepare(folder)
         words = work.words(folder)
         ends = both(words, words)
         for status, said in ends:
-            require(0 <= status < 128, f"ended with status {status}: {said[-300:]!r}")
-            require(status == 0 or name == "report", f"ended with status {status}: {said[-300:]!r}")
+            require_end(words, status, said, range(128) if name == "report" else (0,))
         require(any(status == 0 for status, _ in ends), f"neither ended well: {ends}")
-        require(work.found(folder) == expected, "left something else than one alone")
-        for place in ("records", "nights"):
-            if (folder / place).is_dir():
-                require(not left.torn(folder / place), f"torn: {left.torn(folder / place)}")
-        return "" if all(status == 0 for status, _ in ends) else "one gives way: " + next(said for status, said in ends if status != 0).strip()
+        require(work.found(folder) == work.expected, "left something else than one alone")
+        require_whole(folder)
+        return next((f"one gives way: {said.strip()[-300:]}" for status, said in ends if status != 0), "")
 
     def accepted(folder):
-        copied(DATA, folder / "data")
-        words = lambda method: [trials.vnv, "--data", folder / "data", "accept", f"{CASE}.{method}", "--reason", f"of {method}"]
+        shutil.copytree(DATA, folder / "data")
+        words = lambda method: [programs.vnv, "--data", folder / "data", "accept", f"{CASE}.{method}", "--reason", f"of {method}"]
         file = folder / "data" / "baselines" / f"{CASE}.csv"
-        kept = [line for line in file.read_text(encoding="utf-8").splitlines() if not re.match("(mpm|mpm_affine),", line)]
-        file.write_text("\n".join(kept) + "\n", encoding="utf-8")
+        file.write_text("\n".join(row for row in rows_of(file, ("mpm,", "mpm_affine,"))) + "\n", encoding="utf-8")
         for status, said in both(words("mpm"), words("mpm_affine")):
-            require(status == 0, f"ended with status {status}: {said[-300:]!r}")
-        rows = lambda path: {line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")}
-        lost = rows(DATA / "baselines" / f"{CASE}.csv") - rows(file)
+            require_end(words("either"), status, said)
+        values = lambda table: {tuple(row[:4]) for row in csv.reader(rows_of(table))}  # by method, level, time and quantity
+        lost = values(DATA / "baselines" / f"{CASE}.csv") - values(file)
         require(not lost, f"{len(lost)} baselines of one were lost to the other: {sorted(lost)[:1]}")
 
     def read_while_written(folder):
         work = trials.work("run")
         work.prepare(folder)
-        (status, said), (other, told) = both(work.words(folder), [trials.report, folder / "records", folder / "site"])
+        (status, said), (other, told) = both(work.words(folder), [programs.report, folder / "records", folder / "site"])
         require(status == 0 and (other in (0, 1) or "no record" in told), f"{status}, {other}: {said[-200:]!r} {told[-200:]!r}")
 
     def others_are_kept(folder):
-        copied(trials.former, folder / "records")
-        before = left.tree(folder / "records")
+        records = folder / "records"
+        shutil.copytree(trials.former, records)
+        before = {name: text for name, text in tree(records).items() if "/" not in name}
         for _ in range(2):  # as ctest -R does, once and again
-            status, said = said_by([trials.guard, "begin", folder / "records"])
-            require(status == 0, said)
-            require(not list((folder / "records").glob("*.json")), "a record of before would be judged")
-        require(left.tree(folder / "records" / "before").items() >= {name: text for name, text in before.items() if "/" not in name}.items(), "records of before are gone")
+            well([programs.guard, "begin", records])
+            require(not list(records.glob("*.json")), "a record of before would be judged")
+        require(tree(records / "before").items() >= before.items(), "records of before are gone")
 
     for name in WORKS:
-        folder = trials.scratch / f"alone_{name}"
-        folder.mkdir()
-        work = trials.work(name)
-        work.prepare(folder)
-        said_by(work.words(folder))
-        expected = json.loads(json.dumps(work.found(folder))) if name in ("case", "run") else work.found(folder)
+        work = trials.work(name).undisturbed(trials.folder())
         for _ in range(5):
-            trials.attempt(f"{name} twice at once", twice, name, expected)
+            trials.attempt(f"{name} twice at once", twice, name, work)
     for _ in range(3):
         trials.attempt("two methods of a case accepted at once", accepted)
         trials.attempt("pages while records are made", read_while_written)
@@ -167,38 +126,37 @@ def try_at_once(trials):
 
 
 def try_locale(trials):
-    with_comma = trials.scratch / "locales"
-    with_comma.mkdir()
-    made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", with_comma / "de_DE.UTF-8"], capture_output=True).returncode == 0
-    german = {"LOCPATH": str(with_comma), "LC_ALL": "de_DE.UTF-8", "LANGUAGE": "de"}
-    if not made or subprocess.run(["bash", "-c", "printf %.1f 0,5"], env=os.environ | german, capture_output=True, text=True).stdout != "0,5":
+    bare = {name: value for name, value in os.environ.items() if not name.startswith("LC_") and name not in ("LANG", "LANGUAGE")}
+    programs, made_here = trials.programs, trials.folder()
+    german = {"LOCPATH": str(made_here), "LC_ALL": "de_DE.UTF-8", "LANGUAGE": "de"}
+    made, _ = said_by(["localedef", "-i", "de_DE", "-f", "UTF-8", made_here / "de_DE.UTF-8"])
+    is_made = made == 0 and said_by(["bash", "-c", "printf %.1f 0,5"], env=os.environ | german)[1] == "0,5"
+    if not is_made:
         print("no locale with a decimal comma can be made: it is not tried")
-        made = False
 
     def written(folder, env):
-        """Records, pages and tables, of one case that runs and one that is read."""
-        records, site = folder / "records", folder / "site"
-        for words in ([trials.vnv, "run", f"{CASE}.{METHOD}", f"{CASE}.sph", "--records", records],
-                      [trials.report, trials.former, site, "--history", folder / "nights", "--claims", DATA / "claims", "--references", DATA / "references.bib"],
-                      [trials.vnv, "gate", trials.former, records, "--json", folder / "gate.json", "--markdown", folder / "gate.md"]):
-            status, said = said_by(words, env=env)
-            require(status in (0, 1) and "gate" not in words or status == 0, f"ended with status {status}: {said[-300:]!r}")
-        tables = {name: (folder / name).read_text(encoding="utf-8").replace(str(folder), "") for name in ("gate.json", "gate.md")}
-        return without_costs(records), left.tree(site), left.tree(folder / "nights"), tables["gate.md"]
+        """Records but for what changes from run to run, pages and tables, of one case that runs and one that is read."""
+        records, site, nights, table = folder / "records", folder / "site", folder / "nights", folder / "gate.md"
+        well([programs.vnv, "run", NAME, f"{CASE}.sph", "--records", records], env=env)
+        pages = [programs.report, trials.former, site, "--history", nights, "--claims", DATA / "claims", "--references", DATA / "references.bib"]
+        require_end(pages, *said_by(pages, env=env), (0, 1))
+        well([programs.vnv, "gate", trials.former, records, "--json", folder / "gate.json", "--markdown", table], env=env)
+        json.loads((folder / "gate.json").read_text(encoding="utf-8"))
+        of_all_days = {file.name: OF_THE_DAY.sub(r"\1", file.read_text(encoding="utf-8")) for file in sorted(records.glob("*.json"))}
+        return {"records": of_all_days, "pages": tree(site), "nights": tree(nights),
+                "the gate's table": {table.name: table.read_text(encoding="utf-8").replace(str(folder), "")}}
 
-    bare = {name: value for name, value in os.environ.items() if not name.startswith("LC_") and name not in ("LANG", "LANGUAGE")}
-    folder = trials.scratch / "usual"
-    folder.mkdir()
-    usual = written(folder, bare | {"LC_ALL": "C.UTF-8"})
+    usual = written(trials.folder(), bare | {"LC_ALL": "C.UTF-8"})
 
     def same(folder, env):
-        for what, one, other in zip(("records", "pages", "nights", "the gate's table"), written(folder, env), usual):
-            differ = [name for name in other if one.get(name) != other[name]] if isinstance(one, dict) else [] if one == other else [what]
-            require(one == other, f"other {what}: {differ[:3]}")
+        found = written(folder, env)
+        for what, expected in usual.items():
+            differ = [name for name in expected | found[what] if found[what].get(name) != expected.get(name)]
+            require(not differ, f"other {what}: {differ[:3]}")
 
     trials.attempt("LC_ALL=C", same, bare | {"LC_ALL": "C"})
     trials.attempt("no locale", same, bare)
-    if made:
+    if is_made:
         trials.attempt("a decimal comma", same, bare | german)
 
 
@@ -206,87 +164,90 @@ def try_locale(trials):
 
 
 def try_path(trials):
-    def walked(folder, name):
-        here = folder / name
-        records, data = here / "records", copied(DATA, here / "data")
-        (here / "solver").mkdir()
-        for file in (ROOT / "vnv" / "doors" / "examples" / "program").iterdir():
-            shutil.copy(file, here / "solver")
-        solver = next((here / "solver").glob("*.toml")).rename(here / "solver" / f"{'its_水' if name == STRANGE else 'plain'}.toml")
-        for words in ([trials.vnv, "run", f"{CASE}.{METHOD}", "--records", records],
-                      [trials.vnv, "run", solver, "--records", records],
-                      [trials.case, "--method", METHOD, "--spacing", "5e-5", "--vtp", here / "particles"],
-                      [trials.report, records, here / "site", "--history", here / "nights"],
-                      [trials.vnv, "gate", records, records, "--json", here / "gate.json"],
-                      [trials.vnv, "--data", data, "accept", f"{CASE}.{METHOD}", "--reason", "a trial"],
-                      [trials.vnv, "export", CASE, "--records", records, "--folder", here / "paper"]):
-            status, said = said_by(words)
-            require(status == 0, f"{' '.join(str(word) for word in words[:3])}: ended with status {status}: {said[-300:]!r}")
-        require(len(left.verdicts(records)) == 2 and not left.torn(here / "site"), "records or pages are torn")
-        require((here / "site" / CASE / "index.html").is_file() and any((here / "paper").iterdir()), "pages or tables are missing")
-        return here
+    programs = trials.programs
 
-    trials.attempt("a plain folder", lambda folder: walked(folder, "plain") and None)
-    trials.attempt(f"a folder called {STRANGE}", lambda folder: walked(folder, STRANGE) and None)
+    def walked(folder, name, solver):
+        here = folder / name
+        records, data, called = here / "records", here / "data", here / "solver" / f"{solver}.toml"
+        shutil.copytree(DATA, data)
+        shutil.copytree(ROOT / "vnv" / "doors" / "examples" / "program", here / "solver")
+        next((here / "solver").glob("*.toml")).rename(called)
+        for words in ([programs.vnv, "run", NAME, "--records", records],
+                      [programs.vnv, "run", called, "--records", records],
+                      [programs.case, "--method", METHOD, "--spacing", "5e-5", "--vtp", here / "particles"],
+                      [programs.report, records, here / "site", "--history", here / "nights"],
+                      [programs.vnv, "gate", records, records, "--json", here / "gate.json"],
+                      [programs.vnv, "--data", data, "accept", NAME, "--reason", "a trial"],
+                      [programs.vnv, "export", CASE, "--records", records, "--folder", here / "paper"]):
+            well(words)
+        require_whole(here)
+        require(len(verdicts(records)) == 2, "a record is missing")
+        require((here / "site" / CASE / "index.html").is_file() and any((here / "paper").iterdir()), "pages or tables are missing")
+
+    trials.attempt("a plain folder", walked, "plain", "plain")
+    trials.attempt(f"a folder called {STRANGE}", walked, STRANGE, "its_水")
 
 
 # Processors.
 
 
 def try_processor(trials):
+    programs = trials.programs
+
     def on_one_core(folder):
-        status, said = said_by(["taskset", "-c", "0", trials.vnv, "run", CASE, "--records", folder / "records", "-j", "2"])
-        require(status == 0, said[-300:])
+        well(["taskset", "-c", "0", programs.vnv, "run", CASE, "--records", folder / "records", "-j", "2"])
 
     def without_avx(_, *words):
         """What was built for this machine says so on another one; what was built for any runs there."""
-        status, said = said_by(["qemu-x86_64", "-cpu", "Nehalem", *words])
-        if "TOUCHSTONE_NATIVE:BOOL=ON" not in (trials.build / "CMakeCache.txt").read_text(encoding="utf-8"):
-            require(status == 0, f"ended with status {status}: {said[-300:]!r}")
-            code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", words[0]], capture_output=True, text=True, check=True).stdout
-            held = re.findall(r"\tv\w+ .*%[xyz]mm", code)
-            require(code and not held, f"holds {len(held)} instructions of AVX: {held[:1]}")
-            return f"runs, {code.count(chr(10))} lines of instructions without AVX"
-        require(len(said.splitlines()) == 1, f"says not one line: {said[-300:]!r}")
-        return require_refused(status, said, words[0].name, "needs avx")
+        words = ["qemu-x86_64", "-cpu", "Nehalem", *words]
+        if "TOUCHSTONE_NATIVE:BOOL=ON" in (trials.build / "CMakeCache.txt").read_text(encoding="utf-8"):
+            status, said = said_by(words)
+            require(0 < status < 128 and len(said.splitlines()) == 1, f"ended with status {status}, says not one line: {said[-300:]!r}")
+            return only_line(said, words[3].name, "needs avx")
+        well(words)
+        code = well(["objdump", "-d", "--no-show-raw-insn", words[3]])
+        held = re.findall(r"\tv\w+ .*%[xyz]mm", code)
+        require(code and not held, f"holds {len(held)} instructions of AVX: {held[:1]}")
+        return f"runs, {code.count(chr(10))} lines of instructions without AVX"
 
     trials.attempt("one core", on_one_core)
     if not shutil.which("qemu-x86_64"):
         print("no qemu-x86_64: a processor without AVX is not tried")
         return
-    for words in ((trials.case, "--method", METHOD), (trials.vnv, "list"), (trials.report, "--help"), (trials.guard, "begin", trials.scratch / "guarded")):
+    for words in ((programs.case, "--method", METHOD), (programs.vnv, "list"), (programs.report, "--help"),
+                  (programs.guard, "begin", trials.folder() / "guarded")):
         trials.attempt(f"{words[0].name} without AVX", without_avx, *words)
 
 
-# gnuplot.
+# Programs of others that are called: gnuplot draws the figures, a browser opens the pages.
+
+
+def stand_in(folder, name, script):
+    """An environment in which a script is called by that name; `folder` is found first."""
+    file = folder / name
+    file.write_text(script, encoding="utf-8")
+    file.chmod(0o755)
+    return os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"}
 
 
 def try_gnuplot(trials):
-    real = shutil.which("gnuplot")
+    real, work = shutil.which("gnuplot"), trials.work("report")
 
     def shown(folder, script, cause, longest=60):
-        work = trials.work("report")
         work.prepare(folder)
-        before = left.tree(folder / "site")
-        (folder / "bin").mkdir()
-        fake = folder / "bin" / "gnuplot"
-        fake.write_text("#!/bin/sh\n" + script, encoding="utf-8")
-        fake.chmod(0o755)
-        began = time.monotonic()
-        status, said = said_by(work.words(folder), env=os.environ | {"PATH": f"{folder / 'bin'}:{os.environ['PATH']}"})
+        before, environment = tree(folder / "site"), stand_in(trials.folder(), "gnuplot", "#!/bin/sh\n" + script)
+        began, words = time.monotonic(), work.words(folder)
+        said = require_end(words, *said_by(words, env=environment), (3,))
         require(time.monotonic() - began < longest, "took too long")
-        require(status == 3, f"ended with status {status}, expected 3: no pages were made; it said: {said[-300:]!r}")
-        lines = [line for line in said.splitlines() if "gnuplot" in line and re.search(cause, line)]
-        require(len(lines) == 1, f"{len(lines)} lines say why: {said[-300:]!r}")
-        require(left.tree(folder / "site") == before, "the former site has changed")
-        require(not list(folder.glob(".*")), "something is left")
-        return lines[0]
+        require(tree(folder / "site") == before, "the former site has changed")
+        require_none(half_written(folder))
+        return only_line(said, "gnuplot", cause)
 
     def missing(folder):
-        work = trials.work("report")
         work.prepare(folder)
-        status, said = said_by(work.words(folder), env=os.environ | {"PATH": str(folder)})
-        require(status == 3 and "not found on PATH" in said, f"ended with status {status}: {said[-300:]!r}")
+        words = work.words(folder)
+        said = require_end(words, *said_by(words, env=os.environ | {"PATH": str(folder)}), (3,))
+        require("not found on PATH" in said, f"does not say why: {said[-300:]!r}")
         require((folder / "site" / "verdicts.csv").is_file(), "no tables")
 
     trials.attempt("no gnuplot", missing)
@@ -297,69 +258,30 @@ def try_gnuplot(trials):
     trials.attempt("a gnuplot that hangs", shown, "exec sleep 1000\n", "longer than", 90)
 
 
-# The browser that opens the pages.
-
-
-def processes_of(mark):
-    """Those that have it in their environment."""
-    found = []
-    for file in pathlib.Path("/proc").glob("[0-9]*/environ"):
-        with contextlib.suppress(OSError):
-            found += [file.parent.name] if mark.encode() in file.read_bytes() else []
-    return found
-
-
 def try_browser(trials):
     def opened(folder, script, cause, longest=30):
         (folder / "site").mkdir()
         (folder / "site" / "index.html").write_text("<p>A page.</p>", encoding="utf-8")
-        fake = folder / "chromium"
-        fake.write_text("#!/bin/bash\n" + script + "\n", encoding="utf-8")
-        fake.chmod(0o755)
         gigabyte = (1 << 30, 1 << 30)
         status, said = said_by([sys.executable, "-B", ROOT / "reports" / "browser" / "browse.py", "chromium", folder / "site", "--longest", longest],
-                               env=os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"}, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, gigabyte))
-        require(len(said.splitlines()) == 1, f"says not one line: {said[-300:]!r}")
-        line = require_refused(status, said, "browse.py", cause)
-        require(not processes_of(f"PATH={folder}:"), "it or one of its children lives on")
-        return line
+                               env=stand_in(folder, "chromium", f"#!/bin/bash\n{script}\n"),
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, gigabyte))
+        require(0 < status < 128 and len(said.splitlines()) == 1, f"ended with status {status}, says not one line: {said[-300:]!r}")
+        living = [found.name for found in processes().values() if any(one.startswith(f"PATH={folder}:") for one in found.environment)]
+        require(not living, f"it or one of its children lives on: {living}")
+        return only_line(said, "browse.py", cause)
 
     trials.attempt("a browser that fails", opened, "exit 1", "ended before")
     trials.attempt("a browser that hangs", opened, "trap '' TERM; sleep 1000 & sleep 1000", "not answer within 2 s", 2)
     trials.attempt("a browser that prints without end", opened, "yes & yes >&2", "not answer within 2 s", 2)
     trials.attempt("a browser that answers without end", opened, "tr '\\0' x </dev/zero >&4", "more than 64 MiB")
-    trials.attempt("a browser that tells without end of something else", opened, """yes '{"method": "Page.frameNavigated"}' | tr '\\n' '\\0' >&4""", "more than 64 MiB|within", 5)
+    trials.attempt("a browser that tells without end of something else", opened,
+                   """yes '{"method": "Page.frameNavigated"}' | tr '\\n' '\\0' >&4""", "more than 64 MiB|within", 5)
     trials.attempt("a browser that speaks otherwise", opened, "printf 'no JSON\\0' >&4; sleep 1000", "expected a message in JSON")
 
 
 PARTS = {"user": try_user, "at_once": try_at_once, "locale": try_locale, "path": try_path, "processor": try_processor, "gnuplot": try_gnuplot,
          "browser": try_browser}
 
-
-def main(arguments):
-    parser = Parser(__doc__)
-    parser.add_argument("build", metavar="BUILD", type=pathlib.Path, help="build folder, only read")
-    parser.add_argument("--only", nargs="+", choices=PARTS, default=PARTS, help="of the trials only these")
-    options = parser.parse_args(arguments)
-    build = options.build.resolve()
-    for name in ("DASHBOARD_TEST_FROM_CTEST", "CTEST_INTERACTIVE_DEBUG_MODE"):
-        os.environ.pop(name, None)  # vnv accept refuses to run in a test
-    with tempfile.TemporaryDirectory(prefix="surroundings.") as held:
-        scratch = pathlib.Path(held)
-        Work(build, None)  # refuses a build folder without programs
-        (scratch / "former").mkdir()
-        status, said = said_by([build / "vnv" / CASE, "--method", METHOD, "--records", scratch / "former"])
-        if status != 0:
-            raise BadInput(f"{CASE}: ends with status {status}: {said.strip()[-300:]!r}")
-        trials = Trials(build, scratch / "former", scratch)
-        for part in options.only:
-            if part == "user" and os.geteuid() != 0:
-                print("only root can be another user: not tried")
-                continue
-            PARTS[part](trials)
-    print(f"{trials.count} trials, {trials.failed} failed")
-    return 1 if trials.failed else 0
-
-
 if __name__ == "__main__":
-    exit_with(main)
+    try_parts(__doc__, PARTS, Trials)
