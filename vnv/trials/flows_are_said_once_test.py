@@ -21,7 +21,7 @@ def said(*words):
 
 def complaints(vnv):
     titles = dict(line.split(maxsplit=1) for line in said(vnv, "scene").splitlines() if line.strip())
-    sources = {str(file.relative_to(TOP)): file.read_text(encoding="utf-8") for file in sorted((TOP / "vnv").rglob("*.[ch]pp"))
+    sources = {str(file.relative_to(TOP)): re.sub("//.*", "", file.read_text(encoding="utf-8")) for file in sorted((TOP / "vnv").rglob("*.[ch]pp"))
                if not file.name.endswith("_test.cpp") and "trials" not in file.parts and file.name != "right_data.hpp"}
     for name, title in titles.items():
         where = [file for file, text in sources.items() if f'"{title.strip()}"' in text]
