@@ -30,7 +30,7 @@ Variant mpm_variant(std::string name, const FluidLaw& fluid) {
   });
 }
 
-const auto mean_pressure = [](double) { return sph::Pressure{}; };
+const auto conservative = [](double) { return sph::Pressure{}; };
 const auto artificial = [](double h) {
   return sph::ArtificialViscosity{.alpha = 0.01, .sound_speed = water.sound_speed(), .h = h};
 };
@@ -72,12 +72,12 @@ Case vnv::the_case() {
                 .description = "Smoothed particle hydrodynamics as printed, spacing 0.02 m.",
                 .claims = {near_the_experiment.on(unabridged)}},
                {.spacing = cell, .report = 0.5, .nightly = 0.5},
-               {sph_variant(unabridged, mean_pressure, artificial),
-                sph_variant("without artificial viscosity", mean_pressure),
+               {sph_variant(unabridged, conservative, artificial),
+                sph_variant("without artificial viscosity", conservative),
                 sph_variant<sph::Without<sph::DensityReinitialisation>>("without Shepard density reinitialisation",
-                                                                        mean_pressure, artificial),
-                sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure, artificial),
-                sph_variant(viscosity_of_water, mean_pressure, artificial, laminar)})};
+                                                                        conservative, artificial),
+                sph_variant<sph::Without<sph::Repulsion>>("without repulsive particles", conservative, artificial),
+                sph_variant(viscosity_of_water, conservative, artificial, laminar)})};
   declared.plots = {ablation_table(front.rms, {viscosity_of_water})};
   return declared;
 }

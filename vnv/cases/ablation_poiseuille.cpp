@@ -59,7 +59,7 @@ Variant regularised_variant(std::string name, Terms... terms) {
   });
 }
 
-const auto mean_pressure = [](double) { return sph::Pressure{}; };
+const auto conservative = [](double) { return sph::Pressure{}; };
 const auto difference = [](double) { return sph::PressureDifference{}; };
 const sph::MorrisViscosity morris{.mu = water.viscosity};
 
@@ -95,13 +95,13 @@ Case vnv::the_case() {
                             .description = sph_printed_words + conservative_words,
                             .claims = {at_most(l2, 4.39, literature("Sun et al., table 3, S1")).on(unabridged)}},
                            coarse,
-                           {printed_variant(unabridged, mean_pressure, laminar, artificial),
-                            printed_variant("without artificial viscosity", mean_pressure, laminar),
-                            printed_variant("without laminar viscosity", mean_pressure, artificial),
+                           {printed_variant(unabridged, conservative, laminar, artificial),
+                            printed_variant("without artificial viscosity", conservative, laminar),
+                            printed_variant("without laminar viscosity", conservative, artificial),
                             printed_variant("without pressure", laminar, artificial),
                             printed_variant<sph::Without<sph::DensityReinitialisation>>(
-                                "without Shepard density reinitialisation", mean_pressure, laminar, artificial),
-                            printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", mean_pressure,
+                                "without Shepard density reinitialisation", conservative, laminar, artificial),
+                            printed_variant<sph::Without<sph::Repulsion>>("without repulsive particles", conservative,
                                                                           laminar, artificial),
                             printed_variant("differences of pressure", difference, laminar, artificial)}),
                   ablation({.name = "sph_regularised",
