@@ -71,8 +71,7 @@ struct Repeats {
 };
 std::vector<Repeats> repeats() {
   const std::array columns{"mean [mbar]", "deviation [mbar]", "median [mbar]", "least [mbar]", "largest [mbar]"};
-  const DataTable table = read_table(data_folder() / "experiments" / "botia_vera_2010_lateral_peaks.csv",
-                                     {"peak", columns[0], columns[1], columns[2], columns[3], columns[4]});
+  const DataTable table = read_table(data_folder() / "experiments" / "botia_vera_2010_lateral_peaks.csv");
   require_geometry(table, "water_depth", depth, 1e-6);
   require_geometry(table, "tank_length", length, 1e-6);
   std::vector<Repeats> all;

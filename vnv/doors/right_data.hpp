@@ -24,8 +24,7 @@ inline double parameter(const Flow& flow, const std::string& name) {
 
 /// The front of the experiment by Lobovský et al., a little ahead as those of our own methods, at T.
 inline double front_at_scaled(double T) {
-  static const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
-                                            {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  static const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv");
   static const FrontHistory front{table.numbers("T [-]"), table.numbers("L [-]")};
   const double within = std::clamp(T, front.T.front(), front.T.back());
   return T > 0 ? std::min(2.683, front_at(front, within) + std::min(0.08, T / 10)) : 1;

@@ -30,10 +30,10 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 template <class Map>
-std::string names_in(const Map& map) {
+std::vector<std::string> names_in(const Map& map) {
   std::vector<std::string> names;
   for (const auto& [name, value] : map) names.push_back(name);
-  return listed(names);
+  return names;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -184,14 +184,22 @@ void require_si(const Sheet& sheet, const Provenance& provenance) {
                     fmt::format("unit of {}; found '{}', expected {}", name, quantity.unit, listed(si)));
 }
 
+std::string value_if_any(const Sheet& sheet, std::string_view name) {
+  const auto found = std::ranges::find(sheet.keys, name, &Sheet::Key::name);
+  return found == sheet.keys.end() ? "" : found->value;
+}
+
 Provenance provenance_of(const Sheet& sheet) {
-  require_keys(sheet, {"title", "citation", "source", "scaling", "geometry", "uncertainty"});
+  require_keys(sheet, {"title", "citation", "source", "scaling", "geometry", "uncertainty"},
+               {"experiment", "read-out"});
   Provenance provenance{.title = sheet.key("title").value,
                         .citation = sheet.key("citation").value,
                         .source = sheet.key("source").value,
                         .scaling = sheet.key("scaling").value,
                         .geometry = quantities(sheet, "geometry"),
                         .uncertainty = quantities(sheet, "uncertainty"),
+                        .experiment = value_if_any(sheet, "experiment"),
+                        .read_out = value_if_any(sheet, "read-out"),
                         .notes = {},
                         .geometry_line = sheet.key("geometry").line};
   for (const auto& key : sheet.keys)
@@ -211,7 +219,7 @@ template <class Columns>
 const auto& column(const DataTable& table, const Columns& columns, std::string_view kind, std::string_view heading) {
   const auto found = columns.find(heading);
   if (found != columns.end()) return found->second;
-  throw BadData(table.file(), 0, fmt::format("no column of {} '{}'; found {}", kind, heading, names_in(columns)));
+  throw BadData(table.file(), 0, fmt::format("no column of {} '{}'; found {}", kind, heading, listed(like(std::string(heading), names_in(columns)))));
 }
 
 template <class Columns>
@@ -295,10 +303,11 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + '\n';
 }
 
-void require_keys(const Sheet& sheet, const std::vector<std::string>& expected) {
+void require_keys(const Sheet& sheet, const std::vector<std::string>& expected,
+                  const std::vector<std::string>& optional) {
   for (const auto& key : sheet.keys) {
     if (key.name == "note") continue;
-    if (!contains(expected, key.name))
+    if (!contains(expected, key.name) && !contains(optional, key.name))
       throw BadData(sheet.file, key.line,
                     fmt::format("unknown key; found '{}', expected {}", key.name, listed(expected)));
     if (const auto& first = sheet.key(key.name); &first != &key)
@@ -358,12 +367,23 @@ DataTable DataTable::only(std::string_view heading, std::string_view word) const
   return part;
 }
 
-DataTable read_table(const path& file, const std::vector<std::string>& headings,
-                     const std::vector<std::string>& may_be_nan) {
-  const Sheet sheet = read_sheet(file);
-  require_headings(sheet, headings);
+DataTable read_table(const path& file, const std::vector<std::string>& may_be_nan) {
+  DataTable table(read_sheet(file), may_be_nan);
   remembered_tables().insert(file);
-  return DataTable(sheet, may_be_nan);
+  return table;
+}
+
+std::vector<DataTable> read_experiments(const path& folder) {
+  std::set<path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".csv") files.insert(entry.path());
+  std::vector<DataTable> all;
+  for (const path& file : files)
+    if (const Sheet sheet = read_sheet(file); !value_if_any(sheet, "experiment").empty()) {
+      all.emplace_back(sheet);
+      remembered_tables().insert(file);
+    }
+  return all;
 }
 
 const std::set<path>& tables_read() { return remembered_tables(); }
@@ -373,7 +393,7 @@ void require_geometry(const DataTable& table, std::string_view key, double value
   const auto refuse = [&](const std::string& what) { throw BadData(table.file(), provenance.geometry_line, what); };
   const auto found = provenance.geometry.find(key);
   if (found == provenance.geometry.end())
-    refuse(fmt::format("no {} in the geometry; found {}", key, names_in(provenance.geometry)));
+    refuse(fmt::format("no {} in the geometry; found {}", key, listed(names_in(provenance.geometry))));
   const auto& [measured, unit] = found->second;
   if (!(std::abs(measured - value) <= tolerance))
     refuse(fmt::format("another geometry, {}; found {} {}, expected {} ± {} {}", key, measured, unit, value, tolerance,

@@ -56,8 +56,10 @@ std::string csv_field(const std::string& text);
 /// A line of fields, with its end.
 std::string csv_line(const std::vector<std::string>& fields);
 
-/// Throws BadData unless each expected key stands once and no other key but `note` stands at all.
-void require_keys(const Sheet& sheet, const std::vector<std::string>& expected);
+/// Throws BadData unless each expected key stands once, each other one that may stand at most once, and no other key but
+/// `note` stands at all.
+void require_keys(const Sheet& sheet, const std::vector<std::string>& expected,
+                  const std::vector<std::string>& optional = {});
 /// Throws BadData unless the headings are these, with their units, in this order.
 void require_headings(const Sheet& sheet, const std::vector<std::string>& expected);
 
@@ -67,7 +69,8 @@ struct ValueWithUnit {
 };
 using ValuesWithUnits = std::map<std::string, ValueWithUnit, std::less<>>;
 
-/// Where the numbers of a table come from, and what they hold for. All but the notes must stand in the file.
+/// Where the numbers of a table come from, and what they hold for. All but experiment, read-out and notes must stand in
+/// the file.
 struct Provenance {
   std::string title, citation;
   std::string source;        // who read the numbers from where, and which copy was taken
@@ -75,6 +78,8 @@ struct Provenance {
   ValuesWithUnits geometry;  // SI
   ValuesWithUnits
       uncertainty;  // by column without its unit, "L", or by column and kind, "L.repeat"; in the column's unit
+  std::string experiment;  // "Martin & Moyce 1952": what is compared with it names it so; else empty
+  std::string read_out;    // which of its series that is; empty: there is one
   std::vector<std::string> notes;
   int geometry_line = 0;
 };
@@ -88,6 +93,7 @@ class DataTable {
   const std::filesystem::path& file() const { return file_; }
   const Provenance& provenance() const { return provenance_; }
   std::size_t rows() const { return rows_; }
+  bool has(std::string_view heading) const { return numbers_.contains(heading) || words_.contains(heading); }
   /// A column by its whole heading; throws BadData if there is none of its kind.
   const std::vector<double>& numbers(std::string_view heading) const;
   const std::vector<std::string>& words(std::string_view heading) const;
@@ -102,10 +108,11 @@ class DataTable {
   std::map<std::string, std::vector<std::string>, std::less<>> words_;
 };
 
-/// Reads a table of exactly these columns. Throws BadData, also for a column that is missing, unknown, misplaced, or in
-/// another unit.
-DataTable read_table(const std::filesystem::path& file, const std::vector<std::string>& headings,
-                     const std::vector<std::string>& may_be_nan = {});
+/// Reads a table. Throws BadData.
+DataTable read_table(const std::filesystem::path& file, const std::vector<std::string>& may_be_nan = {});
+
+/// The tables of a folder that name their experiment, in the order of their files.
+std::vector<DataTable> read_experiments(const std::filesystem::path& folder);
 
 /// The files that `read_table` has read so far in this process: what its numbers rest on.
 const std::set<std::filesystem::path>& tables_read();

@@ -24,7 +24,6 @@ const std::string provenance =
     "# geometry: column_height = 0.6 m; gravity = 9.81 m/s²; column_aspect = 1\n"
     "# uncertainty: L = 0.005; T.origin = 0.3\n";  // six lines: the headings stand on line 7
 const std::string table = provenance + "T [-],L [-],series\n0.5,1.25,film\n1,1.5,gauge\n1.5,2,film\n";
-const Headings front{"T [-]", "L [-]", "series"};
 
 std::filesystem::path folder() {
   const auto folder = std::filesystem::path(testing::TempDir()) / "tables";
@@ -32,10 +31,10 @@ std::filesystem::path folder() {
   return folder;
 }
 
-DataTable read_text(const std::string& text, const Headings& headings = front, const Headings& may_be_nan = {}) {
+DataTable read_text(const std::string& text, const Headings& may_be_nan = {}) {
   const auto file = folder() / (testing::UnitTest::GetInstance()->current_test_info()->name() + std::string(".csv"));
   std::ofstream(file, std::ios::binary) << text;
-  return read_table(file, headings, may_be_nan);
+  return read_table(file, may_be_nan);
 }
 
 /// What a refusal says after the name of the file; empty if there is none.
@@ -49,8 +48,8 @@ std::string said_by(const Read& read) {
   }
   return {};
 }
-std::string refusal(const std::string& text, const Headings& headings = front, const Headings& may_be_nan = {}) {
-  return said_by([&] { read_text(text, headings, may_be_nan); });
+std::string refusal(const std::string& text, const Headings& may_be_nan = {}) {
+  return said_by([&] { read_text(text, may_be_nan); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -114,18 +113,18 @@ TEST(Tables, ReadNumbersToTheLastDigit) {
 
 TEST(Tables, AcceptNanOnlyWhereItIsAllowed) {
   const auto text = replaced(table, "1.25", "nan");
-  EXPECT_TRUE(std::isnan(read_text(text, front, {"L [-]"}).numbers("L [-]")[0]));
-  EXPECT_EQ(refusal(text, front, {"T [-]"}), "8: not a number in 'L [-]'; found 'nan', expected a decimal number");
+  EXPECT_TRUE(std::isnan(read_text(text, {"L [-]"}).numbers("L [-]")[0]));
+  EXPECT_EQ(refusal(text, {"T [-]"}), "8: not a number in 'L [-]'; found 'nan', expected a decimal number");
 }
 
 TEST(Tables, RefuseAMissingFile) {
-  const auto read = [] { read_table(folder() / "absent.csv", front); };
+  const auto read = [] { read_table(folder() / "absent.csv"); };
   EXPECT_EQ(said_by(read), " No such file or directory; expected a CSV file");
 }
 
 TEST(Tables, RefuseAFolder) {
   std::filesystem::create_directories(folder() / "folder.csv");
-  const auto read = [] { read_table(folder() / "folder.csv", front); };
+  const auto read = [] { read_table(folder() / "folder.csv"); };
   EXPECT_EQ(said_by(read), " found a folder, expected a CSV file");
 }
 
@@ -179,22 +178,40 @@ TEST(Tables, RefuseGeometryThatIsNotAQuantityInSi) {
 }
 
 TEST(Tables, RefuseAMissingColumnAndListWhatIsThere) {
-  EXPECT_EQ(refusal(table, {"T [-]", "x [m]", "series"}), "7: no column 'x [m]'; found 'T [-]', 'L [-]', 'series'");
+  const auto read = read_text(table);
+  EXPECT_EQ(said_by([&] { read.numbers("x [m]"); }), " no column of numbers 'x [m]'; found 'L [-]', 'T [-]'");
 }
 
 TEST(Tables, RefuseAnotherUnitAndShowIt) {
-  const auto text = replaced(table, "L [-]", "L [mm]");
-  EXPECT_EQ(refusal(text), "7: no column 'L [-]'; found 'L [mm]'");
-  EXPECT_EQ(refusal(replaced(table, "L [-]", "L")), "7: no column 'L [-]'; found 'L'");
+  const auto read = read_text(replaced(table, "L [-]", "L [mm]"));
+  EXPECT_EQ(said_by([&] { read.numbers("L [-]"); }), " no column of numbers 'L [-]'; found 'L [mm]'");
 }
 
-TEST(Tables, RefuseAnUnknownColumn) {
-  EXPECT_EQ(refusal(table, {"T [-]", "L [-]"}), "7: unknown column; found 'series', expected 'T [-]', 'L [-]'");
-}
-
-TEST(Tables, RefuseColumnsOutOfOrder) {
-  EXPECT_EQ(refusal(table, {"L [-]", "T [-]", "series"}),
+TEST(Sheets, RefuseHeadingsThatAreNotThoseExpected) {
+  const auto refused = [](const Headings& expected) {
+    return said_by([&] { require_headings(parse_sheet(folder() / "table.csv", table), expected); });
+  };
+  EXPECT_EQ(refused({"T [-]", "x [m]", "series"}), "7: no column 'x [m]'; found 'T [-]', 'L [-]', 'series'");
+  EXPECT_EQ(refused({"T [-]", "L [-]"}), "7: unknown column; found 'series', expected 'T [-]', 'L [-]'");
+  EXPECT_EQ(refused({"L [-]", "T [-]", "series"}),
             "7: columns out of order; found 'T [-]', 'L [-]', 'series', expected 'L [-]', 'T [-]', 'series'");
+}
+
+TEST(Tables, NameTheirExperimentAndWhichReadOutOfItIsTaken) {
+  EXPECT_EQ(read_text(table).provenance().experiment, "");
+  const auto read = read_text("# experiment: A & B 1990\n# read-out: film\n" + table);
+  EXPECT_EQ(read.provenance().experiment, "A & B 1990");
+  EXPECT_EQ(read.provenance().read_out, "film");
+  EXPECT_EQ(refusal("# experiment: A\n# experiment: B\n" + table),
+            "2: duplicate key; found 'experiment' on line 1 too, expected it once");
+}
+
+TEST(Experiments, AreTheTablesThatNameOne) {
+  std::vector<std::string> found;
+  for (const DataTable& one : read_experiments(data_folder() / "experiments"))
+    found.push_back(one.file().stem().string() + ", " + one.provenance().experiment);
+  EXPECT_EQ(found[0], "koshizuka_oka_1996_front, Koshizuka & Oka 1995");
+  EXPECT_EQ(found.size(), 7u);
 }
 
 TEST(Tables, RefuseColumnsThatCannotBeToldApart) {

@@ -16,7 +16,7 @@ namespace touchstone::vnv {
 double UncertainInput::standard() const { return is_deviation ? half_width : half_width / std::numbers::sqrt3; }
 
 std::vector<UncertainInput> read_inputs(const std::filesystem::path& file) {
-  const DataTable table = read_table(file, {"input", "value [SI]", "half_width [SI]", "unit", "distribution", "basis"});
+  const DataTable table = read_table(file);
   std::vector<UncertainInput> inputs;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const std::string &name = table.words("input")[k], &distribution = table.words("distribution")[k];

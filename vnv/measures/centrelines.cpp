@@ -88,9 +88,8 @@ Centreline ghia_centreline(const std::filesystem::path& data, Centreline::Direct
   const bool is_vertical = direction == Centreline::vertical;
   const std::string at = is_vertical ? "y [-]" : "x [-]", velocity = is_vertical ? "u [-]" : "v [-]";
   const DataTable table =
-      read_table(
-          data / "papers" / (is_vertical ? "ghia_1982_vertical_centreline.csv" : "ghia_1982_horizontal_centreline.csv"),
-          {"Re", at, velocity, "entry"})
+      read_table(data / "papers" /
+                 (is_vertical ? "ghia_1982_vertical_centreline.csv" : "ghia_1982_horizontal_centreline.csv"))
           .only("Re", std::to_string(Re))
           .only("entry", "sound");
   Centreline line{direction, {}, {}};

@@ -52,7 +52,7 @@ std::string csv_of(const std::vector<Price>& prices, const std::string& source) 
 }
 
 std::vector<Price> read_prices(const std::filesystem::path& file) {
-  const DataTable table = read_table(file, columns, {"CPU [s]", "smallest error [-]"});
+  const DataTable table = read_table(file, {"CPU [s]", "smallest error [-]"});
   std::vector<Price> prices;
   for (std::size_t k = 0; k < table.rows(); ++k)
     prices.push_back({table.words("case")[k], table.words("quantity")[k], table.numbers("target [-]")[k],

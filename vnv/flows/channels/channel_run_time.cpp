@@ -37,8 +37,7 @@ std::vector<WorkPoint> published_work(const std::string& flow) {
 }
 
 std::vector<WorkPoint> peers_in_poiseuille_flow() {
-  const DataTable peers =
-      read_table(data_folder() / "peers" / "poiseuille_run_time.csv", {"code", "particles [-]", "L2 [%]", "CPU [s]"});
+  const DataTable peers = read_table(data_folder() / "peers" / "poiseuille_run_time.csv");
   require_geometry(peers, "gap", H, 1e-9);
   require_geometry(peers, "end_time", 1, 1e-9);
   std::vector<WorkPoint> points;

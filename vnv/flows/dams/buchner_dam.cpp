@@ -54,24 +54,24 @@ struct Measured {
   double origin;
 };
 
-DataTable measured_table(const std::string& name, const std::vector<std::string>& headings) {
-  DataTable table = read_table(data_folder() / "experiments" / name, headings);
+DataTable measured_table(const std::string& name) {
+  DataTable table = read_table(data_folder() / "experiments" / name);
   require_geometry(table, "column_length", buchner.column_length, 1e-6);
   require_geometry(table, "column_height", buchner.column_height, 1e-6);
   require_geometry(table, "tank_length", buchner.tank_length, 1e-6);
   return table;
 }
 
-DataTable pressure_table(const std::string& name, const std::vector<std::string>& headings) {
-  DataTable table = measured_table(name, headings);
+DataTable pressure_table(const std::string& name) {
+  DataTable table = measured_table(name);
   require_geometry(table, "sensor_height", disc_height, 1e-6);
   require_geometry(table, "sensor_diameter", disc, 1e-6);
   return table;
 }
 
 Measured measured_by_zhou() {
-  const DataTable levels = measured_table("zhou_1999_levels.csv", {"gauge", "t [s]", "T_H [-]", "h [m]"}),
-                  pressure = pressure_table("zhou_1999_pressure.csv", {"t [s]", "T_H [-]", "p [Pa]", "P2 [-]"});
+  const DataTable levels = measured_table("zhou_1999_levels.csv"),
+                  pressure = pressure_table("zhou_1999_pressure.csv");
   Measured found{{.pressure = series_of(pressure, "T_H [-]", "P2 [-]")},
                  levels.provenance().uncertainty.at("T_H.origin").value};
   constexpr std::array names{"h2", "h1"};
@@ -84,7 +84,7 @@ Measured measured_by_zhou() {
 }
 
 Measured measured_by_buchner() {
-  const DataTable table = pressure_table("buchner_2002_pressure.csv", {"T_H [-]", "P1 [-]", "series"});
+  const DataTable table = pressure_table("buchner_2002_pressure.csv");
   return {{.pressure = series_of(table.only("series", "trixi"), "T_H [-]", "P1 [-]")},
           table.provenance().uncertainty.at("T_H.origin").value};
 }

@@ -13,7 +13,6 @@ constexpr Window judged_times{1, 1.5};  // of T: after the gate has risen, befor
 constexpr Window slope_times{1, 1.58};  // of T: until the measured front meets the wall
 constexpr Window shifts{-0.3, 0.3};     // of T: the largest doubt about the origin of time of such an experiment
 
-const std::vector<std::string> of_600_mm{"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"};
 const std::string front_by = "front L, ";
 
 /// What an experiment measured of columns of one aspect: L, or the residual height, over T.
@@ -24,36 +23,20 @@ struct Experiment {
   Window shifts;  // of T: as its file bounds them
 };
 
-/// Those of the best read-out of each, whose column is as many times as high as it is long.
+/// Those of the best read-out of each, whose column is as many times as high as it is long: all tables of
+/// data/experiments/ that name their experiment and have a front or a height over T.
 std::vector<Experiment> experiments_of(double aspect) {
-  struct Read {
-    const char *name, *file;
-    std::vector<std::string> headings;
-    const char* series;
-  };
-  const std::vector<std::string> by_series{"T [-]", "L [-]", "series"}, of_height{"T [-]", "eta [-]", "tau [-]"};
   std::vector<Experiment> all;
-  for (const Read& read :
-       std::vector<Read>{{"Lobovský et al. 2014",
-                          "lobovsky_2014_front_300.csv",
-                          {"T [-]", "L [-]", "t [s]", "x_gate [m]", "T_H [-]", "X_H [-]"},
-                          ""},
-                         {"Lobovský et al. 2014", "lobovsky_2014_front_600.csv", of_600_mm, ""},
-                         {"Martin & Moyce 1952", "martin_moyce_1952_front_square.csv", by_series, "table"},
-                         {"Martin & Moyce 1952", "martin_moyce_1952_front_tall.csv", by_series, "table"},
-                         {"Koshizuka & Oka 1995", "koshizuka_oka_1996_front.csv", by_series, "pysph"},
-                         {"Martin & Moyce 1952", "martin_moyce_1952_height_square.csv", of_height, ""},
-                         {"Martin & Moyce 1952", "martin_moyce_1952_height_tall.csv", of_height, ""}}) {
-    DataTable table = read_table(data_folder() / "experiments" / read.file, read.headings);
-    if (std::abs(table.provenance().geometry.at("column_aspect").value / aspect - 1) > 1e-3) continue;
-    if (*read.series) table = table.only("series", read.series);
-    const auto& uncertainties = table.provenance().uncertainty;
-    const auto origin = uncertainties.find("T.origin");
-    const double most = origin == uncertainties.end() ? shifts.high : origin->second.value;
-    all.push_back({read.name,
-                   read.headings[1] == "L [-]",
-                   {table.numbers("T [-]"), table.numbers(read.headings[1])},
-                   {-most, most}});
+  for (DataTable& table : read_experiments(data_folder() / "experiments")) {
+    const Provenance& from = table.provenance();
+    const auto its = from.geometry.find("column_aspect");
+    if (its == from.geometry.end() || std::abs(its->second.value / aspect - 1) > 1e-3) continue;
+    const std::string name = from.experiment;
+    const auto origin = from.uncertainty.find("T.origin");
+    const double most = origin == from.uncertainty.end() ? shifts.high : origin->second.value;
+    if (!from.read_out.empty()) table = table.only("series", from.read_out);
+    const bool is_front = table.has("L [-]");
+    all.push_back({name, is_front, {table.numbers("T [-]"), table.numbers(is_front ? "L [-]" : "eta [-]")}, {-most, most}});
   }
   return all;
 }
@@ -78,7 +61,7 @@ double front_of_either(const Samples& samples, double slab_side) {
 }
 
 DataTable measured_by_lobovsky(const DamFront& dam) {
-  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv", of_600_mm);
+  const DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv");
   require_geometry(table, "column_length", dam.column_length, 1e-3);
   require_geometry(table, "column_height", dam.column_height, 1e-3);
   require_geometry(table, "tank_length", dam.tank_length, 1e-3);
@@ -317,8 +300,6 @@ Plot DamFront::residual_heights(Figure frame) const {
 
 Plot DamFront::models() const {
   const DataTable published = read_table(data_folder() / "papers" / "sun_table_5.csv",
-                                         {"method", "model", "cell [m]", "particles per cell [-]", "spacing [m]",
-                                          "boundary particles [-]", "particles [-]"},
                                          {"cell [m]", "particles per cell [-]", "boundary particles [-]"});
   return [published](const Results& results, Record& record) {
     Table table{

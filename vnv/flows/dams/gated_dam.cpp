@@ -58,19 +58,16 @@ std::vector<Quantity> names() {
   return all;
 }
 
-DataTable experiment(const std::string& name, const std::vector<std::string>& headings) {
-  DataTable table = read_table(data_folder() / "experiments" / name, headings);
+DataTable experiment(const std::string& name) {
+  DataTable table = read_table(data_folder() / "experiments" / name);
   require_geometry(table, "column_height", filled_300.height, 1e-6);
   require_geometry(table, "tank_length", tank_length, 1e-6);
   return table;
 }
-DataTable front_table() {
-  return experiment("lobovsky_2014_front_300.csv", {"T [-]", "L [-]", "t [s]", "x_gate [m]", "T_H [-]", "X_H [-]"});
-}
+DataTable front_table() { return experiment("lobovsky_2014_front_300.csv"); }
 /// Of the filling of 0.6 m, x/H from the gate over T_H, which is T of this table.
 DataTable front_table_600() {
-  DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv",
-                               {"T [-]", "L [-]", "t [s]", "x_gate [m]", "at_wall [-]"});
+  DataTable table = read_table(data_folder() / "experiments" / "lobovsky_2014_front_600.csv");
   require_geometry(table, "column_height", filled_600.height, 1e-6);
   return table;
 }
@@ -79,17 +76,9 @@ Series front_of_600(const DataTable& table) {
   for (double& x : front.value) x -= 1;
   return front;
 }
-DataTable level_table() {
-  return experiment("lobovsky_2014_levels_300.csv", {"T_H [-]", "H1_run_1 [-]", "H2_run_1 [-]", "H2_run_2 [-]",
-                                                     "H3_run_1 [-]", "H3_run_2 [-]", "H4_run_1 [-]", "H4_run_2 [-]"});
-}
-DataTable event_table() {
-  return experiment("lobovsky_2014_pressure_event_300.csv",
-                    {"T_H [-]", "P1 [-]", "P2 [-]", "P2L [-]", "P3 [-]", "P4 [-]"});
-}
-DataTable band_table() {
-  return experiment("lobovsky_2014_pressure_band_300.csv", {"T_H [-]", "p2_5 [-]", "median [-]", "p97_5 [-]"});
-}
+DataTable level_table() { return experiment("lobovsky_2014_levels_300.csv"); }
+DataTable event_table() { return experiment("lobovsky_2014_pressure_event_300.csv"); }
+DataTable band_table() { return experiment("lobovsky_2014_pressure_band_300.csv"); }
 
 double largest_until(const Series& pressure, double until) {
   double most = 0;
@@ -193,8 +182,7 @@ std::vector<std::pair<std::string, Series>> band_of_P2() {
 }
 
 std::vector<std::vector<double>> peaks_of_repeats() {
-  const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv",
-                                     {"sensor", "median [mbar]", "p2_5 [mbar]", "p97_5 [mbar]"});
+  const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv");
   const double mbar = 100 / filled_300.unit_of_pressure();
   std::vector<std::vector<double>> all;
   for (std::size_t k = 0; k < 3; ++k)
@@ -254,8 +242,7 @@ std::vector<Observable> observables_300() {
                      place_of_gauges});
     }
 
-  const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv",
-                                     {"sensor", "median [mbar]", "p2_5 [mbar]", "p97_5 [mbar]"});
+  const DataTable peaks = read_table(data_folder() / "experiments" / "lobovsky_2014_peaks_300.csv");
   const double mbar = 100 / filled_300.unit_of_pressure();
   const auto of_band = [&](const char* column) { return impact_on(series_of(band, "T_H [-]", column)); };
   const Impact low = of_band("p2_5 [-]"), middle = of_band("median [-]"), high = of_band("p97_5 [-]");
