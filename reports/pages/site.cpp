@@ -9,7 +9,7 @@
 #include "reports/pages/index.hpp"
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/staging.hpp"
-#include "reports/pages/style_and_script.hpp"
+#include "reports/pages/template.hpp"
 #include "reports/pages/verdicts.hpp"
 #include "reports/pages/work_page.hpp"
 #include "reports/read/csv.hpp"
@@ -105,8 +105,7 @@ NightStatus make_site(const fs::path& records, const fs::path& site, const SiteI
     staging.stop_if_told();
     write_case(one, staging.folder() / one.name);
   }
-  write_whole(staging.folder() / "style.css", style_sheet);
-  write_whole(staging.folder() / "site.js", script);
+  for (const char* file : {"style.css", "site.js"}) write_whole(staging.folder() / file, compiled_in.at(file));
   write_whole(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
   write_whole(staging.folder() / "verdicts.html", verdicts_page(cases));
   if (std::ranges::any_of(cases, is_in_matrix)) write_whole(staging.folder() / "orders.html", order_matrix_page(cases));
