@@ -135,18 +135,19 @@ List unfinished(const CaseRecords& records, bool failing) {
   return runs;
 }
 
-Data figure_data(const DrawnFigure& drawn) {
-  return object("id"_ = drawn.figure.id, "title"_ = drawn.figure.title, "caption"_ = drawn.figure.caption,
-                "image"_ = drawn.image, "width"_ = drawn.width, "height"_ = drawn.height,
-                "covered"_ = drawn.covered > 0, "undrawn"_ = when(drawn.undrawn > 0, counted(drawn.undrawn, "point")));
+Data figure_data(const Plots::value_type& drawn) {
+  const auto& [figure, plot] = drawn;
+  return object("id"_ = figure.id, "title"_ = figure.title, "caption"_ = figure.caption, "image"_ = plot.image,
+                "width"_ = plot.width, "height"_ = plot.height, "covered"_ = plot.covered > 0,
+                "undrawn"_ = when(plot.undrawn > 0, counted(plot.undrawn, "point")));
 }
 
 /// Titles of declared figures without data. A suite may not run as far as a figure, and another code is judged at the
 /// times that its user asks for: no fault, unless something fails.
-List missing(const std::vector<DrawnFigure>& figures, const CaseRecords& records) {
+List missing(const Plots& figures, const CaseRecords& records) {
   List titles;
   for (const auto& declared : each_once(records, &vnv::Record::figures))
-    if (std::ranges::none_of(figures, [&](const DrawnFigure& drawn) { return drawn.figure.id == declared.id; }))
+    if (std::ranges::none_of(figures, [&](const auto& drawn) { return drawn.first.id == declared.id; }))
       titles.push_back(declared.title);
   return titles;
 }
@@ -157,8 +158,7 @@ Data method_data(const vnv::Record& record) {
 
 }  // namespace
 
-std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
-                      const std::vector<DrawnFigure>& order_plots) {
+std::string case_page(const CaseRecords& records, const Plots& figures, const Plots& order_plots) {
   const auto verdicts = verdicts_of(records);
   const Tally sum = tally(verdicts);
   const List declared = unfinished(records, false), undrawn = missing(figures, records);

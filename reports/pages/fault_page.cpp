@@ -116,13 +116,14 @@ Data matrix_data(const FaultTrials& all) {
   return object("columns"_ = each(columns, std::identity()), "rows"_ = rows);
 }
 
-}  // namespace
-
-std::string kind_of(const FaultTrials& all) {
+/// "holds" if all is noticed, "known" if it is known why not, else "fails".
+const char* kind_of(const FaultTrials& all) {
   const auto is_unexplained = [](const FaultTrial& trial) { return trial.is_open() && trial.why.empty(); };
   if (std::ranges::any_of(all.trials, is_unexplained)) return "fails";
   return std::ranges::any_of(all.trials, &FaultTrial::is_open) ? "known" : "holds";
 }
+
+}  // namespace
 
 std::string fault_page(const FaultTrials& all) {
   const auto [first, last] = std::ranges::minmax_element(all.trials, {}, &FaultTrial::date_and_time);

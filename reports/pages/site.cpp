@@ -46,7 +46,9 @@ void write_tables(const std::vector<CaseRecords>& cases, const fs::path& folder)
 
 void write_case(const CaseRecords& records, const fs::path& folder) {
   fs::create_directory(folder);
-  write_whole(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
+  const Plots figures = plots_of_all(records), orders = plots_of_orders(records);
+  for (const Plots& plots : {figures, orders}) draw(plots, folder);
+  write_whole(folder / "index.html", case_page(records, figures, orders));
 }
 
 /// The date of the night: the same records give the same pages on any day.
