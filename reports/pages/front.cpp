@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -91,11 +90,11 @@ Data case_data(const CaseRecords& records, const Data& measure) {
 }
 
 /// Adds a row of each method of a flow, the first with the flow.
-void add_flow(List& rows, const CaseRecords& records, const Standings& all, const NightStatus& status) {
+void add_flow(List& rows, const Standings& all, const NightStatus& status) {
   const vnv::WorkDiagram& diagram = all.work->diagram;
   const auto target = when(!std::isnan(diagram.ranked_by), valued(diagram.ranked_by, diagram.quantity.unit));
-  Data flow = case_data(
-      records, object("quantity"_ = diagram.quantity.name, "time"_ = valued(all.work->time, "s"), "target"_ = target));
+  Data flow = case_data(*all.records, object("quantity"_ = diagram.quantity.name, "time"_ = valued(all.work->time, "s"),
+                                             "target"_ = target));
   flow["rows"] = when(all.methods.size() > 1, all.methods.size());
   for (const Standing& one : all.methods) {
     rows.push_back(method_data(one, *all.work, status));
@@ -104,31 +103,30 @@ void add_flow(List& rows, const CaseRecords& records, const Standings& all, cons
 }
 
 /// A case in which no error is measured.
-Data other_data(const CaseRecords& records, const Standings& all, const NightStatus& status) {
+Data other_data(const Standings& all, const NightStatus& status) {
   const auto method = [&](const Standing& one) {
     return object("method"_ = one.record->method, "kind"_ = stands(one, status).kind);
   };
   const auto right = std::ranges::count_if(all.methods, [](const Standing& one) { return !one.right_by.empty(); });
-  const Tally sum = tally(verdicts_of(records));
-  const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == records.name; });
+  const Tally sum = tally(verdicts_of(*all.records));
+  const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == all.records->name; });
   const Name name = found        ? *found
                     : right == 0 ? Name{"as last accepted", "accepted"}
                                  : Name{fmt::format("{} of {} agree", right, all.methods.size()), "holds"};
-  return object("flow"_ = case_data(records, false), "kind"_ = name.kind, "name"_ = name.words,
+  return object("flow"_ = case_data(*all.records, false), "kind"_ = name.kind, "name"_ = name.words,
                 "methods"_ = each(all.methods, method), "claims"_ = claims(sum));
 }
 
 /// The accepted methods that are farthest off, among errors in per cent.
-Data most_wrong(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
-                const NightStatus& status) {
+Data most_wrong(const std::vector<Standings>& standings, const NightStatus& status) {
   constexpr std::size_t most = 8;
   std::vector<std::pair<double, Data>> found;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    for (const Standing& one : standings[c].methods)
+  for (const Standings& all : standings)
+    for (const Standing& one : all.methods)
       if (one.at_end && is_far_off(*one.at_end) && stands(one, status).kind == "accepted")
         found.emplace_back(std::abs(one.at_end->value),
                            object("method"_ = one.record->method, "error"_ = rounded(std::abs(one.at_end->value), "%"),
-                                  "case"_ = cases[c].name, "title"_ = cases[c].title()));
+                                  "case"_ = all.records->name, "title"_ = all.records->title()));
   if (found.empty()) return false;
   std::ranges::stable_sort(found, std::greater(), &std::pair<double, Data>::first);
   const auto items = std::span(found).first(std::min(found.size(), most));
@@ -150,18 +148,15 @@ Data how_many(const std::vector<Standings>& standings, const NightStatus& status
 
 /// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most
 /// runs.
-Data work_figure(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings) {
-  const auto merit = [&](std::size_t c) {
-    const bool is_drawn = standings[c].work && !standings[c].work->diagram.id.empty();
-    return std::tuple(is_drawn, cases[c].name.starts_with("poiseuille"),
-                      is_drawn ? standings[c].work->points.size() : 0);
+Data work_figure(const std::vector<Standings>& standings) {
+  const auto merit = [](const Standings& all) {
+    const bool is_drawn = all.work && !all.work->diagram.id.empty();
+    return std::tuple(is_drawn, all.records->name.starts_with("poiseuille"), is_drawn ? all.work->points.size() : 0);
   };
-  std::vector<std::size_t> all(cases.size());
-  std::iota(all.begin(), all.end(), 0);
-  const std::size_t best = *std::ranges::max_element(all, {}, merit);
+  const Standings& best = *std::ranges::max_element(standings, {}, merit);
   if (!std::get<0>(merit(best))) return false;
-  const vnv::WorkDiagram& diagram = standings[best].work->diagram;
-  return object("case"_ = cases[best].name, "id"_ = diagram.id, "title"_ = cases[best].title(),
+  const vnv::WorkDiagram& diagram = best.work->diagram;
+  return object("case"_ = best.records->name, "id"_ = diagram.id, "title"_ = best.records->title(),
                 "caption"_ = diagram.caption);
 }
 
@@ -169,16 +164,16 @@ Data work_figure(const std::vector<CaseRecords>& cases, const std::vector<Standi
 
 Data front_data(const std::vector<CaseRecords>& cases, const NightStatus& status) {
   std::vector<Standings> standings;
-  for (const CaseRecords& records : cases) standings.push_back(standings_of(records));
   List flows, others;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    if (standings[c].work)
-      add_flow(flows, cases[c], standings[c], status);
+  for (const CaseRecords& records : cases) {
+    const Standings& all = standings.emplace_back(standings_of(records));
+    if (all.work)
+      add_flow(flows, all, status);
     else
-      others.push_back(other_data(cases[c], standings[c], status));
-  return object("work"_ = work_figure(cases, standings), "how_many"_ = how_many(standings, status),
-                "most_wrong"_ = most_wrong(cases, standings, status), "flows"_ = if_any(flows),
-                "others"_ = if_any(others));
+      others.push_back(other_data(all, status));
+  }
+  return object("work"_ = work_figure(standings), "how_many"_ = how_many(standings, status),
+                "most_wrong"_ = most_wrong(standings, status), "flows"_ = if_any(flows), "others"_ = if_any(others));
 }
 
 }  // namespace touchstone::reports

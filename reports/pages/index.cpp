@@ -40,15 +40,6 @@ std::string kind_of_night(const Tally& sum, const NightStatus& status) {
   return status.known.empty() ? word(sum.worst()) : "known";
 }
 
-/// What the list of known failures has to say of the count.
-std::string known_words(const NightStatus& status) {
-  std::string words;
-  if (!status.known.empty()) words += fmt::format(" {} known to fail.", status.known.size());
-  if (!status.unexpected_passes.empty())
-    words += fmt::format(" {} known to fail, but passed.", status.unexpected_passes.size());
-  return words;
-}
-
 /// Adds a list of which all but the first ten items are folded.
 void add_list(List& lists, const char* kind, const List& items) {
   const auto end_of_shown = items.begin() + std::min(std::ssize(items), std::ptrdiff_t{10});
@@ -96,7 +87,9 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
   add_list(failures, "known", amber(status));
   add_list(inconclusive, "inconclusive", sentences(vnv::Outcome::inconclusive, verdicts));
   return page("index",
-              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum) + known_words(status),
+              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
+                     "known"_ = when(!status.known.empty(), status.known.size()),
+                     "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
                      "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,
                      "front"_ = front_data(cases, status), "has_orders"_ = std::ranges::any_of(cases, is_in_matrix),
                      "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,

@@ -1,5 +1,6 @@
 #include "reports/text/html.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <regex>
 #include <utility>
@@ -7,8 +8,7 @@
 namespace touchstone::reports {
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
+  boost::algorithm::replace_all(text, from, to);
   return text;
 }
 
