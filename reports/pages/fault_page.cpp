@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <span>
@@ -113,7 +112,7 @@ Data matrix_data(const FaultTrials& all) {
     const auto cell = [&](const std::string& column) { return detection_data(detections[column]); };
     rows.push_back(object("title"_ = trial.title, "cells"_ = each(columns, cell)));
   }
-  return object("columns"_ = each(columns, std::identity()), "rows"_ = rows);
+  return object("columns"_ = each(columns), "rows"_ = rows);
 }
 
 /// "holds" if all is noticed, "known" if it is known why not, else "fails".

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <ranges>
 #include <span>
 #include <string_view>
@@ -184,16 +183,15 @@ std::string trend_page(const History& history, const std::vector<Series>& all,
   const auto is_new = [&](const Change& c) { return c.step.night == last; };
   const auto fails = [&](const Change& c) { return is_new(c) && c.series->points[c.step.night].fails; };
   const auto changed = std::ranges::count_if(changes, is_new);
-  return page(
-      "trend",
-      object("kind"_ = std::ranges::any_of(changes, fails) ? "fails"
-                       : changed > 0                       ? "inconclusive"
-                                                           : "holds",
-             "count"_ = counted(std::ssize(history.nights), "night"), "first"_ = date(history.nights.front()),
-             "last"_ = date(history.nights.back()), "changed"_ = when(last > 0, counted(changed, "value")),
-             "names_of_nights"_ = names_of_nights(history), "refused"_ = if_any(each(history.refused, std::identity())),
-             "changes"_ = changes_data(changes, history), "cases"_ = cases_data(worth_drawing(all), history, tonight),
-             "nights"_ = nights_data(history)));
+  return page("trend",
+              object("kind"_ = std::ranges::any_of(changes, fails) ? "fails"
+                               : changed > 0                       ? "inconclusive"
+                                                                   : "holds",
+                     "count"_ = counted(std::ssize(history.nights), "night"), "first"_ = date(history.nights.front()),
+                     "last"_ = date(history.nights.back()), "changed"_ = when(last > 0, counted(changed, "value")),
+                     "names_of_nights"_ = names_of_nights(history), "refused"_ = if_any(each(history.refused)),
+                     "changes"_ = changes_data(changes, history),
+                     "cases"_ = cases_data(worth_drawing(all), history, tonight), "nights"_ = nights_data(history)));
 }
 
 std::string steps_csv(const History& history, const std::vector<Series>& all) {

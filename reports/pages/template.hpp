@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -51,7 +52,8 @@ Data object(std::same_as<Entry> auto... entries) {
 }
 
 /// What `datum` makes of each item.
-List each(const auto& items, const auto& datum) {
+template <class Datum = std::identity>
+List each(const auto& items, const Datum& datum = {}) {
   List all;
   all.reserve(std::size(items));
   for (const auto& item : items) all.push_back(data_of(datum(item)));

@@ -10,12 +10,6 @@
 namespace touchstone::reports {
 namespace {
 
-/// The outcome as its word and colour. A baseline that holds does not say that a method is right.
-std::pair<std::string, std::string> name_and_kind(const vnv::Verdict& v) {
-  if (v.outcome == vnv::Outcome::holds && v.author.starts_with("baseline")) return {"as accepted", "accepted"};
-  return {word(v.outcome), word(v.outcome)};
-}
-
 /// "23 %" with a bar of that fraction of the limit; of the other colour if the claim fails.
 Data margin_data(double margin) {
   const double filled = std::isfinite(margin) ? std::min(1.0, std::abs(margin)) : 1;
@@ -23,16 +17,17 @@ Data margin_data(double margin) {
                 "text"_ = in_percent(margin));
 }
 
+/// A baseline that holds does not say that a method is right.
 Data claim(const vnv::Record& record, const vnv::Verdict& v) {
-  const auto [outcome, kind] = name_and_kind(v);
+  const bool is_accepted = v.outcome == vnv::Outcome::holds && v.author.starts_with("baseline");
   const vnv::Diagnosis* found = vnv::diagnosis_of(v, record);
   const std::string limit = printed_limit(v.lower, v.upper) + (v.unit.empty() ? "" : "\u202f" + v.unit);
-  return object("kind"_ = kind, "outcome"_ = outcome, "method"_ = v.method, "level"_ = level(v.level),
-                "spacing"_ = if_any(v.spacing * 1e3), "quantity"_ = v.quantity,
-                "diagnosis"_ = if_any(found ? found->sentence : ""), "time"_ = if_any(v.time),
-                "value"_ = valued(v.value, v.unit),
-                "limit"_ = replaced(replaced(limit, " ", "\u00a0"), ",\u00a0", ", "),
-                "margin"_ = when(has_margin(v), margin_data(v.margin)), "author"_ = v.author);
+  return object(
+      "kind"_ = is_accepted ? "accepted" : word(v.outcome), "outcome"_ = is_accepted ? "as accepted" : word(v.outcome),
+      "method"_ = v.method, "level"_ = level(v.level), "spacing"_ = if_any(v.spacing * 1e3), "quantity"_ = v.quantity,
+      "diagnosis"_ = if_any(found ? found->sentence : ""), "time"_ = if_any(v.time), "value"_ = valued(v.value, v.unit),
+      "limit"_ = replaced(replaced(limit, " ", "\u00a0"), ",\u00a0", ", "),
+      "margin"_ = when(has_margin(v), margin_data(v.margin)), "author"_ = v.author);
 }
 
 /// "viscosity −5.1 ± 0.5 %, time 2.0 ± 1.0 s"
