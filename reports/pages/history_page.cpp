@@ -5,11 +5,9 @@
 #include "reports/read/csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -96,8 +94,10 @@ Data changes_data(const std::vector<Change>& changes, const History& history) {
 
 /// The values of all nights, for the script that shows them: "1.5,,nan".
 std::string values(const Series& series) {
-  const auto value = [](const SeriesPoint& point) { return point.is_there ? plain(point.value) : ""; };
-  return fmt::format("{}", fmt::join(series.points | std::views::transform(value), ","));
+  std::string list;
+  for (const auto& point : series.points) list += (point.is_there ? plain(point.value) : "") + ",";
+  list.pop_back();
+  return list;
 }
 
 /// Lowest and highest over the nights, between which the curve is drawn; nothing for one that stays.
@@ -170,8 +170,10 @@ List nights_data(const History& history) {
 
 /// Names of all nights, for the script.
 std::string names_of_nights(const History& history) {
-  const auto name = [](const Night& night) { return date(night) + " " + night.revision; };
-  return fmt::format("{}", fmt::join(history.nights | std::views::transform(name), ","));
+  std::string names;
+  for (const Night& night : history.nights)
+    names += fmt::format("{}{} {}", names.empty() ? "" : ",", date(night), night.revision);
+  return names;
 }
 
 }  // namespace
