@@ -2,6 +2,7 @@
 /// What the tests of this module share: a folder of their own and a small record.
 
 #include "reports/read/cases.hpp"
+#include "vnv/files/whole_file.hpp"
 #include "vnv/programs/scratch_folder.hpp"
 
 #include <fmt/format.h>
@@ -17,12 +18,8 @@
 
 namespace touchstone::reports {
 
+using files::read_whole;
 using programs::ScratchFolder;
-
-inline std::string text_of_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

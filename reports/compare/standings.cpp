@@ -68,7 +68,7 @@ bool Standing::converges() const {
 }
 
 Standings standings_of(const CaseRecords& records) {
-  Standings all{work_of(records), {}};
+  Standings all{&records, work_of(records), {}};
   if (all.work && std::isnan(all.work->diagram.ranked_by) && !all.work->diagram.targets.empty())
     all.work->diagram.ranked_by = all.work->diagram.targets.back();
   for (const vnv::Record& record : records.records) {

@@ -30,6 +30,7 @@ struct Standing {
 /// The methods of a flow: the cheapest to the error by which it is ranked, else to the smallest that is asked for,
 /// first; then those that do not reach it, by their errors.
 struct Standings {
+  const CaseRecords* records;
   std::optional<Work> work;  // without, no error is measured, and methods stand as in the records
   std::vector<Standing> methods;
 };

@@ -19,23 +19,14 @@ Plot plot_of(const vnv::Figure& figure, const CaseRecords& records) {
   return has(records, &vnv::Record::clouds, figure.id) ? plot_clouds(figure, records) : plot_curves(figure, records);
 }
 
-std::vector<DrawnFigure> draw(const Plots& plots, const std::filesystem::path& folder) {
-  std::vector<DrawnFigure> drawn;
-  for (const auto& [figure, plot] : plots) drawn.push_back(draw(plot, figure, folder));
-  return drawn;
-}
-
 }  // namespace
 
-DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder) {
-  return draw(plot_of(figure, records), figure, folder);
-}
-
-DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder) {
-  files::write_whole(folder / (figure.id + ".gp"), plot.script);
-  files::write_whole(folder / (figure.id + ".csv"), plot.data);
-  run_gnuplot(folder / plot.image);
-  return {figure, plot.image, plot.width, plot.height, plot.undrawn, plot.covered};
+void draw(const Plots& plots, const std::filesystem::path& folder) {
+  for (const auto& [figure, plot] : plots) {
+    files::write_whole(folder / (figure.id + ".gp"), plot.script);
+    files::write_whole(folder / (figure.id + ".csv"), plot.data);
+    run_gnuplot(folder / plot.image);
+  }
 }
 
 Plots plots_of_all(const CaseRecords& records) {
@@ -60,14 +51,6 @@ Plots plots_of_orders(const CaseRecords& records) {
   for (const auto& comparison : order_comparisons(records))
     plots.emplace_back(order_figure(comparison), plot_orders(comparison));
   return plots;
-}
-
-std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder) {
-  return draw(plots_of_all(records), folder);
-}
-
-std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder) {
-  return draw(plots_of_orders(records), folder);
 }
 
 }  // namespace touchstone::reports

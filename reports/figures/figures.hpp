@@ -9,21 +9,6 @@
 
 namespace touchstone::reports {
 
-/// A figure that stands in its folder as <id>.svg or <id>.png, <id>.gp and <id>.csv.
-struct DrawnFigure {
-  vnv::Figure figure;
-  std::string image;
-  int width, height;  // as shown, in pixels
-  long undrawn;       // points that could not be shown
-  long covered;       // points that others would cover
-};
-
-/// Throws as `run_gnuplot` and `save` do; then the image is not there.
-DrawnFigure draw(const vnv::Figure& figure, const CaseRecords& records, const std::filesystem::path& folder);
-
-/// A plot in the frame of a figure.
-DrawnFigure draw(const Plot& plot, const vnv::Figure& figure, const std::filesystem::path& folder);
-
 /// Figures with what is to be drawn in them: all of a case that have curves or clouds, and errors over spacing of all
 /// its methods, once for each quantity and time that its orders are compared in.
 using Plots = std::vector<std::pair<vnv::Figure, Plot>>;
@@ -33,10 +18,8 @@ Plots plots_of_orders(const CaseRecords& records);
 /// The image of the first figure with clouds, or else of the first with curves, by its name; empty without any.
 std::string first_image(const CaseRecords& records);
 
-/// The first.
-std::vector<DrawnFigure> draw_all(const CaseRecords& records, const std::filesystem::path& folder);
-
-/// The second.
-std::vector<DrawnFigure> draw_orders(const CaseRecords& records, const std::filesystem::path& folder);
+/// Leaves <id>.gp, <id>.csv, and <id>.svg or <id>.png of each in a folder.
+/// Throws as `run_gnuplot` and `write_whole` do; then the image is not there.
+void draw(const Plots& plots, const std::filesystem::path& folder);
 
 }  // namespace touchstone::reports

@@ -31,6 +31,13 @@ vnv::Record cloud_record() {
   return record;
 }
 
+/// The only figure of records, which it leaves in a folder.
+Plot drawn(const CaseRecords& records, const fs::path& folder) {
+  const Plots plots = plots_of_all(records);
+  draw(plots, folder);
+  return plots.front().second;
+}
+
 TEST(Curves, OfEqualLabelAreDrawnOnce) {
   const Plot plot = profile_of({sample_record("mpm"), sample_record("sph")});
   EXPECT_EQ(count(plot.script, "title 'exact'"), 1);
@@ -70,7 +77,7 @@ TEST(Curves, OfPointsThatCoincideAreSeenInTurnAndThatStandApartAlways) {
   EXPECT_EQ(plot.covered, 2);
   EXPECT_TRUE(contains(plot.data, "\nsph,0,0\n")) << "what is not drawn is still there";
   const ScratchFolder folder;
-  EXPECT_EQ(draw(records[0].figures[0], {"poiseuille", records}, folder.path()).covered, 2);
+  EXPECT_EQ(drawn({"poiseuille", records}, folder.path()).covered, 2);
 }
 
 TEST(Curves, OfPointsOfOneMethodAreAllDrawn) {
@@ -105,7 +112,7 @@ TEST(Labels, BecomeNoCommands) {
   vnv::Record record = sample_record();
   record.curves[0].label = "mpm' with lines; system 'touch owned";
   const ScratchFolder folder;
-  draw(record.figures[0], {"poiseuille", {record}}, folder.path());
+  drawn({"poiseuille", {record}}, folder.path());
   EXPECT_FALSE(fs::exists(folder / "owned"));
 }
 
@@ -115,7 +122,7 @@ TEST(Labels, OfAxesThatAreLongerThanTheseGoOnInASecondLine) {
   const ScratchFolder folder;
   EXPECT_TRUE(contains(profile_of({record}).script,
                        "set ylabel 'RMS error of L for T in [1, 1.5],' . \"\\n\" . 'without time shift, front as"));
-  EXPECT_TRUE(fs::exists(folder / draw(record.figures[0], {"poiseuille", {record}}, folder.path()).image));
+  EXPECT_TRUE(fs::exists(folder / drawn({"poiseuille", {record}}, folder.path()).image));
 }
 
 TEST(Labels, OfAxesShowSymbolsAndKeepOtherUnderscores) {
@@ -134,24 +141,23 @@ TEST(Figure, SameRecordsGiveTheSameBytes) {
   const ScratchFolder first, second;
   const vnv::Record record = sample_record(), cloud = cloud_record();
   for (const auto* folder : {&first, &second}) {
-    draw(record.figures[0], {"poiseuille", {record}}, folder->path());
-    vnv::Figure panels = cloud.figures[0];
-    draw(panels, {"poiseuille", {cloud}}, folder->path());
+    drawn({"poiseuille", {record}}, folder->path());
+    drawn({"poiseuille", {cloud}}, folder->path());
   }
   for (const char* name : {"profile.svg", "profile.png", "profile.gp", "profile.csv"}) {
-    EXPECT_FALSE(text_of_file(first / name).empty()) << name;
-    EXPECT_EQ(text_of_file(first / name), text_of_file(second / name)) << name;
+    EXPECT_FALSE(read_whole(first / name).empty()) << name;
+    EXPECT_EQ(read_whole(first / name), read_whole(second / name)) << name;
   }
 }
 
 TEST(Figure, IsRedrawnByItsScript) {
   const ScratchFolder folder;
   const vnv::Record record = sample_record();
-  draw(record.figures[0], {"poiseuille", {record}}, folder.path());
-  const std::string drawn = text_of_file(folder / "profile.svg");
+  drawn({"poiseuille", {record}}, folder.path());
+  const std::string drawn = read_whole(folder / "profile.svg");
   fs::remove(folder / "profile.svg");
   ASSERT_EQ(std::system(("cd " + folder.path().string() + " && gnuplot profile.gp").c_str()), 0);
-  EXPECT_EQ(text_of_file(folder / "profile.svg"), drawn);
+  EXPECT_EQ(read_whole(folder / "profile.svg"), drawn);
 }
 
 TEST(Figure, OfNothingFiniteIsStillDrawnAndSaysSo) {
@@ -159,9 +165,8 @@ TEST(Figure, OfNothingFiniteIsStillDrawnAndSaysSo) {
   vnv::Record record = sample_record();
   record.curves.resize(1);
   std::fill(record.curves[0].y.begin(), record.curves[0].y.end(), vnv::not_a_number);
-  const DrawnFigure drawn = draw(record.figures[0], {"poiseuille", {record}}, folder.path());
-  EXPECT_EQ(drawn.undrawn, 3);
-  EXPECT_TRUE(contains(text_of_file(folder / "profile.svg"), "no finite value"));
+  EXPECT_EQ(drawn({"poiseuille", {record}}, folder.path()).undrawn, 3);
+  EXPECT_TRUE(contains(read_whole(folder / "profile.svg"), "no finite value"));
 }
 
 TEST(Figure, OfOnePointIsDrawn) {
@@ -171,7 +176,7 @@ TEST(Figure, OfOnePointIsDrawn) {
     record.curves = {sample_curve("mpm")};
     record.curves[0].x = record.curves[0].y = {1e-3};
     record.figures[0].y.logarithmic = logarithmic;
-    EXPECT_NO_THROW(draw(record.figures[0], {"poiseuille", {record}}, folder.path()));
+    EXPECT_NO_THROW(drawn({"poiseuille", {record}}, folder.path()));
   }
 }
 
@@ -212,14 +217,14 @@ TEST(Clouds, HaveIsolinesBehindTheirParticlesInTheData) {
   EXPECT_EQ(count(plot.script, "with vectors nohead"), 2);
   EXPECT_TRUE(contains(plot.script, "every ::800::")) << "after 400 particles of each panel";
   EXPECT_TRUE(contains(plot.data, ",8,16")) << plot.data.substr(plot.data.size() - 200);
-  EXPECT_EQ(draw(record.figures[0], {"poiseuille", {record}}, folder.path()).undrawn, 0);
+  EXPECT_EQ(drawn({"poiseuille", {record}}, folder.path()).undrawn, 0);
 }
 
 TEST(Clouds, WithParticlesThatAreNotANumberAreDrawn) {
   const ScratchFolder folder;
   vnv::Record record = cloud_record();
   record.clouds[1].x = record.clouds[1].y = record.clouds[1].colour = std::vector(3, vnv::not_a_number);
-  EXPECT_EQ(draw(record.figures[0], {"poiseuille", {record}}, folder.path()).undrawn, 3);
+  EXPECT_EQ(drawn({"poiseuille", {record}}, folder.path()).undrawn, 3);
 }
 
 }  // namespace

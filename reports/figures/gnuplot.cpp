@@ -1,6 +1,7 @@
 #include "reports/figures/gnuplot.hpp"
 
 #include "reports/text/html.hpp"
+#include "vnv/files/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <gnuplot-iostream.h>
@@ -8,8 +9,6 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 
@@ -55,11 +54,6 @@ struct Traces {
   }
 };
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string quoted(const fs::path& path) { return fmt::format("'{}'", replaced(path.string(), "'", "'\\''")); }
 
 // In gnuplot's own single quotes, a quote is written twice.
@@ -67,7 +61,7 @@ std::string as_text(const fs::path& path) { return fmt::format("'{}'", replaced(
 
 // gnuplot's message is the last line that says something; those before repeat the command and point at it.
 std::string message_in(const fs::path& log) {
-  std::istringstream lines(text_of(log));
+  std::istringstream lines(files::read_whole(log));
   std::string message = "it ended early and said nothing; is the disk full?";
   for (std::string line; std::getline(lines, line);)
     if (line.find_first_not_of(" \t^") != std::string::npos) message = line.substr(line.find_first_not_of(" \t"));
@@ -76,7 +70,7 @@ std::string message_in(const fs::path& log) {
 
 // gnuplot does not notice a full disk.
 bool is_whole(const fs::path& image) {
-  const std::string text = text_of(image);
+  const std::string text = files::read_whole(image);
   const std::string tail = text.substr(text.size() - std::min<std::size_t>(text.size(), 16));
   return tail.find("</svg>") != std::string::npos || tail.find("IEND") != std::string::npos ||
          tail.find("%%EOF") != std::string::npos;
@@ -110,7 +104,7 @@ void run_gnuplot(const fs::path& script, const fs::path& image, int longest) {
   const fs::path gnuplot = find_gnuplot();
   const Traces traces(fs::absolute(image));
   send(fs::absolute(gnuplot), fs::absolute(script), traces, longest);
-  if (text_of(traces.marker) != "end\n")
+  if (files::read_whole(traces.marker) != "end\n")
     throw std::runtime_error(fmt::format("gnuplot: {} not drawn: {}", image.string(), message_in(traces.log)));
   if (!is_whole(traces.image))
     throw std::runtime_error(

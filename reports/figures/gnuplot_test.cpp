@@ -31,7 +31,7 @@ class GnuplotScript : public testing::Test {
 TEST_F(GnuplotScript, DrawsAndLeavesNothingElse) {
   put("plot x\n");
   ASSERT_EQ(refusal(), "drawn");
-  EXPECT_TRUE(contains(text_of_file(folder / "a.svg"), "</svg>"));
+  EXPECT_TRUE(contains(read_whole(folder / "a.svg"), "</svg>"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2);
 }
 
@@ -58,7 +58,7 @@ TEST_F(GnuplotScript, ThatFailsLeavesTheFormerImage) {
   std::ofstream(folder / "a.svg") << "former";
   put("plot undefined_name\n");
   EXPECT_NE(refusal(), "drawn");
-  EXPECT_EQ(text_of_file(folder / "a.svg"), "former");
+  EXPECT_EQ(read_whole(folder / "a.svg"), "former");
 }
 
 TEST_F(GnuplotScript, DrawsInAFolderWithAnUnusualName) {

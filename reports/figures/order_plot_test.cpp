@@ -106,9 +106,10 @@ TEST(OrderPlot, IsDrawnEvenOfErrorsThatAreNotNumbers) {
   broken.order = broken.half_width = vnv::not_a_number;
   broken.errors = std::vector(3, vnv::not_a_number);
   for (const auto& comparison : {comparison_of({broken}), comparison_of({sample_order(), broken})}) {
-    const DrawnFigure drawn = draw(plot_orders(comparison), order_figure(comparison), folder.path());
-    EXPECT_EQ(drawn.undrawn, 3);
-    EXPECT_TRUE(contains(text_of_file(folder / drawn.image), "no order"));
+    const Plot plot = plot_orders(comparison);
+    draw({{order_figure(comparison), plot}}, folder.path());
+    EXPECT_EQ(plot.undrawn, 3);
+    EXPECT_TRUE(contains(read_whole(folder / plot.image), "no order"));
   }
 }
 
@@ -116,12 +117,13 @@ TEST(OrderPlot, OfTheSameRecordsHasTheSameBytes) {
   const ScratchFolder first, second;
   vnv::Record record = sample_record();
   record.orders = {sample_order()};
-  for (const auto* folder : {&first, &second})
-    ASSERT_EQ(draw_orders({"poiseuille", {record}}, folder->path()).size(), 1);
+  const Plots plots = plots_of_orders({"poiseuille", {record}});
+  ASSERT_EQ(plots.size(), 1);
+  for (const auto* folder : {&first, &second}) draw(plots, folder->path());
   for (const char* kind : {".svg", ".gp", ".csv"}) {
     const std::string file = std::string("order_L2_v_x_at_1_s") + kind;
-    EXPECT_FALSE(text_of_file(first / file).empty()) << file;
-    EXPECT_EQ(text_of_file(first / file), text_of_file(second / file)) << file;
+    EXPECT_FALSE(read_whole(first / file).empty()) << file;
+    EXPECT_EQ(read_whole(first / file), read_whole(second / file)) << file;
   }
 }
 

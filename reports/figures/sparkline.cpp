@@ -1,8 +1,5 @@
 #include "reports/figures/sparkline.hpp"
 
-#include "reports/text/html.hpp"
-#include "reports/text/notation.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,15 +39,15 @@ class Scale {
   double low_, high_;
 };
 
-/// A path of what `marks` says of each night; nothing if it says nothing.
-std::string path(const char* kind, const Series& series, const auto& marks) {
+/// A path of what `marks` says of each night.
+SparklinePath path(const char* kind, const Series& series, const auto& marks) {
   std::string drawn;
   for (std::size_t n = 0; n < series.points.size(); ++n) drawn += marks(n, series.points[n]);
-  return drawn.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", kind, drawn);
+  return {kind, drawn};
 }
 
 /// The line breaks where a night has no number.
-std::string line(const Series& series, const Scale& scale) {
+SparklinePath line(const Series& series, const Scale& scale) {
   bool goes_on = false;
   return path("line", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
     const bool continues = std::exchange(goes_on, point.is_finite());
@@ -59,7 +56,7 @@ std::string line(const Series& series, const Scale& scale) {
 }
 
 /// Marks of no length, which round caps make dots.
-std::string dots(const Series& series, const Scale& scale, bool failing) {
+SparklinePath dots(const Series& series, const Scale& scale, bool failing) {
   return path(failing ? "dots fails" : "dots", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
     if (!point.is_finite() || point.fails != failing) return "";
     return fmt::format("M{:.4g} {:.3g}h0", scale.x(n), scale.y(point.value));
@@ -67,20 +64,20 @@ std::string dots(const Series& series, const Scale& scale, bool failing) {
 }
 
 /// Crosses at the foot, for what is no number.
-std::string crosses(const Series& series, const Scale& scale) {
+SparklinePath crosses(const Series& series, const Scale& scale) {
   return path("nan", series, [&](std::size_t n, const SeriesPoint& point) -> std::string {
     return point.is_there && !point.is_finite() ? fmt::format("M{:.4g} 25l3 3m0-3l-3 3", scale.x(n) - 1.5) : "";
   });
 }
 
-std::string limits(const Series& series, const Scale& scale) {
+SparklinePath limits(const Series& series, const Scale& scale) {
   std::string drawn;
   for (const auto& limit : {series.lower, series.upper})
     if (limit && scale.shows(*limit)) drawn += fmt::format("M0 {:.3g}H{}", scale.y(*limit), width);
-  return drawn.empty() ? "" : fmt::format("<path class=\"limit\" d=\"{}\"/>", drawn);
+  return {"limit", drawn};
 }
 
-std::string steps(const Series& series, const Scale& scale) {
+SparklinePath steps(const Series& series, const Scale& scale) {
   return path("step", series, [&](std::size_t n, const SeriesPoint&) -> std::string {
     const bool is_step = std::ranges::find(series.steps, n, &Step::night) != series.steps.end();
     return is_step ? fmt::format("M{:.4g} 0V{}", scale.x(n), height) : "";
@@ -89,12 +86,12 @@ std::string steps(const Series& series, const Scale& scale) {
 
 }  // namespace
 
-std::string sparkline(const Series& series) {
+std::vector<SparklinePath> sparkline(const Series& series) {
   const Scale scale(series);
-  return fmt::format(
-      "<svg viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{}\">{}{}{}{}{}{}</svg>",
-      width, height, escape(series.quantity), steps(series, scale), limits(series, scale), line(series, scale),
-      dots(series, scale, false), dots(series, scale, true), crosses(series, scale));
+  std::vector<SparklinePath> paths{steps(series, scale),       limits(series, scale),     line(series, scale),
+                                   dots(series, scale, false), dots(series, scale, true), crosses(series, scale)};
+  std::erase_if(paths, [](const SparklinePath& path) { return path.d.empty(); });
+  return paths;
 }
 
 }  // namespace touchstone::reports

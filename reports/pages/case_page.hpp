@@ -9,7 +9,6 @@
 namespace touchstone::reports {
 
 /// Stands in the case's folder, beside its figures.
-std::string case_page(const CaseRecords& records, const std::vector<DrawnFigure>& figures,
-                      const std::vector<DrawnFigure>& order_plots);
+std::string case_page(const CaseRecords& records, const Plots& figures, const Plots& order_plots);
 
 }  // namespace touchstone::reports

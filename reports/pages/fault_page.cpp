@@ -1,7 +1,6 @@
 #include "reports/pages/fault_page.hpp"
 
-#include "reports/text/html.hpp"
-#include "reports/text/notation.hpp"
+#include "reports/pages/template.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace touchstone::reports {
@@ -18,87 +18,43 @@ constexpr std::size_t most_tests_listed = 5;  // of a fault; faults.csv has all
 constexpr double hardly = -0.1;               // a margin between this and 0
 
 /// A test with its margin, and its sentence for a pointer that rests on it.
-std::string test_html(const FaultTest& test) {
-  const std::string percentage =
-      std::isnan(test.margin)
-          ? ""
-          : fmt::format(" <small class=\"{}\">{}</small>", test.noticed ? "fails" : "holds", in_percent(test.margin));
-  return fmt::format("<span title=\"{}\">{}{}</span> ", escape(test.sentence), breakable(test.name), percentage);
+Data test_data(const FaultTest& test) {
+  return object("name"_ = test.name, "sentence"_ = test.sentence, "kind"_ = test.noticed ? "fails" : "holds",
+                "margin"_ = when(!std::isnan(test.margin), in_percent(test.margin)));
 }
 
 /// The tests that noticed, or those that did not: what is farthest beyond its limit, or closest to it, first.
-HtmlCell tests_cell(const FaultTrial& trial, bool noticed) {
+Data tests_data(const FaultTrial& trial, bool noticed) {
   std::vector<FaultTest> tests;
   std::ranges::copy_if(trial.tests, std::back_inserter(tests),
                        [&](const FaultTest& t) { return t.noticed == noticed; });
   std::ranges::stable_sort(tests, {}, [](const FaultTest& t) { return std::isnan(t.margin) ? INFINITY : t.margin; });
-  std::string html;
-  for (std::size_t t = 0; t < tests.size() && t < most_tests_listed; ++t) html += test_html(tests[t]);
-  if (tests.size() > most_tests_listed)
-    html += fmt::format("<small>and {} more</small>", tests.size() - most_tests_listed);
-  return words_cell("<div class=\"tests\">" + html + "</div>");
+  const std::size_t listed = std::min(tests.size(), most_tests_listed);
+  return object("items"_ = each(std::span(tests).first(listed), test_data),
+                "more"_ = when(tests.size() > listed, tests.size() - listed));
 }
 
-HtmlCell title_cell(const FaultTrial& trial) {
-  return words_cell(fmt::format("{}<br><small>{}</small>", typeset(trial.title), escape(trial.files)));
+const char* kind_of_conclusion(const FaultTrial& trial) {
+  if (trial.is_open()) return trial.why.empty() ? "fails" : "known";
+  return trial.conclusion == Conclusion::noticed_at_night ? "stalled" : "holds";
 }
 
-HtmlCell conclusion_cell(const FaultTrial& trial) {
-  const bool is_explained = trial.is_open() && !trial.why.empty();
-  const char* kind = is_explained                                       ? "known"
-                     : trial.is_open()                                  ? "fails"
-                     : trial.conclusion == Conclusion::noticed_at_night ? "stalled"
-                                                                        : "holds";
-  return {std::string(name_of(trial.conclusion)), kind};
-}
-
-std::string open_html(const FaultTrials& all) {
-  HtmlTable table{
-      "Open.",
-      "Faults that no test noticed or that do not compile, and harmless changes that some test noticed. The "
-      "margin is the fraction of a limit that is left.",
-      {"fault", "conclusion", "known reason", "tests"}};
-  for (const FaultTrial& trial : all.trials)
-    if (trial.is_open())
-      table.rows.push_back({title_cell(trial), conclusion_cell(trial),
-                            words_cell(trial.why.empty() ? "none yet" : typeset(trial.why)),
-                            tests_cell(trial, trial.conclusion != Conclusion::survived)});
-  return to_html(table);
-}
-
-/// How far beyond its limit; nothing where no test that noticed has one.
-HtmlCell margin_cell(const FaultTrial& trial) {
+/// The margin is how far beyond its limit the clearest test is; none where no test that noticed has one.
+Data trial_data(const FaultTrial& trial) {
   const FaultTest* clearest = trial.clearest();
   const bool has_margin = clearest && !std::isnan(clearest->margin);
-  return {has_margin ? in_percent(clearest->margin) : "–", "number"};
+  return object("title"_ = trial.title, "files"_ = trial.files, "kind"_ = kind_of_conclusion(trial),
+                "conclusion"_ = std::string(name_of(trial.conclusion)), "why"_ = if_any(trial.why),
+                "margin"_ = has_margin ? in_percent(clearest->margin) : "–",
+                "noticed"_ = std::ranges::count_if(trial.tests, &FaultTest::noticed), "run"_ = trial.tests.size(),
+                "noticed_by"_ = tests_data(trial, true),
+                "tests"_ = tests_data(trial, trial.conclusion != Conclusion::survived));
 }
 
-HtmlRow fault_row(const FaultTrial& trial) {
-  const auto noticed = std::ranges::count_if(trial.tests, &FaultTest::noticed);
-  return {title_cell(trial), conclusion_cell(trial), margin_cell(trial),
-          HtmlCell(fmt::format("{} of {}", noticed, trial.tests.size()), "number"), tests_cell(trial, true)};
-}
-
-std::string faults_html(const FaultTrials& all) {
-  HtmlTable table{
-      "Faults.",
-      "Survivors first, then those hardly noticed. The margin is that of the test that noticed most clearly: the "
-      "fraction of its limit that is left, negative beyond it, −inf for a value that is not a number; unit tests have "
-      "none. Tests: how many of those run noticed.",
-      {"fault", "conclusion", "margin", "tests", "noticed by"}};
-  for (const FaultTrial& trial : all.trials)
-    if (!trial.is_harmless()) table.rows.push_back(fault_row(trial));
-  return to_html(table);
-}
-
-std::string harmless_html(const FaultTrials& all) {
-  HtmlTable table{"Harmless changes.",
-                  "The order of sums, names, compiler, threads and optimisation: no test may notice them.",
-                  {"change", "conclusion", "tests run"}};
-  for (const FaultTrial& trial : all.trials)
-    if (trial.is_harmless())
-      table.rows.push_back({title_cell(trial), conclusion_cell(trial), number_cell(trial.tests.size())});
-  return to_html(table);
+Data trials_data(const FaultTrials& all, const auto& are_chosen) {
+  std::vector<FaultTrial> chosen;
+  std::ranges::copy_if(all.trials, std::back_inserter(chosen), are_chosen);
+  return if_any(each(chosen, trial_data));
 }
 
 /// The column of a test: its own, but for tests without limits, which have one together.
@@ -135,69 +91,48 @@ void add(Detection& found, const FaultTest& test) {
   found.sentences += fmt::format("{}{}: {}", found.sentences.empty() ? "" : "\n", test.name, test.sentence);
 }
 
-HtmlCell detection_cell(const Detection& found) {
-  if (found.run == 0) return {};
-  if (found.noticed == 0) return {"–", "none"};
-  const bool has_margin = !std::isnan(found.margin);
-  const std::string words = !has_margin                ? printed(found.noticed)
-                            : std::isinf(found.margin) ? printed(found.margin)
-                                                       : printed(std::round(100 * found.margin));
-  return {fmt::format("<span title=\"{}\">{}</span>", escape(found.sentences), words),
-          found.margin > hardly ? "hardly" : "noticed"};
+/// The margin in per cent, or how many noticed where none has one; nothing where no test of the column was run.
+Data detection_data(const Detection& found) {
+  if (found.run == 0) return object("kind"_ = false, "sentences"_ = false, "text"_ = "");
+  if (found.noticed == 0) return object("kind"_ = "none", "sentences"_ = false, "text"_ = "–");
+  return object("kind"_ = found.margin > hardly ? "hardly" : "noticed", "sentences"_ = found.sentences,
+                "text"_ = std::isnan(found.margin)   ? printed(found.noticed)
+                          : std::isinf(found.margin) ? printed(found.margin)
+                                                     : printed(std::round(100 * found.margin)));
 }
 
-std::string matrix_html(const FaultTrials& all) {
+Data matrix_data(const FaultTrials& all) {
   const std::vector<std::string> columns = columns_of(all);
-  HtmlTable table{
-      "Faults by tests.",
-      "Each cell holds the margin in per cent of the limit, green where the test noticed the fault, yellow where it "
-      "did so by less than a tenth of its limit; – where it was run and did not; blank where it was not run. The unit "
-      "tests of a module share a column, as do the selftests; it counts those that noticed. Tests that noticed nothing "
-      "are left out.",
-      {"fault"}};
-  for (const auto& column : columns) table.columns.push_back("<span>" + escape(column) + "</span>");
+  if (columns.empty()) return false;
+  List rows;
   for (const FaultTrial& trial : all.trials) {
     if (trial.is_harmless()) continue;
     std::map<std::string, Detection> detections;
     for (const FaultTest& test : trial.tests) add(detections[column_of(test)], test);
-    HtmlRow row{typeset(trial.title)};
-    for (const auto& column : columns) row.push_back(detection_cell(detections[column]));
-    table.rows.push_back(std::move(row));
+    const auto cell = [&](const std::string& column) { return detection_data(detections[column]); };
+    rows.push_back(object("title"_ = trial.title, "cells"_ = each(columns, cell)));
   }
-  return columns.empty() ? "" : fmt::format("<div class=\"wide detections\">\n{}</div>\n", to_html(table));
+  return object("columns"_ = each(columns), "rows"_ = rows);
 }
 
-/// "Tried between 2026-11-20T23:00:00Z and 2026-11-22T04:00:00Z, at revisions def5678 to abc1234": each trial keeps the
-/// day on which it was last made.
-std::string when_html(const FaultTrials& all) {
-  const auto [first, last] = std::ranges::minmax_element(all.trials, {}, &FaultTrial::date_and_time);
-  const auto code = [](const FaultTrial& trial) { return "<code>" + escape(trial.revision) + "</code>"; };
-  if (first->revision == last->revision)
-    return fmt::format("Tried at revision {}, the last {}", code(*first), escape(last->date_and_time));
-  return fmt::format("Tried between {} and {}, at revisions {} to {}", escape(first->date_and_time),
-                     escape(last->date_and_time), code(*first), code(*last));
-}
-
-const std::string how_to_read_faults =
-    "<p>What would the tests miss? One fault at a time is seeded in a copy of the sources: a mistake that somebody could "
-    "make in a solver, an exact solution, a measure or the judge itself. A test that fails has detected it, in the "
-    "acceptance suite unless it says nightly. Harmless changes are seeded as well, to count false alarms.</p>\n";
-
-}  // namespace
-
-std::string kind_of(const FaultTrials& all) {
+/// "holds" if all is noticed, "known" if it is known why not, else "fails".
+const char* kind_of(const FaultTrials& all) {
   const auto is_unexplained = [](const FaultTrial& trial) { return trial.is_open() && trial.why.empty(); };
   if (std::ranges::any_of(all.trials, is_unexplained)) return "fails";
   return std::ranges::any_of(all.trials, &FaultTrial::is_open) ? "known" : "holds";
 }
 
+}  // namespace
+
 std::string fault_page(const FaultTrials& all) {
-  const std::string when =
-      fmt::format("<p>{}, with {}, on {}.</p>\n", when_html(all), escape(all.suite), escape(all.machine));
-  return html_page_beside_index(
-      "Detection rate", "seeded faults", fmt::format("<p class=\"sum {}\">{}</p>\n", kind_of(all), all.sentence()),
-      how_to_read_faults + when + open_html(all) + faults_html(all) + matrix_html(all) + harmless_html(all) +
-          "<p class=\"files\">Table for other programs: <a href=\"faults.csv\">each test of each fault</a></p>\n");
+  const auto [first, last] = std::ranges::minmax_element(all.trials, {}, &FaultTrial::date_and_time);
+  const auto is_fault = [](const FaultTrial& trial) { return !trial.is_harmless(); };
+  return page("faults", object("kind"_ = kind_of(all), "sentence"_ = all.sentence(),
+                               "first_tried"_ = first->date_and_time, "last_tried"_ = last->date_and_time,
+                               "first_revision"_ = when(first->revision != last->revision, first->revision),
+                               "last_revision"_ = last->revision, "suite"_ = all.suite, "machine"_ = all.machine,
+                               "open"_ = trials_data(all, &FaultTrial::is_open), "faults"_ = trials_data(all, is_fault),
+                               "matrix"_ = matrix_data(all), "harmless"_ = trials_data(all, &FaultTrial::is_harmless)));
 }
 
 }  // namespace touchstone::reports

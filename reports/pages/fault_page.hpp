@@ -10,7 +10,4 @@ namespace touchstone::reports {
 /// Stands beside the index, and the table faults.csv beside it.
 std::string fault_page(const FaultTrials& trials);
 
-/// "holds" if all is noticed, "known" if it is known why not, else "fails".
-std::string kind_of(const FaultTrials& trials);
-
 }  // namespace touchstone::reports

@@ -2,8 +2,6 @@
 
 #include "reports/compare/standings.hpp"
 #include "reports/figures/figures.hpp"
-#include "reports/text/html.hpp"
-#include "reports/text/notation.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 
 namespace touchstone::reports {
@@ -24,16 +23,21 @@ std::string counts(const Tally& t) {
   return fmt::format("{} of {} inconclusive", t.inconclusive, t.total());
 }
 
+/// What a method is called, and the class of its colour.
+struct Name {
+  std::string words, kind;
+};
+
 /// What keeps records of a case, which `is_its` knows by their claims, from being good; nothing where all claims hold.
-std::optional<HtmlCell> flaw(const Tally& sum, const NightStatus& status, const auto& is_its) {
-  if (sum.total() == 0) return HtmlCell("no claim", word(sum.worst()));
-  if (sum.fails > 0 && std::ranges::none_of(status.unknown, is_its)) return HtmlCell(counts(sum) + ", known", "known");
-  if (sum.worst() != vnv::Outcome::holds) return HtmlCell(counts(sum), word(sum.worst()));
+std::optional<Name> flaw(const Tally& sum, const NightStatus& status, const auto& is_its) {
+  if (sum.total() == 0) return Name{"no claim", word(sum.worst())};
+  if (sum.fails > 0 && std::ranges::none_of(status.unknown, is_its)) return Name{counts(sum) + ", known", "known"};
+  if (sum.worst() != vnv::Outcome::holds) return Name{counts(sum), word(sum.worst())};
   return std::nullopt;
 }
 
-/// What a method is called in a flow, and the class of its colour.
-HtmlCell stands(const Standing& one, const NightStatus& status) {
+/// What a method is called in a flow.
+Name stands(const Standing& one, const NightStatus& status) {
   const auto is_its = [&](const vnv::Verdict& v) {
     return v.case_name == one.record->case_name && v.method == one.record->method;
   };
@@ -46,181 +50,130 @@ constexpr double far_off = 10;  // %
 
 bool is_far_off(const vnv::Value& error) { return error.quantity.unit == "%" && std::abs(error.value) >= far_off; }
 
-/// "as last accepted, wrong by 51 %", with the time where it is not that of the flow; "converges theory".
-HtmlCell stands_at_length(const Standing& one, double time, const NightStatus& status) {
-  HtmlCell cell = stands(one, status);
-  if (cell.kind == "accepted" && one.at_end) {
-    const std::string wrong = "wrong by " + rounded(std::abs(one.at_end->value), one.at_end->quantity.unit);
-    cell.html += ", " + (is_far_off(*one.at_end) ? "<b>" + wrong + "</b>" : wrong);
-    if (!vnv::same_time(one.at_end->time, time))
-      cell.html += fmt::format(" <small>at {}\u202fs</small>", printed(one.at_end->time));
-  }
-  if (cell.kind == "holds") {
-    std::set<std::string> authors;
-    for (const vnv::Verdict& v : one.right_by) authors.insert(v.author.substr(0, v.author.find(':')));
-    cell.html += fmt::format(" <small>{}</small>", fmt::join(authors, ", "));
-  }
-  return cell;
+/// How wrong an accepted method is, with the time where it is not that of the flow.
+Data wrong(const vnv::Value& error, double time) {
+  return object("by"_ = rounded(std::abs(error.value), error.quantity.unit), "far"_ = is_far_off(error),
+                "at"_ = when(!vnv::same_time(error.time, time), valued(error.time, "s")));
 }
 
-HtmlCell best_if(bool is_best, const std::string& html) {
-  return is_best ? HtmlCell("<b>" + html + "</b>", "number") : HtmlCell(html, "number");
-}
-
-HtmlCell order_cell(const Standing& one) {
-  if (!one.order || std::isnan(one.order->order)) return {"–", "number none"};
-  return {with_interval(one.order->order, one.order->half_width), "number " + word(one.order->trend)};
-}
-
-/// A picture of a case, its name, and beside them what is said of it.
-HtmlCell case_cell(const CaseRecords& records, const std::string& about = "", std::size_t rows = 1) {
-  const std::string link = fmt::format("<a href=\"{}/index.html\">", records.name), image = first_image(records);
-  const std::string thumb =
-      image.empty() ? ""
-                    : fmt::format("{}<img src=\"{}/{}\" alt=\"\" loading=\"lazy\"></a>", link, records.name, image);
-  return {fmt::format("{}<div>{}{}</a>{}</div>", thumb, link, escape(records.title()), about), "flow", rows};
+/// Theory, literature or both.
+std::string authors(const std::vector<vnv::Verdict>& claims) {
+  std::set<std::string> names;
+  for (const vnv::Verdict& v : claims) names.insert(v.author.substr(0, v.author.find(':')));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// "2 / 0 / 16": claims by theory, literature and baselines.
-HtmlCell authors_cell(const Tally& sum) {
-  return {fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline), "number"};
+std::string claims(const Tally& sum) {
+  return fmt::format("{}\u2009/\u2009{}\u2009/\u2009{}", sum.theory, sum.literature, sum.baseline);
 }
 
-/// Rows of a flow in which an error is measured, a method each, the first with the flow.
-std::vector<HtmlRow> flow_rows(const CaseRecords& records, const Standings& all, const NightStatus& status) {
+/// A method in a flow in which an error is measured.
+Data method_data(const Standing& one, const Work& work, const NightStatus& status) {
+  const Name name = stands(one, status);
+  const bool has_order = one.order && !std::isnan(one.order->order);
+  const std::string cost = (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s");
+  return object("method"_ = one.record->method, "is_most_accurate"_ = one.is_most_accurate,
+                "error"_ = std::isnan(one.error) ? "–" : rounded(one.error, work.diagram.quantity.unit),
+                "order"_ = has_order ? with_interval(one.order->order, one.order->half_width) : "–",
+                "trend"_ = has_order ? word(one.order->trend) : "none", "is_cheapest"_ = one.is_cheapest,
+                "cost"_ = one.cost.is_reached() ? cost : "–", "kind"_ = name.kind, "name"_ = name.words,
+                "wrong"_ = name.kind == "accepted" && one.at_end ? wrong(*one.at_end, work.time) : false,
+                "authors"_ = when(name.kind == "holds", authors(one.right_by)),
+                "claims"_ = claims(tally(one.record->verdicts)));
+}
+
+/// A picture of a case, its name, and what is measured in it.
+Data case_data(const CaseRecords& records, const Data& measure) {
+  return object("case"_ = records.name, "title"_ = records.title(), "image"_ = if_any(first_image(records)),
+                "measure"_ = measure);
+}
+
+/// Adds a row of each method of a flow, the first with the flow.
+void add_flow(List& rows, const Standings& all, const NightStatus& status) {
   const vnv::WorkDiagram& diagram = all.work->diagram;
-  std::vector<HtmlRow> rows;
+  const auto target = when(!std::isnan(diagram.ranked_by), valued(diagram.ranked_by, diagram.quantity.unit));
+  Data flow = case_data(*all.records, object("quantity"_ = diagram.quantity.name, "time"_ = valued(all.work->time, "s"),
+                                             "target"_ = target));
+  flow["rows"] = when(all.methods.size() > 1, all.methods.size());
   for (const Standing& one : all.methods) {
-    const Tally sum = tally(one.record->verdicts);
-    HtmlRow row{
-        escape(one.record->method),
-        best_if(one.is_most_accurate, std::isnan(one.error) ? "–" : rounded(one.error, diagram.quantity.unit)),
-        order_cell(one),
-        best_if(one.is_cheapest,
-                !one.cost.is_reached() ? "–" : (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s")),
-        stands_at_length(one, all.work->time, status),
-        authors_cell(sum)};
-    row[4].kind += " words";
-    if (rows.empty()) {
-      const std::string target =
-          std::isnan(diagram.ranked_by)
-              ? ""
-              : fmt::format("; CPU time to {}", valued(diagram.ranked_by, diagram.quantity.unit));
-      row.insert(row.begin(), case_cell(records,
-                                        fmt::format("<br><small>{}, {}\u202fs{}</small>",
-                                                    typeset(diagram.quantity.name), printed(all.work->time), target),
-                                        all.methods.size()));
-    }
-    rows.push_back(std::move(row));
+    rows.push_back(method_data(one, *all.work, status));
+    rows.back()["flow"] = std::exchange(flow, false);
   }
-  return rows;
 }
 
 /// A case in which no error is measured.
-HtmlRow other_row(const CaseRecords& records, const Standings& all, const NightStatus& status) {
-  std::string methods;
-  for (const Standing& one : all.methods)
-    methods += fmt::format("<span class=\"{}\">{}</span> ", stands(one, status).kind, escape(one.record->method));
+Data other_data(const Standings& all, const NightStatus& status) {
+  const auto method = [&](const Standing& one) {
+    return object("method"_ = one.record->method, "kind"_ = stands(one, status).kind);
+  };
   const auto right = std::ranges::count_if(all.methods, [](const Standing& one) { return !one.right_by.empty(); });
-  const Tally sum = tally(verdicts_of(records));
-  const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == records.name; });
-  return {case_cell(records),
-          found        ? *found
-          : right == 0 ? HtmlCell("as last accepted", "accepted")
-                       : HtmlCell(fmt::format("{} of {} agree", right, all.methods.size()), "holds"),
-          words_cell("<div class=\"methods\">" + methods + "</div>"), authors_cell(sum)};
-}
-
-std::string tables_of_methods(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
-                              const NightStatus& status) {
-  HtmlTable flows{
-      "Which method for which error.",
-      "The smallest error of each method, its observed order with its 95\u202f% interval, and the CPU time of "
-      "one core to the error that stands with the flow; the best of a flow is bold. Claims by theory / by "
-      "literature / that values are as last accepted.",
-      {"flow", "method", "error", "order", "CPU time", "verdict", "claims"},
-      {},
-      "flows"};
-  HtmlTable others{"Other claims.",
-                   "Stability, invariance, cost: where no error is measured.",
-                   {"case", "verdict", "methods", "claims"},
-                   {},
-                   "flows"};
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    if (standings[c].work)
-      std::ranges::move(flow_rows(cases[c], standings[c], status), std::back_inserter(flows.rows));
-    else
-      others.rows.push_back(other_row(cases[c], standings[c], status));
-  return to_html(flows) + to_html(others);
+  const Tally sum = tally(verdicts_of(*all.records));
+  const auto found = flaw(sum, status, [&](const vnv::Verdict& v) { return v.case_name == all.records->name; });
+  const Name name = found        ? *found
+                    : right == 0 ? Name{"as last accepted", "accepted"}
+                                 : Name{fmt::format("{} of {} agree", right, all.methods.size()), "holds"};
+  return object("flow"_ = case_data(*all.records, false), "kind"_ = name.kind, "name"_ = name.words,
+                "methods"_ = each(all.methods, method), "claims"_ = claims(sum));
 }
 
 /// The accepted methods that are farthest off, among errors in per cent.
-std::string most_wrong(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings,
-                       const NightStatus& status) {
+Data most_wrong(const std::vector<Standings>& standings, const NightStatus& status) {
   constexpr std::size_t most = 8;
-  std::vector<std::pair<double, std::string>> found;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    for (const Standing& one : standings[c].methods)
+  std::vector<std::pair<double, Data>> found;
+  for (const Standings& all : standings)
+    for (const Standing& one : all.methods)
       if (one.at_end && is_far_off(*one.at_end) && stands(one, status).kind == "accepted")
-        found.emplace_back(
-            std::abs(one.at_end->value),
-            fmt::format("<li>{} {} in <a href=\"{}/index.html\">{}</a></li>\n", escape(one.record->method),
-                        rounded(std::abs(one.at_end->value), "%"), cases[c].name, escape(cases[c].title())));
-  std::ranges::stable_sort(found, std::greater(), &std::pair<double, std::string>::first);
-  std::string items;
-  for (std::size_t m = 0; m < found.size() && m < most; ++m) items += found[m].second;
-  if (items.empty()) return "";
-  return fmt::format("<p class=\"quiet\">Wrong by {} % and more, as last accepted: {}{}</p>\n", far_off,
-                     counted(std::ssize(found), "method"), found.size() > most ? ", the farthest:" : "") +
-         html_list("declared", items);
+        found.emplace_back(std::abs(one.at_end->value),
+                           object("method"_ = one.record->method, "error"_ = rounded(std::abs(one.at_end->value), "%"),
+                                  "case"_ = all.records->name, "title"_ = all.records->title()));
+  if (found.empty()) return false;
+  std::ranges::stable_sort(found, std::greater(), &std::pair<double, Data>::first);
+  const auto items = std::span(found).first(std::min(found.size(), most));
+  return object("by"_ = far_off, "count"_ = counted(std::ssize(found), "method"),
+                "are_some_left_out"_ = items.size() < found.size(),
+                "items"_ = each(items, [](const auto& one) { return one.second; }));
 }
 
-/// How many methods are what, and what that means.
-std::string how_many(const std::vector<Standings>& standings, const NightStatus& status) {
+/// How many methods are what, by the class of their colour.
+Data how_many(const std::vector<Standings>& standings, const NightStatus& status) {
   std::map<std::string, long> counts;
   for (const Standings& all : standings)
     for (const Standing& one : all.methods) ++counts[stands(one, status).kind];
-  std::string html;
-  for (const auto& [kind, words, meaning] :
-       {std::tuple("holds", "converge or agree",
-                   "claims of theory or literature hold, of the error or its order where an error is measured"),
-        {"accepted", "as last accepted", "nobody else says that they are right: as wrong as before"},
-        {"inconclusive", "inconclusive", "cannot be decided, which is no pass"},
-        {"known", "known to fail", "listed with a reason, until a date"},
-        {"fails", "fail", "some claim does not hold"}})
-    if (const long count = counts[kind]; count > 0 || std::string_view(kind) == "fails")
-      html += fmt::format("<li class=\"{}\"><b>{} {}</b> {}</li>\n", count > 0 ? kind : "none", printed(count), words,
-                          meaning);
-  return fmt::format("<p class=\"quiet\">Methods, each in each flow:</p>\n<ul class=\"legend\">\n{}</ul>\n", html);
+  Data numbers;
+  for (const char* kind : {"holds", "accepted", "inconclusive", "known", "fails"})
+    numbers[kind] = when(counts[kind] > 0, counts[kind]);
+  return numbers;
 }
 
 /// Error against run time in one flow, as on its own page: that of the picture in README, or else the one with most
 /// runs.
-std::string work_figure(const std::vector<CaseRecords>& cases, const std::vector<Standings>& standings) {
-  const auto merit = [&](std::size_t c) {
-    const bool is_drawn = standings[c].work && !standings[c].work->diagram.id.empty();
-    return std::tuple(is_drawn, cases[c].name.starts_with("poiseuille"),
-                      is_drawn ? standings[c].work->points.size() : 0);
+Data work_figure(const std::vector<Standings>& standings) {
+  const auto merit = [](const Standings& all) {
+    const bool is_drawn = all.work && !all.work->diagram.id.empty();
+    return std::tuple(is_drawn, all.records->name.starts_with("poiseuille"), is_drawn ? all.work->points.size() : 0);
   };
-  std::vector<std::size_t> all(cases.size());
-  std::iota(all.begin(), all.end(), 0);
-  const std::size_t best = *std::ranges::max_element(all, {}, merit);
-  if (!std::get<0>(merit(best))) return "";
-  const vnv::WorkDiagram& diagram = standings[best].work->diagram;
-  return fmt::format(
-      "<figure>\n<a href=\"{0}/index.html#{1}\"><img src=\"{0}/{1}.svg\" alt=\"{2}: error against run time\"></a>\n"
-      "<figcaption><b>{2}.</b> {3}</figcaption>\n</figure>\n",
-      cases[best].name, diagram.id, escape(cases[best].title()), typeset(diagram.caption));
+  const Standings& best = *std::ranges::max_element(standings, {}, merit);
+  if (!std::get<0>(merit(best))) return false;
+  const vnv::WorkDiagram& diagram = best.work->diagram;
+  return object("case"_ = best.records->name, "id"_ = diagram.id, "title"_ = best.records->title(),
+                "caption"_ = diagram.caption);
 }
 
 }  // namespace
 
-std::string front_html(const std::vector<CaseRecords>& cases, const NightStatus& status) {
+Data front_data(const std::vector<CaseRecords>& cases, const NightStatus& status) {
   std::vector<Standings> standings;
-  for (const CaseRecords& records : cases) standings.push_back(standings_of(records));
-  return fmt::format("<div class=\"front\">\n{}<div>\n{}{}</div>\n</div>\n{}", work_figure(cases, standings),
-                     how_many(standings, status), most_wrong(cases, standings, status),
-                     tables_of_methods(cases, standings, status));
+  List flows, others;
+  for (const CaseRecords& records : cases) {
+    const Standings& all = standings.emplace_back(standings_of(records));
+    if (all.work)
+      add_flow(flows, all, status);
+    else
+      others.push_back(other_data(all, status));
+  }
+  return object("work"_ = work_figure(standings), "how_many"_ = how_many(standings, status),
+                "most_wrong"_ = most_wrong(standings, status), "flows"_ = if_any(flows), "others"_ = if_any(others));
 }
 
 }  // namespace touchstone::reports

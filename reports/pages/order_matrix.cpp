@@ -1,8 +1,7 @@
 #include "reports/pages/order_matrix.hpp"
 
 #include "reports/compare/work_precision.hpp"
-#include "reports/text/html.hpp"
-#include "reports/text/notation.hpp"
+#include "reports/pages/template.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
@@ -62,86 +61,59 @@ std::string details(const vnv::ObservedOrder& o) {
                      plain(1e3 * o.spacings.back()), o.ladder, o.asymptotic ? "; asymptotic" : "");
 }
 
-std::string order_html(const Flow& flow, const OrderLine& line, bool is_alone) {
-  const vnv::ObservedOrder& o = line.order;
-  std::string html =
-      fmt::format("<a href=\"{}\" title=\"{}\">{}</a><br>{}", flow.figure_link(), escape(details(o)),
-                  std::isnan(o.order) ? "no order" : with_interval(o.order, o.half_width), sign_and_word(o.trend));
-  if (o.spacings.size() == 2) html += "<br><small>two spacings</small>";
-  if (!std::isnan(o.floor)) html += fmt::format("<br><small>floor {}</small>", rounded(o.floor, flow.unit()));
-  if (!is_alone) html += fmt::format("<br><small>{}</small>", escape(o.ladder));
-  return html;
-}
-
-HtmlCell cell(const Flow& flow, const std::string& method, std::set<char>& notes) {
+/// The orders of a method in a flow, with the trend of the first, or why there is none.
+Data cell(const Flow& flow, const std::string& method, std::set<char>& notes) {
   const std::vector<OrderLine> lines = flow.comparison.of_method(method);
   if (lines.empty()) {
     const Reason& why = reason_for_none(flow, method);
     notes.insert(why.letter);
-    return {fmt::format("<span title=\"{}\">–<sup>{}</sup></span>", why.words, why.letter), "none"};
+    return object("none"_ = object("words"_ = why.words, "letter"_ = std::string(1, why.letter)), "kind"_ = false);
   }
-  std::string html;
-  for (const auto& line : lines) html += (html.empty() ? "" : "<br>") + order_html(flow, line, lines.size() == 1);
-  return {html, word(lines.front().order.trend)};
+  const auto order = [&](const OrderLine& line) {
+    const vnv::ObservedOrder& o = line.order;
+    return object("is_next"_ = &line != &lines.front(), "details"_ = details(o),
+                  "order"_ = std::isnan(o.order) ? "no order" : with_interval(o.order, o.half_width),
+                  "trend"_ = sign_and_word(o.trend), "of_two"_ = o.spacings.size() == 2,
+                  "floor"_ = when(!std::isnan(o.floor), rounded(o.floor, flow.unit())),
+                  "ladder"_ = when(lines.size() > 1, o.ladder));
+  };
+  return object("none"_ = false, "kind"_ = word(lines.front().order.trend), "link"_ = flow.figure_link(),
+                "lines"_ = each(lines, order));
 }
 
 std::string cost(const Cheapest::Cost& cost) {
   return (cost.time.at_most ? "≤\u202f" : "") + rounded(cost.time.cpu, "s");
 }
 
-HtmlCell cheapest_cell(const Flow& flow) {
+Data cheapest_data(const Flow& flow) {
   const auto found = cheapest(*flow.records, flow.comparison.subject);
-  if (!found) return {"–", "best none"};
-  const std::string where = found->machine.empty() ? "" : fmt::format(" title=\"on {}\"", escape(found->machine));
-  return {fmt::format("<b>{}</b><br>{} to {}<br><small{}>{} {}</small>", escape(found->best.method), cost(found->best),
-                      rounded(found->error, flow.unit()), where, escape(found->next.method), cost(found->next)),
-          "best"};
+  if (!found) return false;
+  return object("method"_ = found->best.method, "cost"_ = cost(found->best),
+                "error"_ = rounded(found->error, flow.unit()), "machine"_ = if_any(found->machine),
+                "next"_ = found->next.method, "next_cost"_ = cost(found->next));
 }
 
-std::string heading(const Flow& flow) {
-  return fmt::format("<a href=\"{}\">{}</a><br><small>{}, {}\u202fs</small>", flow.figure_link(),
-                     escape(flow.records->title()), typeset(vnv::with_heading(flow.comparison.subject.quantity).name),
-                     printed(flow.comparison.subject.time));
+Data heading(const Flow& flow) {
+  return object("link"_ = flow.figure_link(), "title"_ = flow.records->title(),
+                "quantity"_ = vnv::with_heading(flow.comparison.subject.quantity).name,
+                "time"_ = valued(flow.comparison.subject.time, "s"));
 }
 
-std::string notes_html(const std::set<char>& used) {
-  std::string html;
-  for (const auto& [letter, words] : reasons)
-    if (used.contains(letter)) html += fmt::format("<sup>{}</sup>\u202f{}. ", letter, words);
-  return html.empty() ? "" : fmt::format("<p class=\"notes\">{}</p>\n", html);
-}
-
-std::string matrix(const std::string& title, Field field, const std::vector<CaseRecords>& cases) {
+/// A matrix of the orders of a field in all flows that have them.
+void add_matrix(List& matrices, const char* title, Field field, const std::vector<CaseRecords>& cases) {
   const std::vector<Flow> flows = flows_with(field, cases);
-  if (flows.empty()) return "";
-  HtmlTable table{
-      title,
-      "Observed order with its 95\u202f% interval, linked to its figure, and the floor of the errors where "
-      "one was found. Last row: the least CPU time to a given error, the smallest that two methods reach, and what the "
-      "next method takes, among those run on one machine; ≤ if its cheapest run already does better.",
-      {"method"}};
-  for (const auto& flow : flows) table.columns.push_back(heading(flow));
-  std::set<char> notes;
-  for (const auto& method : methods_in(flows)) {
-    HtmlRow row{escape(method)};
-    for (const auto& flow : flows) row.push_back(cell(flow, method, notes));
-    table.rows.push_back(std::move(row));
-  }
-  HtmlRow last{HtmlCell("cheapest", "best")};
-  for (const auto& flow : flows) last.push_back(cheapest_cell(flow));
-  table.rows.push_back(std::move(last));
-  return fmt::format("<div class=\"wide matrix\">\n{}{}</div>\n", to_html(table), notes_html(notes));
-}
-
-std::string legend() {
-  const auto item = [](vnv::Trend trend, const char* meaning) {
-    return fmt::format("<li class=\"{}\"><b>{}</b> {}</li>\n", word(trend), sign_and_word(trend), meaning);
+  if (flows.empty()) return;
+  std::set<char> used;
+  const auto row = [&](const std::string& method) {
+    return object("method"_ = method,
+                  "cells"_ = each(flows, [&](const Flow& flow) { return cell(flow, method, used); }));
   };
-  return "<ul class=\"legend\">\n" +
-         item(vnv::Trend::converging, "the whole interval of the order, above a floor if there is one, is positive") +
-         item(vnv::Trend::stalled, "a floor is more than half of the finest error, or the order is 0 within 0.5") +
-         item(vnv::Trend::diverging, "the whole interval is negative: errors grow as the spacing decreases") +
-         item(vnv::Trend::inconclusive, "the interval contains both signs; two spacings have no interval") + "</ul>\n";
+  const List rows = each(methods_in(flows), row);
+  List notes;
+  for (const auto& [letter, words] : reasons)
+    if (used.contains(letter)) notes.push_back(object("letter"_ = std::string(1, letter), "words"_ = words));
+  matrices.push_back(object("title"_ = title, "flows"_ = each(flows, heading), "rows"_ = rows,
+                            "cheapest"_ = each(flows, cheapest_data), "notes"_ = if_any(notes)));
 }
 
 }  // namespace
@@ -151,13 +123,10 @@ bool is_in_matrix(const CaseRecords& records) {
 }
 
 std::string order_matrix_page(const std::vector<CaseRecords>& cases) {
-  return html_page_beside_index(
-      "Observed orders of convergence", "orders", "",
-      "<p>How fast the errors of each method decrease with its spacing, in each flow. An order alone says little: a method "
-      "may converge fast from large errors, so the last row says what an error costs. Equal spacing would be no fair "
-      "measure of that, since a step of one method costs many times that of another.</p>\n" +
-          legend() + matrix("Velocity.", Field::velocity, cases) + matrix("Pressure.", Field::pressure, cases) +
-          "<p class=\"files\">Table for other programs: <a href=\"orders.csv\">orders</a></p>\n");
+  List matrices;
+  add_matrix(matrices, "Velocity", Field::velocity, cases);
+  add_matrix(matrices, "Pressure", Field::pressure, cases);
+  return page("orders", object("matrices"_ = matrices));
 }
 
 }  // namespace touchstone::reports

@@ -47,7 +47,7 @@ TEST(OrderMatrix, SaysWhyACellIsBlank) {
   auto cases = two_flows();
   const std::string once = order_matrix_page(cases);
   EXPECT_TRUE(contains(once, "<span title=\"measured at fewer than two spacings of a ladder\">–<sup>c</sup></span>"));
-  EXPECT_TRUE(contains(once, "<sup>c</sup>\u202fmeasured at fewer"));
+  EXPECT_TRUE(contains(once, "<sup>c</sup>&#8239;measured at fewer"));
   EXPECT_FALSE(contains(once, "not run in this flow"));
   cases[0].records[1].values.clear();
   EXPECT_TRUE(contains(order_matrix_page(cases), "<span title=\"this quantity was not measured at this time\">"));

@@ -9,7 +9,7 @@
 #include "reports/pages/index.hpp"
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/staging.hpp"
-#include "reports/pages/style_and_script.hpp"
+#include "reports/pages/template.hpp"
 #include "reports/pages/verdicts.hpp"
 #include "reports/pages/work_page.hpp"
 #include "reports/read/csv.hpp"
@@ -38,15 +38,12 @@ void require_apart(const fs::path& kept, const char* what, const fs::path& site)
     throw std::runtime_error(fmt::format("{}: holds the {}, expected a folder apart from them", site.string(), what));
 }
 
-void write_tables(const std::vector<CaseRecords>& cases, const fs::path& folder) {
-  write_whole(folder / "verdicts.csv", verdicts_csv(cases));
-  write_whole(folder / "orders.csv", orders_csv(cases));
-  write_whole(folder / "cost.csv", cost_csv(cases));
-}
-
 void write_case(const CaseRecords& records, const fs::path& folder) {
   fs::create_directory(folder);
-  write_whole(folder / "index.html", case_page(records, draw_all(records, folder), draw_orders(records, folder)));
+  const Plots figures = plots_of_all(records), orders = plots_of_orders(records);
+  draw(figures, folder);
+  draw(orders, folder);
+  write_whole(folder / "index.html", case_page(records, figures, orders));
 }
 
 /// The date of the night: the same records give the same pages on any day.
@@ -64,11 +61,6 @@ void write_trend(const fs::path& folder, const History& history, const std::vect
   write_whole(folder / "trend.html", trend_page(history, all, cases));
   write_whole(folder / "trend.csv", trend_csv(history, all));
   write_whole(folder / "trend_steps.csv", steps_csv(history, all));
-}
-
-void write_faults(const fs::path& folder, const FaultTrials& faults, const fs::path& table) {
-  write_whole(folder / "faults.html", fault_page(faults));
-  fs::copy_file(table, folder / "faults.csv");
 }
 
 }  // namespace
@@ -94,7 +86,10 @@ NightStatus make_site(const fs::path& records, const fs::path& site, const SiteI
   }
   std::ranges::for_each(cases, add_work_precision);
   Staging staging(site);
-  write_tables(cases, staging.folder());
+  const fs::path& folder = staging.folder();
+  write_whole(folder / "verdicts.csv", verdicts_csv(cases));
+  write_whole(folder / "orders.csv", orders_csv(cases));
+  write_whole(folder / "cost.csv", cost_csv(cases));
   try {
     find_gnuplot();
   } catch (const GnuplotMissing& missing) {
@@ -103,19 +98,21 @@ NightStatus make_site(const fs::path& records, const fs::path& site, const SiteI
   }
   for (const auto& one : cases) {
     staging.stop_if_told();
-    write_case(one, staging.folder() / one.name);
+    write_case(one, folder / one.name);
   }
-  write_whole(staging.folder() / "style.css", style_sheet);
-  write_whole(staging.folder() / "site.js", script);
-  write_whole(staging.folder() / "index.html", index_page(cases, tonight, history.has_value(), faults));
-  write_whole(staging.folder() / "verdicts.html", verdicts_page(cases));
-  if (std::ranges::any_of(cases, is_in_matrix)) write_whole(staging.folder() / "orders.html", order_matrix_page(cases));
+  for (const char* file : {"style.css", "site.js"}) write_whole(folder / file, compiled_in.at(file));
+  write_whole(folder / "index.html", index_page(cases, tonight, history.has_value(), faults));
+  write_whole(folder / "verdicts.html", verdicts_page(cases));
+  if (std::ranges::any_of(cases, is_in_matrix)) write_whole(folder / "orders.html", order_matrix_page(cases));
   if (std::ranges::any_of(cases, is_priced)) {
-    write_whole(staging.folder() / "work.html", work_page(cases));
-    write_whole(staging.folder() / "work.csv", work_csv(cases));
+    write_whole(folder / "work.html", work_page(cases));
+    write_whole(folder / "work.csv", work_csv(cases));
   }
-  if (history) write_trend(staging.folder(), *history, cases);
-  if (faults) write_faults(staging.folder(), *faults, inputs.faults);
+  if (history) write_trend(folder, *history, cases);
+  if (faults) {
+    write_whole(folder / "faults.html", fault_page(*faults));
+    fs::copy_file(inputs.faults, folder / "faults.csv");
+  }
   staging.publish();
   return tonight;
 }

@@ -21,7 +21,7 @@ class Site : public testing::Test {
     put(sample_record());
   }
   void put(const vnv::Record& record) const { vnv::write(record, records / (record.method + ".json")); }
-  std::string page(const std::string& name) const { return text_of_file(site / name); }
+  std::string page(const std::string& name) const { return read_whole(site / name); }
   /// That of the only case, with this record.
   std::string page_with(const vnv::Record& record) const {
     put(record);
@@ -386,7 +386,7 @@ TEST_F(Site, WithTrialsOfFaultsHasAPageOfThem) {
   EXPECT_TRUE(contains(page("index.html"), "<a href=\"faults.html\">detection rate</a>. 4 of 6 seeded faults"));
   EXPECT_TRUE(contains(page("faults.html"), "href=\"index.html\""));
   EXPECT_TRUE(contains(page("faults.html"), "href=\"faults.csv\""));
-  EXPECT_EQ(page("faults.csv"), text_of_file(folder / "trials.csv"));
+  EXPECT_EQ(page("faults.csv"), read_whole(folder / "trials.csv"));
 }
 
 TEST_F(Site, WithoutTrialsOfFaultsHasNoPageOfThem) {

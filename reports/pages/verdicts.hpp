@@ -1,8 +1,8 @@
 #pragma once
 /// Verdicts as a reader meets them: counted, listed and tabulated.
 
+#include "reports/pages/template.hpp"
 #include "reports/read/cases.hpp"
-#include "reports/text/html.hpp"
 
 #include <string>
 #include <vector>
@@ -13,21 +13,24 @@ namespace touchstone::reports {
 /// last accepted."
 std::string sentence(const Tally& tally);
 
-/// A cell with the outcome as a word and a colour. A baseline that holds does not say that a method is right.
-HtmlCell outcome_cell(const vnv::Verdict& verdict);
+/// A level with whether it is long enough to take several lines.
+Data level(const std::string& name);
 
-/// "23 %" with a bar of that fraction of the limit; negative and the other colour if the claim fails.
-std::string margin_bar(double margin);
+/// A row of each item of all records; none without any.
+Data rows_of(const CaseRecords& records, auto items, const auto& row) {
+  List rows;
+  for_each(records, items, [&](const auto& record, const auto& item) { rows.push_back(row(record, item)); });
+  return if_any(rows);
+}
 
-/// The sentences of all claims of this outcome; empty without any.
-std::string list_of(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts);
+/// Items of a list: the sentences of all claims of this outcome.
+List sentences(vnv::Outcome outcome, const std::vector<vnv::Verdict>& verdicts);
 
-/// Every claim with value, limit, author and margin, and what explains its error where that was asked; empty without
-/// claims.
-std::string verdict_table(const CaseRecords& records);
+/// Every claim with value, limit, author and margin, and what explains its error where that was asked.
+Data claims_data(const CaseRecords& records);
 
-/// Of each diagnosed error what is named, or else the best, with the fitted values; empty without diagnoses.
-std::string diagnosis_table(const CaseRecords& records);
+/// Of each diagnosed error what is named, or else the best, with the fitted values.
+Data diagnoses_data(const CaseRecords& records);
 
 /// The page of the claims of all cases. Stands beside the index.
 std::string verdicts_page(const std::vector<CaseRecords>& cases);

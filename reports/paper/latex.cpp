@@ -12,29 +12,13 @@ namespace touchstone::reports {
 namespace {
 
 std::string escaped(char letter) {
-  switch (letter) {
-    case '\\':
-      return "\\textbackslash{}";
-    case '~':
-      return "\\textasciitilde{}";
-    case '<':
-    case '>':
-    case '|':
-      return fmt::format("${}$", letter);
-    case '"':
-      return "''";
-    case '&':
-    case '%':
-    case '$':
-    case '#':
-    case '_':
-    case '^':  // for `with_symbols`
-    case '{':
-    case '}':
-      return fmt::format("\\{}", letter);
-    default:
-      return static_cast<unsigned char>(letter) < ' ' ? " " : std::string(1, letter);
-  }
+  const auto is_of = [&](std::string_view letters) { return letters.find(letter) != letters.npos; };
+  if (letter == '\\') return "\\textbackslash{}";
+  if (letter == '~') return "\\textasciitilde{}";
+  if (letter == '"') return "''";
+  if (is_of("<>|")) return fmt::format("${}$", letter);
+  if (is_of("&%$#{}_^")) return fmt::format("\\{}", letter);  // the last two for `with_symbols`
+  return static_cast<unsigned char>(letter) < ' ' ? " " : std::string(1, letter);
 }
 
 /// What no font of LaTeX has under its own number.

@@ -103,7 +103,7 @@ class Export : public testing::Test {
     vnv::write(record, records / "a.json");
   }
   Paper written() const { return write_paper(records, "poiseuille", literature, paper); }
-  std::string text(const std::string& name) const { return text_of_file(paper / name); }
+  std::string text(const std::string& name) const { return read_whole(paper / name); }
 
   ScratchFolder folder;
   const fs::path records = folder / "records", paper = folder / "paper";

@@ -1,5 +1,5 @@
 #include "reports/read/cases.hpp"
-#include "reports/pages/case_tables.hpp"
+#include "reports/pages/case_page.hpp"
 
 #include "reports/testing.hpp"
 
@@ -95,7 +95,7 @@ TEST_F(Cases, WithOneTableUnderTwoHeadingsAreRefused) {
 TEST(ErrorsTable, GivesNoTimeToWhatBelongsToAWholeRun) {
   vnv::Record record = sample_record();
   record.values = {{"M1", 1e-3, std::nan(""), {"largest stable time step", "us", vnv::Kind::stability_limit}, 42.5}};
-  const std::string html = errors_html({"poiseuille", {record}});
+  const std::string html = case_page({"poiseuille", {record}}, {}, {});
   EXPECT_NE(html.find("42.5"), std::string::npos);
   EXPECT_EQ(html.find("nan"), std::string::npos) << html;
 }

@@ -76,7 +76,7 @@ TEST_F(NightFile, KeepsWhatIsNotANumber) {
   night.verdicts[0].value = vnv::not_a_number;
   night.errors[0].value = -INFINITY;
   write_night(night, folder.path());
-  EXPECT_TRUE(contains(text_of_file(file(night)), "\"value\":\"nan\""));
+  EXPECT_TRUE(contains(read_whole(file(night)), "\"value\":\"nan\""));
   const Night read = read_night(file(night));
   EXPECT_TRUE(std::isnan(read.verdicts[0].value));
   EXPECT_EQ(read.errors[0].value, -INFINITY);
@@ -84,16 +84,16 @@ TEST_F(NightFile, KeepsWhatIsNotANumber) {
 
 TEST_F(NightFile, WrittenTwiceIsOne) {
   write_night(sample_night(), folder.path());
-  const std::string first = text_of_file(file(sample_night()));
+  const std::string first = read_whole(file(sample_night()));
   write_night(sample_night(), folder.path());
-  EXPECT_EQ(text_of_file(file(sample_night())), first);
+  EXPECT_EQ(read_whole(file(sample_night())), first);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(NightFile, OfATimeWithoutMachinesOfMethodsHasItsOwn) {
   const Night night = sample_night();
   write_night(night, folder.path());
-  const std::string text = text_of_file(file(night)), key = ",\"machine\":\"a \\\"machine\\\"\"";
+  const std::string text = read_whole(file(night)), key = ",\"machine\":\"a \\\"machine\\\"\"";
   const std::size_t place = text.rfind(key);
   ASSERT_GT(place, text.find('\n'));
   put(night, std::string(text).erase(place, key.size()));
@@ -105,7 +105,7 @@ TEST_F(NightFile, OfATimeWithoutMachinesOfMethodsHasItsOwn) {
 TEST_F(NightFile, ThatIsTornIsRefusedWithItsLine) {
   const Night night = sample_night();
   write_night(night, folder.path());
-  const std::string whole = text_of_file(file(night));
+  const std::string whole = read_whole(file(night));
   put(night, whole.substr(0, whole.size() - 20));
   EXPECT_TRUE(contains(refusal(night), ".jsonl:6: not a complete JSON line")) << refusal(night);
   put(night, whole.substr(0, whole.rfind("{")));

@@ -1,37 +1,14 @@
 #include "reports/text/html.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <regex>
+#include <utility>
 
 namespace touchstone::reports {
-namespace {
-
-std::string row_html(const HtmlRow& cells, std::string_view tag) {
-  std::string html;
-  for (const auto& cell : cells)
-    html += fmt::format("<{0}{1}{2}>{3}</{0}>", tag, cell.kind.empty() ? "" : " class=\"" + cell.kind + "\"",
-                        cell.rows == 1 ? "" : fmt::format(" rowspan=\"{}\"", cell.rows), cell.html);
-  return fmt::format("<tr>{}</tr>\n", html);
-}
-
-HtmlRow head(const HtmlTable& table) {
-  HtmlRow cells;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool is_of_numbers = std::ranges::any_of(
-        table.rows, [&](const HtmlRow& row) { return row.size() == table.columns.size() && row[i].is_number(); });
-    cells.emplace_back(table.columns[i], is_of_numbers ? "number" : "");
-  }
-  return cells;
-}
-
-}  // namespace
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
+  boost::algorithm::replace_all(text, from, to);
   return text;
 }
 
@@ -53,50 +30,30 @@ std::string escape(std::string_view text) {
   return html;
 }
 
-std::string typeset(std::string_view text) {
-  return with_symbols(replaced(escape(text), " %", "\u202f%"), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
+std::string typeset(std::string_view html) {
+  return with_symbols(replaced(std::string(html), " %", "\u202f%"), "<i>$1</i><sub>$2</sub>", "<sup>$1</sup>");
 }
 
-std::string breakable(std::string_view name) {
+std::string numbers(std::string_view html) {
+  static const std::regex powers("(×\u202f10)\\^(-?)([0-9]+)"),
+      not_finite("(^|>|± |–)(nan|(?:−)?inf)(?=$|<|\u202f| ±|–)");
+  std::string set(html);
+  if (set.find("10^") != std::string::npos)
+    set = replaced(std::regex_replace(set, powers, "$1<sup>$2$3</sup>"), "<sup>-", "<sup>−");
+  if (set.find("nan") != std::string::npos || set.find("inf") != std::string::npos)
+    set = std::regex_replace(set, not_finite, "$1<span class=\"nan\">$2</span>");
+  return set;
+}
+
+std::string breakable(std::string_view html) {
   static const std::regex within(R"(_(?=.)|[a-z](?=[A-Z]))");
-  return std::regex_replace(escape(name), within, "$&<wbr>");
+  return std::regex_replace(std::string(html), within, "$&<wbr>");
 }
 
-std::string paragraphs(std::string_view text) {
+std::string paragraphs(std::string_view html) {
   static const std::regex blank_lines(R"(\n([ \t\r]*\n)+)");
-  const std::string whole = boost::algorithm::trim_copy(std::string(text));
-  return whole.empty() ? "" : fmt::format("<p>{}</p>\n", std::regex_replace(typeset(whole), blank_lines, "</p>\n<p>"));
-}
-
-std::string html_list(std::string_view kind, const std::string& items) {
-  return items.empty() ? "" : fmt::format("<ul class=\"{}\">\n{}</ul>\n", kind, items);
-}
-
-std::string to_html(const HtmlTable& table) {
-  if (table.rows.empty()) return "";
-  std::string body;
-  for (const auto& cells : table.rows) body += row_html(cells, "td");
-  return fmt::format(
-      "<div class=\"table{}\">\n<p class=\"caption\"><b>{}</b> {}</p>\n"
-      "<div class=\"scroll\" "
-      "tabindex=\"0\">\n<table>\n<thead>\n{}</thead>\n<tbody>\n{}</tbody>\n</table>\n</div>\n</div>\n",
-      table.kind.empty() ? "" : " " + table.kind, table.title, table.caption, row_html(head(table), "th"), body);
-}
-
-std::string html_page(std::string_view title, std::string_view root, std::string_view body) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<link rel=\"stylesheet\" href=\"{1}style.css\">\n<script src=\"{1}site.js\" defer></script>\n</head>\n<body>\n{2}</body>\n</html>\n",
-      escape(title), root, body);
-}
-
-std::string html_page_beside_index(std::string_view title, std::string_view path, std::string_view sum,
-                                   std::string_view body, std::string_view main_attributes) {
-  return html_page(title, "",
-                   fmt::format("<main{}>\n<header>\n<p class=\"path\"><a href=\"index.html\">Touchstone</a> / {}</p>\n"
-                               "<h1>{}</h1>\n{}</header>\n{}</main>\n",
-                               main_attributes, path, title, sum, body));
+  const std::string whole = boost::algorithm::trim_copy(std::string(html));
+  return whole.empty() ? "" : "<p>" + std::regex_replace(typeset(whole), blank_lines, "</p>\n<p>") + "</p>\n";
 }
 
 }  // namespace touchstone::reports

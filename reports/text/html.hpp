@@ -1,10 +1,8 @@
 #pragma once
-/// Text and tables of a page. What comes from a record is escaped here and nowhere else.
+/// Text as HTML: what templates make of it.
 
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace touchstone::reports {
 
@@ -19,49 +17,19 @@ std::string with_symbols(const std::string& text, const std::string& symbol, con
 /// Text as HTML shows it: & < > " and ' are spelled out.
 std::string escape(std::string_view text);
 
-/// Escaped, with symbols as in print and no break before a %.
-std::string typeset(std::string_view text);
+// What templates ask for by sections of these names, of text that is escaped.
 
-/// An escaped name that may break after an underscore and before a capital.
-std::string breakable(std::string_view name);
+/// Symbols as in print, and no break before a %.
+std::string typeset(std::string_view html);
 
-/// Escaped paragraphs; blank lines part them.
-std::string paragraphs(std::string_view text);
+/// Numbers as `printed` writes them: powers of ten get exponents, and what is not finite is marked where it begins an
+/// element or follows a sign of an interval.
+std::string numbers(std::string_view html);
 
-/// A list of finished items, "<li>...</li>", of a kind that the style sheet knows; empty without items.
-std::string html_list(std::string_view kind, const std::string& items);
+/// A name that may break after an underscore and before a capital.
+std::string breakable(std::string_view html);
 
-/// A cell of a table: finished HTML and the class by which the style sheet knows it.
-struct HtmlCell {
-  std::string html;
-  std::string kind;      // "number", "holds", ...; empty for text on one line
-  std::size_t rows = 1;  // over which it reaches; those below begin with the next column
-
-  HtmlCell(std::string its_html = "", std::string its_kind = "", std::size_t its_rows = 1)
-      : html(std::move(its_html)), kind(std::move(its_kind)), rows(its_rows) {}
-  bool is_number() const { return kind.starts_with("number"); }
-  bool operator==(const HtmlCell&) const = default;
-};
-using HtmlRow = std::vector<HtmlCell>;
-
-/// A cell of words, which may take several lines.
-inline HtmlCell words_cell(std::string html) { return {std::move(html), "words"}; }
-
-/// A table with rules above and below, in a box of its own that scrolls where the page is narrower.
-struct HtmlTable {
-  std::string title, caption;        // finished HTML
-  std::vector<std::string> columns;  // finished HTML; a heading is aligned as the numbers below it
-  std::vector<HtmlRow> rows{};
-  std::string kind{};  // "claims", by which the style sheet knows it; empty for most
-};
-/// Empty for a table without rows.
-std::string to_html(const HtmlTable& table);
-
-/// A whole page. `root` leads from its folder to that of the index: "" or "../".
-std::string html_page(std::string_view title, std::string_view root, std::string_view body);
-
-/// A page beside the index, which it leads back to by `path`. `sum` is what is said first, finished HTML.
-std::string html_page_beside_index(std::string_view title, std::string_view path, std::string_view sum,
-                                   std::string_view body, std::string_view main_attributes = "");
+/// Typeset paragraphs; blank lines part them.
+std::string paragraphs(std::string_view html);
 
 }  // namespace touchstone::reports

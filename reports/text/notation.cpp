@@ -1,5 +1,7 @@
 #include "reports/text/notation.hpp"
 
+#include "reports/text/html.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +26,7 @@ std::string grouped(std::string digits) {
 std::string with_power(const std::string& number) {
   const auto e = number.find('e');
   const int power = std::stoi(number.substr(e + 1));
-  return fmt::format("{}\u202f×\u202f10<sup>{}</sup>", with_minus(number.substr(0, e)),
-                     with_minus(std::to_string(power)));
+  return fmt::format("{}\u202f×\u202f10^{}", with_minus(number.substr(0, e)), power);
 }
 
 // Narrow limits get as many digits as tell them apart.
@@ -46,7 +47,7 @@ std::string plain(double value, int digits) {
 std::string plain_or_empty(double value, int digits) { return std::isnan(value) ? "" : plain(value, digits); }
 
 std::string printed(double value, int digits) {
-  if (!std::isfinite(value)) return fmt::format("<span class=\"nan\">{}</span>", with_minus(plain(value)));
+  if (!std::isfinite(value)) return with_minus(plain(value));
   if (std::abs(value) >= 1e4 && std::abs(value) < 1e7) return grouped(fmt::format("{:.0f}", value));
   const std::string number = plain(value, digits);
   return number.find('e') == std::string::npos ? with_minus(number) : with_power(number);
@@ -57,7 +58,7 @@ std::string printed(long count) {
 }
 
 std::string valued(double value, const std::string& unit) {
-  return printed(value) + (unit.empty() ? "" : "\u202f" + typeset(unit));
+  return printed(value) + (unit.empty() ? "" : "\u202f" + unit);
 }
 
 std::string rounded(double value, const std::string& unit) {
@@ -67,11 +68,6 @@ std::string rounded(double value, const std::string& unit) {
 std::string in_percent(double fraction) {
   return std::isfinite(fraction) ? printed(std::round(fraction * 100)) + "\u202f%" : printed(fraction);
 }
-
-HtmlCell number_cell(double value) { return {printed(value), "number"}; }
-HtmlCell number_or_blank_cell(double value) { return {std::isnan(value) ? "" : printed(value), "number"}; }
-
-HtmlCell level_cell(const std::string& level) { return {escape(level), level.size() > 16 ? "words" : ""}; }
 
 std::string limit(std::optional<double> lower, std::optional<double> upper) {
   if (lower && upper) return interval(*lower, *upper);

@@ -2,10 +2,8 @@
 /// How numbers, limits, outcomes and trends are written: numbers with four significant digits, never a bare "nan" that
 /// could be overlooked.
 
-#include "reports/text/html.hpp"
 #include "vnv/record/record.hpp"
 
-#include <concepts>
 #include <optional>
 #include <string>
 
@@ -15,7 +13,7 @@ namespace touchstone::reports {
 std::string plain(double value, int digits = 4);
 std::string plain_or_empty(double value, int digits = 4);
 
-/// As in print: "0.0159", "1.2 × 10^−7", "200 000"; what is not finite is marked.
+/// As in print: "0.0159", "1.2 × 10^-7", "200 000"; pages raise the exponent.
 std::string printed(double value, int digits = 4);
 
 /// "1.59 %": as in print, with its unit.
@@ -30,18 +28,10 @@ std::string in_percent(double fraction);
 /// With groups of three digits.
 std::string printed(long count);
 
-/// A right-aligned cell of a table; the other is blank for what is not a number.
-HtmlCell number_cell(double value);
-HtmlCell number_or_blank_cell(double value);
-HtmlCell number_cell(std::integral auto count) { return {printed(static_cast<long>(count)), "number"}; }
-
 /// A limit as plain text: "<= 0.07", ">= 0.8", "in [1.9, 2.1]"; empty if nothing is claimed.
 std::string limit(std::optional<double> lower, std::optional<double> upper);
 /// The same with the signs of print.
 std::string printed_limit(std::optional<double> lower, std::optional<double> upper);
-
-/// The name of a level; a long one may take several lines.
-HtmlCell level_cell(const std::string& level);
 
 /// "L2 v_x [%]"; without brackets if the unit is empty.
 std::string with_unit(const std::string& quantity, const std::string& unit);

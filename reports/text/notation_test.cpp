@@ -11,7 +11,7 @@ TEST(Numbers, KeepFourSignificantDigits) {
   EXPECT_EQ(printed(-2.5), "−2.5");
 }
 
-TEST(Numbers, SpellPowersOfTenAsInPrint) { EXPECT_EQ(printed(-1.25e-7), "−1.25\u202f×\u202f10<sup>−7</sup>"); }
+TEST(Numbers, SpellPowersOfTenAsInPrint) { EXPECT_EQ(printed(-1.25e-7), "−1.25\u202f×\u202f10^-7"); }
 
 TEST(Numbers, GroupLongOnes) {
   EXPECT_EQ(printed(200000L), "200\u202f000");
@@ -20,9 +20,9 @@ TEST(Numbers, GroupLongOnes) {
   EXPECT_EQ(printed(800L), "800");
 }
 
-TEST(Numbers, MarkWhatIsNotFinite) {
-  EXPECT_EQ(printed(vnv::not_a_number), "<span class=\"nan\">nan</span>");
-  EXPECT_EQ(printed(-std::numeric_limits<double>::infinity()), "<span class=\"nan\">−inf</span>");
+TEST(Numbers, SayWhatIsNotFinite) {
+  EXPECT_EQ(printed(vnv::not_a_number), "nan");
+  EXPECT_EQ(printed(-std::numeric_limits<double>::infinity()), "−inf");
   EXPECT_EQ(plain(-vnv::not_a_number), "nan");
 }
 
@@ -43,7 +43,7 @@ TEST(Numbers, StandBesideTheirUnit) {
 TEST(Numbers, AreRoundedToTwoDigitsHoweverSmall) {
   EXPECT_EQ(rounded(51.423, "%"), "51\u202f%");
   EXPECT_EQ(rounded(1234, "s"), "1200\u202fs");
-  EXPECT_EQ(rounded(5e-324, ""), "4.941\u202f×\u202f10<sup>−324</sup>");
+  EXPECT_EQ(rounded(5e-324, ""), "4.941\u202f×\u202f10^-324");
 }
 
 TEST(Limits, AreReadAsTheyWereClaimed) {
