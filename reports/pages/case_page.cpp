@@ -169,7 +169,7 @@ std::string case_page(const CaseRecords& records, const Plots& figures, const Pl
     if (const List items = sentences(outcome, verdicts); !items.empty())
       lists.push_back(object("kind"_ = word(outcome), "items"_ = items));
   return page("case",
-              object("name"_ = records.name, "title"_ = records.title(), "kind"_ = word(sum.worst()),
+              object("root"_ = "../", "name"_ = records.name, "title"_ = records.title(), "kind"_ = word(sum.worst()),
                      "sentence"_ = sentence(sum), "is_judged"_ = sum.total() > 0, "fails"_ = sum.fails > 0,
                      "sentences"_ = lists, "failed_runs"_ = if_any(unfinished(records, true)),
                      "declared_runs"_ = if_any(declared), "many"_ = when(declared.size() > 10, declared.size()),

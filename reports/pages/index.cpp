@@ -87,7 +87,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
   add_list(failures, "known", amber(status));
   add_list(inconclusive, "inconclusive", sentences(vnv::Outcome::inconclusive, verdicts));
   return page("index",
-              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
+              object("root"_ = "", "kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
                      "known"_ = when(!status.known.empty(), status.known.size()),
                      "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
                      "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,

@@ -103,6 +103,7 @@ NightStatus make_site(const fs::path& records, const fs::path& site, const SiteI
   for (const char* file : {"style.css", "site.js"}) write_whole(folder / file, compiled_in.at(file));
   write_whole(folder / "index.html", index_page(cases, tonight, history.has_value(), faults));
   write_whole(folder / "verdicts.html", verdicts_page(cases));
+  write_whole(folder / "a_verdict_fails.html", page("a_verdict_fails", object()));
   if (std::ranges::any_of(cases, is_in_matrix)) write_whole(folder / "orders.html", order_matrix_page(cases));
   if (std::ranges::any_of(cases, is_priced)) {
     write_whole(folder / "work.html", work_page(cases));

@@ -37,8 +37,9 @@ class Site : public testing::Test {
 TEST_F(Site, HasAnIndexAPagePerCaseAndTheTables) {
   make_site(records, site);
   for (const char* name :
-       {"index.html", "verdicts.html", "style.css", "site.js", "verdicts.csv", "orders.csv", "cost.csv",
-        "poiseuille/index.html", "poiseuille/profile.svg", "poiseuille/profile.gp", "poiseuille/profile.csv"})
+       {"index.html", "verdicts.html", "a_verdict_fails.html", "style.css", "site.js", "verdicts.csv",
+        "orders.csv", "cost.csv", "poiseuille/index.html", "poiseuille/profile.svg", "poiseuille/profile.gp",
+        "poiseuille/profile.csv"})
     EXPECT_FALSE(page(name).empty()) << name;
   EXPECT_TRUE(contains(page("index.html"), "href=\"poiseuille/index.html\""));
   EXPECT_EQ(entries(), 2) << "something is left beside the site";
@@ -65,6 +66,20 @@ TEST_F(Site, SaysFirstWhatFails) {
     EXPECT_TRUE(contains(page(name), "<p class=\"sum fails\">")) << name;
     EXPECT_LT(page(name).find("the sentence of this verdict"), page(name).find("<table>")) << name;
   }
+}
+
+TEST_F(Site, LeadsFromEachClaimThatDoesNotHoldToWhatToDo) {
+  vnv::Record record = sample_record();
+  for (const vnv::Outcome outcome : {vnv::Outcome::fails, vnv::Outcome::inconclusive})
+    record.verdicts.push_back(sample_verdict(outcome, -0.3));
+  put(record);
+  make_site(records, site);
+  for (const std::string word : {"fails", "inconclusive"}) {
+    const std::string cell = "<td class=\"" + word + "\"><a href=\"", link = "a_verdict_fails.html\">" + word + "</a></td>";
+    EXPECT_TRUE(contains(page("verdicts.html"), cell + link)) << word;
+    EXPECT_TRUE(contains(page("poiseuille/index.html"), cell + "../" + link)) << word;
+  }
+  EXPECT_TRUE(contains(page("a_verdict_fails.html"), "vnv explain"));
 }
 
 TEST_F(Site, TellsAMethodThatTheoryOrLiteratureCallsRightFromOneThatIsAsWrongAsAccepted) {
