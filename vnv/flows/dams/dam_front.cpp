@@ -24,7 +24,7 @@ struct Experiment {
 };
 
 /// Those of the best read-out of each, whose column is as many times as high as it is long: all tables of
-/// data/experiments/ that name their experiment and have a front or a height over T.
+/// data/experiments/ that name their experiment and have a front or a height over T, the one of most points first.
 std::vector<Experiment> experiments_of(double aspect) {
   std::vector<Experiment> all;
   for (DataTable& table : read_experiments(data_folder() / "experiments")) {
@@ -38,6 +38,7 @@ std::vector<Experiment> experiments_of(double aspect) {
     const bool is_front = table.has("L [-]");
     all.push_back({name, is_front, {table.numbers("T [-]"), table.numbers(is_front ? "L [-]" : "eta [-]")}, {-most, most}});
   }
+  std::ranges::stable_sort(all, std::greater{}, [](const Experiment& one) { return one.measured.T.size(); });
   return all;
 }
 
