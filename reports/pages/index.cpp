@@ -1,6 +1,6 @@
 #include "reports/pages/index.hpp"
 
-#include "reports/pages/front.hpp"
+#include "reports/pages/overview.hpp"
 #include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
 #include "reports/pages/work_page.hpp"
@@ -91,8 +91,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
                      "known"_ = when(!status.known.empty(), status.known.size()),
                      "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
                      "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,
-                     "front"_ = front_data(cases, status), "has_orders"_ = std::ranges::any_of(cases, is_in_matrix),
-                     "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,
+                     "overview"_ = overview_data(cases, status),
+                     "has_orders"_ = std::ranges::any_of(cases, is_in_matrix), "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,
                      "faults"_ = if_any(faults ? faults->sentence() : ""), "places"_ = places(cases)));
 }
 

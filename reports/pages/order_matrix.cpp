@@ -15,7 +15,7 @@ namespace touchstone::reports {
 namespace {
 
 /// A column.
-struct Flow {
+struct Column {
   const CaseRecords* records;
   OrderComparison comparison;
 
@@ -23,14 +23,14 @@ struct Flow {
   std::string unit() const { return vnv::with_heading(comparison.subject.quantity).unit; }
 };
 
-std::vector<Flow> flows_with(Field field, const std::vector<CaseRecords>& cases) {
-  std::vector<Flow> flows;
+std::vector<Column> flows_with(Field field, const std::vector<CaseRecords>& cases) {
+  std::vector<Column> flows;
   for (const auto& records : cases)
     if (auto comparison = principal_comparison(records, field)) flows.push_back({&records, std::move(*comparison)});
   return flows;
 }
 
-std::set<std::string> methods_in(const std::vector<Flow>& flows) {
+std::set<std::string> methods_in(const std::vector<Column>& flows) {
   std::set<std::string> methods;
   for (const auto& flow : flows)
     for (const auto& record : flow.records->records) methods.insert(record.method);
@@ -46,7 +46,7 @@ constexpr std::array reasons{Reason{'a', "not run in this flow"},
                              Reason{'b', "this quantity was not measured at this time"},
                              Reason{'c', "measured at fewer than two spacings of a ladder"}};
 
-const Reason& reason_for_none(const Flow& flow, const std::string& method) {
+const Reason& reason_for_none(const Column& flow, const std::string& method) {
   const auto& all = flow.records->records;
   const auto record = std::ranges::find(all, method, &vnv::Record::method);
   if (record == all.end()) return reasons[0];
@@ -62,7 +62,7 @@ std::string details(const vnv::ObservedOrder& o) {
 }
 
 /// The orders of a method in a flow, with the trend of the first, or why there is none.
-Data cell(const Flow& flow, const std::string& method, std::set<char>& notes) {
+Data cell(const Column& flow, const std::string& method, std::set<char>& notes) {
   const std::vector<OrderLine> lines = flow.comparison.of_method(method);
   if (lines.empty()) {
     const Reason& why = reason_for_none(flow, method);
@@ -85,7 +85,7 @@ std::string cost(const Cheapest::Cost& cost) {
   return (cost.time.at_most ? "≤\u202f" : "") + rounded(cost.time.cpu, "s");
 }
 
-Data cheapest_data(const Flow& flow) {
+Data cheapest_data(const Column& flow) {
   const auto found = cheapest(*flow.records, flow.comparison.subject);
   if (!found) return false;
   return object("method"_ = found->best.method, "cost"_ = cost(found->best),
@@ -93,7 +93,7 @@ Data cheapest_data(const Flow& flow) {
                 "next"_ = found->next.method, "next_cost"_ = cost(found->next));
 }
 
-Data heading(const Flow& flow) {
+Data heading(const Column& flow) {
   return object("link"_ = flow.figure_link(), "title"_ = flow.records->title(),
                 "quantity"_ = vnv::with_heading(flow.comparison.subject.quantity).name,
                 "time"_ = valued(flow.comparison.subject.time, "s"));
@@ -101,12 +101,12 @@ Data heading(const Flow& flow) {
 
 /// A matrix of the orders of a field in all flows that have them.
 void add_matrix(List& matrices, const char* title, Field field, const std::vector<CaseRecords>& cases) {
-  const std::vector<Flow> flows = flows_with(field, cases);
+  const std::vector<Column> flows = flows_with(field, cases);
   if (flows.empty()) return;
   std::set<char> used;
   const auto row = [&](const std::string& method) {
     return object("method"_ = method,
-                  "cells"_ = each(flows, [&](const Flow& flow) { return cell(flow, method, used); }));
+                  "cells"_ = each(flows, [&](const Column& flow) { return cell(flow, method, used); }));
   };
   const List rows = each(methods_in(flows), row);
   List notes;

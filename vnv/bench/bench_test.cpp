@@ -1,5 +1,5 @@
 #include "reference/poiseuille.hpp"
-#include "vnv/bench/flows.hpp"
+#include "vnv/bench/scenes.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"

@@ -9,7 +9,7 @@
 #include "solvers/sph/terms/artificial_viscosity.hpp"
 #include "solvers/sph/terms/laminar_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
-#include "vnv/bench/flows.hpp"
+#include "vnv/bench/scenes.hpp"
 #include "vnv/bench/in_turn.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/mls_mpm.hpp"
@@ -119,7 +119,7 @@ void add_loop(const std::string& name, Make make) {
 template <class AnyScene>
 void add_mpm(const std::string& model, const AnyScene& scene, double cell, double spacing, double time_step) {
   add_solver("mpm/" + model, mpm_work, [=] {
-    return mpm::solver<mpm::PrescribedMotion>(scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
+    return mpm::printed<mpm::PrescribedMotion>(scene, {.cell = cell, .spacing = spacing, .time_step = time_step});
   });
   add_loop("plain_musl/" + model, [=] { return PlainMusl(plain(scene), cell, spacing, time_step); });
 }

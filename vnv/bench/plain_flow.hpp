@@ -52,7 +52,7 @@ std::vector<Particle> particles_at_rest(const PlainFlow& flow, double spacing) {
   return particles;
 }
 
-/// What a plain loop needs of a scene: no more than the flows of `flows.hpp` have.
+/// What a plain loop needs of a scene: no more than the flows of `scenes.hpp` have.
 template <class FluidLaw>
 PlainFlow plain(const Scene<FluidLaw, Uniform>& scene) {
   double viscosity = 0;

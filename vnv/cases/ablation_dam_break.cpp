@@ -25,7 +25,7 @@ const StepSearch search{.low = 5 * us, .high = 5000 * us, .tolerance = 0.02, .st
 template <class WallTreatment, class FluidLaw>
 Variant mpm_variant(std::string name, const FluidLaw& fluid) {
   return variant(std::move(name), 50 * us, search, [=](const Level& level, double step) {
-    return mpm::solver<WallTreatment>(collapse(column, tank, fluid),
+    return mpm::printed<WallTreatment>(collapse(column, tank, fluid),
                                       {.cell = level.cell, .spacing = level.spacing, .time_step = step});
   });
 }

@@ -13,7 +13,7 @@ namespace {
 const Quantity over_theory{"largest stable time step over that of linear theory at rest", "", Kind::stability_limit};
 
 /// A flow through a lattice that repeats along both axes.
-struct Flow {
+struct PeriodicFlow {
   std::string name;
   Vec2 carried;         // speeds of sound
   double shear;         // speeds of sound  amplitude of a wave of velocity along x, one wave up the lattice
@@ -21,7 +21,7 @@ struct Flow {
   bool in_acceptance = false;
 };
 
-const std::vector<Flow> flows = {
+const std::vector<PeriodicFlow> flows = {
     {"uniform flow", {0.1, 0.037}, 0, 1e-8, 1e-4, true},
     {"shear wave", {0, 0}, 0.02, 1e-6, 0.06, true},
 };
@@ -32,7 +32,7 @@ RestingLattice lattice_for(const LatticeMethod& method) {
   return lattice;
 }
 
-Start start_of(const Flow& flow, const RestingLattice& lattice) {
+Start start_of(const PeriodicFlow& flow, const RestingLattice& lattice) {
   Start start = noisy(lattice, flow.noise);
   start.velocity = [flow, lattice, stir = start.velocity](const Vec2& x) -> Vec2 {
     return stir(x) +
@@ -41,7 +41,7 @@ Start start_of(const Flow& flow, const RestingLattice& lattice) {
   return start;
 }
 
-Run search_in(const Flow& flow, const LatticeMethod& method) {
+Run search_in(const PeriodicFlow& flow, const LatticeMethod& method) {
   const RestingLattice lattice = lattice_for(method);
   const double c = RestingLattice::sound_speed, a_length = lattice.unit() / c;
   const StepSearch search{
@@ -63,7 +63,7 @@ Method limits_of(const LatticeMethod& on_lattice) {
     method.claims.push_back(
         between(over_theory, 0.95, 1.05, theory("Galilean invariance: the limit is that at rest")).on("uniform flow"));
   std::vector<NamedRun> runs;
-  for (const Flow& flow : flows)
+  for (const PeriodicFlow& flow : flows)
     runs.push_back({lattice_for(on_lattice).level(flow.name, flow.in_acceptance),
                     [=](const Level&, const Schedule&) { return search_in(flow, on_lattice); }});
   return with_runs(std::move(method), std::move(runs));

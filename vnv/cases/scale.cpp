@@ -1,6 +1,6 @@
 /// Cost per particle from a thousand to ten million particles: time of a step, and memory.
 
-#include "vnv/bench/flows.hpp"
+#include "vnv/bench/scenes.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/race.hpp"
 #include "vnv/flows/channels/channel.hpp"

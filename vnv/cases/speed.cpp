@@ -21,7 +21,7 @@
 #include "solvers/sph/terms/morris_viscosity.hpp"
 #include "solvers/sph/terms/pressure.hpp"
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"
-#include "vnv/bench/flows.hpp"
+#include "vnv/bench/scenes.hpp"
 #include "vnv/bench/mls_mpm.hpp"
 #include "vnv/bench/plain_musl.hpp"
 #include "vnv/bench/plain_sph.hpp"
@@ -77,7 +77,7 @@ constexpr int evaluations<PredictorCorrector> = 2;
 template <class Number = double, class AnyScene>
 auto race_mpm(const AnyScene& scene, double time_step) {
   return [=](const Level& level, const Schedule&) {
-    return race(mpm::solver<mpm::PrescribedMotion, Number>(scene, mpm_settings(level, time_step)),
+    return race(mpm::printed<mpm::PrescribedMotion, Number>(scene, mpm_settings(level, time_step)),
                 PlainMusl(plain(scene), level.cell, level.spacing, time_step));
   };
 }
@@ -114,7 +114,7 @@ class Repeated {
 /// The same in the dam break from 0.1 to 0.4 s.
 Run race_mpm_in_dam(const Level& level, const Schedule&) {
   constexpr long lead = 2000, stretch = 6000;
-  return race(Repeated(mpm::solver<mpm::PrescribedMotion>(dam(), mpm_settings(level, dam_mpm_step)), lead, stretch),
+  return race(Repeated(mpm::printed<mpm::PrescribedMotion>(dam(), mpm_settings(level, dam_mpm_step)), lead, stretch),
               PlainMusl(plain(dam()), level.cell, level.spacing, dam_mpm_step), lead);
 }
 
@@ -243,7 +243,7 @@ Vec2 tank_of(const Level& level) {
 
 Run compare_tanks(const Level& level) {
   const auto in_tank = [&](const Vec2& tank) {
-    return mpm::solver<mpm::PrescribedMotion>(dam(tank), mpm_settings(level, dam_mpm_step));
+    return mpm::printed<mpm::PrescribedMotion>(dam(tank), mpm_settings(level, dam_mpm_step));
   };
   auto small = in_tank(dam_tank), large = in_tank(tank_of(level));
   const Times times = time_in_turn({[&] { large.step(); }, [&] { small.step(); }});
@@ -291,7 +291,7 @@ std::vector<Method> with_threads() {
   const std::string words = "102400 particles, bitwise identical results for any number of threads.";
   const auto of_mpm = [=](const Level& level, const Schedule&) {
     return best_with_threads([&](int threads) {
-      return mpm::solver<mpm::PrescribedMotion>(long_channel, mpm_settings(level, channel_step, threads));
+      return mpm::printed<mpm::PrescribedMotion>(long_channel, mpm_settings(level, channel_step, threads));
     });
   };
   const auto of_sph = [=](const Level& level, const Schedule&) {

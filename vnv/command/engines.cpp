@@ -84,9 +84,9 @@ class Local : public Engine {
   std::map<pid_t, const Job*> running_;
 };
 
-/// Runs one method within limits and leaves how it ended, by a name that is there or not; nothing where it was told to
-/// end by others, as is all that a machine runs which goes down. An engine may start it again: what has ended is not
-/// run twice. When it began is known by another name. Not `ulimit -v`, which would count what is mapped and never used.
+/// Runs one method within limits. A file below began/ marks that it has started, one below ended/ says how it ended;
+/// there is none where others told it to end, as when its machine goes down. An engine may start it again: what
+/// has ended is not run twice. Not `ulimit -v`, which would count what is mapped and never used.
 constexpr std::string_view runs_one = R"(#!/bin/sh
 # one.sh NAME KEY SECONDS KILOBYTES PROGRAM ARGUMENT...
 here=${0%/*} name=$1 key=$2 seconds=$3 memory=$4 began=$(date +%s)
@@ -248,7 +248,7 @@ class Slurm : public Elsewhere {
   /// An element lasts minutes: Slurm takes about 0.85 s for each.
   static constexpr double element = 120;              // s
   static constexpr std::size_t longest_array = 1000;  // elements; Slurm's own default allows 1001
-  struct Place {
+  struct ArrayElement {
     std::string array;  // id
     std::size_t element;
   };
@@ -301,7 +301,7 @@ class Slurm : public Elsewhere {
     if (!captured.ending.succeeded()) throw std::runtime_error(fmt::format("sbatch: {}", captured.complaint()));
     arrays_.push_back(captured.output.substr(0, captured.output.find_first_of(";\n")));
     for (std::size_t k = 0; k < elements.size(); ++k)
-      for (const Job& job : elements[k]) places_.emplace(job.name, Place{arrays_.back(), k});
+      for (const Job& job : elements[k]) places_.emplace(job.name, ArrayElement{arrays_.back(), k});
   }
 
   /// Options of the user's come last, and win.
@@ -321,7 +321,7 @@ class Slurm : public Elsewhere {
   }
 
   std::string why_lost(const Job& job) override {
-    const Place& place = places_.at(job.name);
+    const ArrayElement& place = places_.at(job.name);
     const programs::CapturedOutput captured =
         programs::run_and_capture({"squeue", "--noheader", "--states=all", "--format=%T %N",
                                    fmt::format("--jobs={}_{}", place.array, place.element)});
@@ -334,7 +334,7 @@ class Slurm : public Elsewhere {
   void cancel() override { programs::run_and_capture({"scancel", "--me", "--name", job_name()}); }
 
   std::vector<std::string> arrays_;      // ids
-  std::map<std::string, Place> places_;  // by name of the job
+  std::map<std::string, ArrayElement> places_;  // by name of the job
 };
 
 }  // namespace

@@ -122,8 +122,8 @@ struct Moment {
   MatrixXd waves{};  // orthonormal columns
 };
 
-/// So many different numbers below n, spread evenly over them in any part of the order: multiples of its golden
-/// section.
+/// At most so many of the indices below n, each once, of which any first few are spread evenly over all: multiples of
+/// the golden section of n.
 std::vector<Index> spread(Index n, Index most) {
   std::vector<Index> chosen(static_cast<std::size_t>(std::min(n, most)));
   Index step = n <= most ? 1 : std::lround(static_cast<double>(n) / std::numbers::phi);
@@ -142,9 +142,9 @@ struct LeftOut {
 };
 
 /// The samples of a field, as one vector of weighted numbers: for each time and each component all its samples.
-class Seen {
+class FieldVector {
  public:
-  Seen(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain)
+  FieldVector(const Exact& exact, const std::vector<const Samples*>& samples, const Domain& domain)
       : exact_(exact), waves_(domain, samples.empty() ? 0 : std::min<Index>(samples[0]->size(), most_samples)) {
     const auto count = static_cast<Index>(samples.size());
     for (const Index k : spread(count, most_times)) add(*samples[static_cast<std::size_t>(count - 1 - k)]);
@@ -158,7 +158,7 @@ class Seen {
     error_ = error({});
   }
   /// As if what was seen were right but for a mistake.
-  Seen(const Seen& other, const Mistake& mistake) : Seen(other) {
+  FieldVector(const FieldVector& other, const Mistake& mistake) : FieldVector(other) {
     if (mistake.seen) mistake_ = mistake.seen;
     seen_ /= mistake.scale;
     error_ = error({});
@@ -166,7 +166,7 @@ class Seen {
   }
 
   /// At one of its times alone.
-  Seen(const Seen& other, std::size_t moment) : Seen(other) {
+  FieldVector(const FieldVector& other, std::size_t moment) : FieldVector(other) {
     Index first = 0;
     for (std::size_t k = 0; k < moment; ++k) first += components() * moments_[k].x.cols();
     moments_ = {other.moments_[moment]};
@@ -400,7 +400,7 @@ class Seen {
 class Rest {
  public:
   /// `fitted` are the columns that were fitted: they took their part of it away.
-  Rest(const Seen& seen, const VectorXd& rest, const MatrixXd& fitted) : seen_(seen) {
+  Rest(const FieldVector& seen, const VectorXd& rest, const MatrixXd& fitted) : seen_(seen) {
     const auto times = static_cast<Index>(seen.moments().size());
     const Index count = static_cast<Index>(seen.waves().all.size());
     const std::vector<MatrixXd> found = amplitudes(rest);
@@ -525,7 +525,7 @@ class Rest {
     return product / product.sum();
   }
 
-  const Seen& seen_;
+  const FieldVector& seen_;
   mutable std::vector<double> energies_{};
   MatrixXd between_{}, spectrum_{};
   VectorXd short_{};
@@ -579,8 +579,8 @@ struct Made {
 class Diagnostician {
  public:
   /// `discretisation` as of diagnose().
-  Diagnostician(const Exact& exact, Seen seen, const Domain& domain, double spacing, double discretisation,
-                std::vector<Seen> others = {})
+  Diagnostician(const Exact& exact, FieldVector seen, const Domain& domain, double spacing, double discretisation,
+                std::vector<FieldVector> others = {})
       : exact_(exact),
         seen_(std::move(seen)),
         others_(std::move(others)),
@@ -781,7 +781,7 @@ class Diagnostician {
     for (std::size_t k = 1; k < sentences.size(); ++k)
       all.sentence += (k == 1 ? "; or, indistinguishable by these data: " : "; or ") + sentences[k];
     if (best.mistake.scale == 0 || !is_enough()) return;
-    Diagnostician of_rest(exact_, Seen(seen_, best.mistake), domain_, spacing_, discretisation_);
+    Diagnostician of_rest(exact_, FieldVector(seen_, best.mistake), domain_, spacing_, discretisation_);
     of_rest.fit();
     const Diagnosis rest = of_rest.diagnosis_of_causes();
     constexpr double worth_a_word = 0.5;  // %
@@ -831,7 +831,7 @@ class Diagnostician {
     constexpr double nearly_all = 0.95;
     if (seen_.moments().size() < 2) return false;
     for (std::size_t k = 0; k < seen_.moments().size(); ++k) {
-      Seen alone(seen_, k);
+      FieldVector alone(seen_, k);
       if (alone.error().squaredNorm() < nearly_all * squared()) continue;
       Diagnostician at_it(exact_, std::move(alone), domain_, spacing_, discretisation_);
       at_it.fit();
@@ -993,7 +993,7 @@ class Diagnostician {
   /// Whether the other fields of the flow do not speak against what is wrong with it: with the least of it that its
   /// interval holds they would be twice as wrong, or more, as they are.
   bool others_allow(const Fit& fit) const {
-    return std::ranges::all_of(others_, [&](const Seen& other) {
+    return std::ranges::all_of(others_, [&](const FieldVector& other) {
       Changes by;
       for (std::size_t k = 0; k < fit.causes.size(); ++k) {
         const double value = fit.value[static_cast<Index>(k)], wide = fit.half_width[static_cast<Index>(k)];
@@ -1005,7 +1005,7 @@ class Diagnostician {
   bool others_allow(const Mistake& mistake) const {
     if (!mistake.of_time && mistake.cause != "shifted") return true;  // of a field by itself
     return std::ranges::all_of(
-        others_, [&](const Seen& other) { return other.allows(other.numbers() - other.exact_with(mistake)); });
+        others_, [&](const FieldVector& other) { return other.allows(other.numbers() - other.exact_with(mistake)); });
   }
 
   /// Whether a cause adds to a fit what is no accident, nor what discretisation may make.
@@ -1163,8 +1163,8 @@ class Diagnostician {
   }
 
   const Exact& exact_;
-  Seen seen_;
-  std::vector<Seen> others_;
+  FieldVector seen_;
+  std::vector<FieldVector> others_;
   const Domain& domain_;
   double spacing_, discretisation_;
   std::vector<Cause> causes_;
@@ -1239,10 +1239,11 @@ std::vector<Diagnosis> diagnose(const Exact& exact, const std::vector<Diagnosed>
                                 double discretisation, const std::vector<const Exact*>& others) {
   std::vector<Diagnostician> all;
   for (const Diagnosed& level : levels) {
-    std::vector<Seen> seen;
+    std::vector<FieldVector> seen;
     for (const Exact* other : others)
-      if (Seen one(*other, level.samples, domain); !one.empty()) seen.push_back(std::move(one));
-    all.emplace_back(exact, Seen(exact, level.samples, domain), domain, level.spacing, discretisation, std::move(seen));
+      if (FieldVector one(*other, level.samples, domain); !one.empty()) seen.push_back(std::move(one));
+    all.emplace_back(exact, FieldVector(exact, level.samples, domain), domain, level.spacing, discretisation,
+                     std::move(seen));
     all.back().fit();
   }
   hear_all_resolutions(all);

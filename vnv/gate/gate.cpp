@@ -2,7 +2,7 @@
 
 #include "vnv/files/whole_file.hpp"
 #include "vnv/gate/findings.hpp"
-#include "vnv/gate/front.hpp"
+#include "vnv/gate/error_against_time.hpp"
 #include "vnv/gate/turns.hpp"
 
 #include <fmt/format.h>
@@ -126,7 +126,7 @@ Status conclude(const GateRequest& request, const Findings& found, const Turns& 
   if (!request.markdown.empty()) files::write_whole(request.markdown, markdown_of(found));
   if (!request.json.empty()) files::write_whole(request.json, json_of(found));
   if (!request.figure.empty()) {
-    vnv::Record page = front_of(turns.before, turns.after);
+    vnv::Record page = error_against_time(turns.before, turns.after);
     page.verdicts = verdicts_of(found);
     page.tables = {page_table_of(found)};
     vnv::write(page, request.figure);

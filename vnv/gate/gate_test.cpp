@@ -1,6 +1,6 @@
 #include "vnv/gate/gate.hpp"
 
-#include "vnv/gate/front.hpp"
+#include "vnv/gate/error_against_time.hpp"
 #include "vnv/gate/turns.hpp"
 #include "vnv/record/record.hpp"
 
@@ -206,7 +206,7 @@ TEST(Front, HasTheTimesOfItsOwnCaseAndMethodAndTheLastErrorOfEachRun) {
   const Records once{record("flow", "mpm", 1), record("other", "mpm", 5), record("flow", "sph", 7)};
   Records again = once;
   for (vnv::Record& one : again) one.runs[0].cost.cpu *= 3;
-  const vnv::Record front = front_of({once, again}, {});
+  const vnv::Record front = error_against_time({once, again}, {});
   ASSERT_EQ(front.curves.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
     const double cpu = once[k].runs[0].cost.cpu;

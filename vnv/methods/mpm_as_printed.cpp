@@ -8,7 +8,7 @@ namespace touchstone::vnv {
 
 template <class WallTreatment, class Number, class AnyScene>
 Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_step) {
-  return mpm::solver<WallTreatment, Number>(scene,
+  return mpm::printed<WallTreatment, Number>(scene,
                                             {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 

@@ -66,7 +66,7 @@ OnLattice linear_hats() {
     return simulating(
         {.name = "mpm"},
         [scene = lattice.scene(start)](const Level& level, double time_step) {
-          return mpm::solver<mpm::PrescribedMotion>(
+          return mpm::printed<mpm::PrescribedMotion>(
               scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
         },
         [](const Level&) { return 1e-3; });

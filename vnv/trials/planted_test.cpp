@@ -19,7 +19,7 @@ const Scene<Newtonian> still_water{
 };
 
 auto still_solver(double time_step = 1e-4) {
-  return mpm::solver<mpm::PrescribedMotion>(still_water, {.cell = 0.1, .spacing = 0.1, .time_step = time_step});
+  return mpm::printed<mpm::PrescribedMotion>(still_water, {.cell = 0.1, .spacing = 0.1, .time_step = time_step});
 }
 using StillSolver = decltype(still_solver());
 
@@ -99,7 +99,7 @@ TEST(StateCheck, EndsARunWhoseStepIsTooLongAtTheFirstStepThatIsNoFlow) {
   Scene<Newtonian> stirred = still_water;
   stirred.start.velocity = [](const Vec2& x) { return Vec2(1e-3 * std::sin(40 * x.x()), 1e-3 * std::cos(33 * x.y())); };
   const auto too_long = [&] {
-    return mpm::solver<mpm::PrescribedMotion>(stirred, {.cell = 0.1, .spacing = 0.05, .time_step = 0.02});
+    return mpm::printed<mpm::PrescribedMotion>(stirred, {.cell = 0.1, .spacing = 0.05, .time_step = 0.02});
   };
   const auto run = simulate(too_long, {.times = {20}});
   // The same without the run loop, evaluated after each step.

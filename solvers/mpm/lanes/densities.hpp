@@ -28,7 +28,8 @@ struct StrainWithin {
   /// (18)
   template <class At>
   Slopes<Lanes> slopes(const At& X, const At& Y, const Vec2& per_cell) const {
-    const Seen of_x = seen(x, X, Y, X.slope(), Y.slope()), of_y = seen(y, X, Y, X.slope(), Y.slope());
+    const ValueAndSlopes of_x = value_and_slopes(x, X, Y, X.slope(), Y.slope()),
+                         of_y = value_and_slopes(y, X, Y, X.slope(), Y.slope());
     return {.xx = per_cell.x() * of_x.along_x,
             .yx = per_cell.x() * of_y.along_x,
             .xy = per_cell.y() * of_x.along_y,
@@ -110,7 +111,8 @@ struct DensityInLanes<Density> {
             for_particles_of(block, [&](int slot, const auto& write) {
               const auto X = along_x.at(load<Lanes>(&particles.X[slot])),
                          Y = along_y.at(load<Lanes>(&particles.Y[slot]));
-              const Seen found = seen(expansion, X, Y, along_x.affine_slope(X), along_y.affine_slope(Y));
+              const ValueAndSlopes found =
+                  value_and_slopes(expansion, X, Y, along_x.affine_slope(X), along_y.affine_slope(Y));
               write(found.along_x, &particles.gradient.along_x[slot]);
               write(found.along_y, &particles.gradient.along_y[slot]);
               is_calm &= settle_in(particles, slot, found.value, step, write);
@@ -135,8 +137,8 @@ struct DensityInLanes<Density> {
           taken.take(particles, slot, X, Y, write);
           const Lanes expansion = strained(particles, slot, velocity, X, Y, step, write);
           add(sums, X, Y, write.present ? expansion : Lanes{},
-              affine_turn(along_x, X, load<Lanes>(&particles.gradient.along_x[slot])),
-              affine_turn(along_y, Y, load<Lanes>(&particles.gradient.along_y[slot])));
+              affine_extra(along_x, X, load<Lanes>(&particles.gradient.along_x[slot])),
+              affine_extra(along_y, Y, load<Lanes>(&particles.gradient.along_y[slot])));
         });
       });
       to.give(0, block.column, nodes_of(sums));

@@ -9,7 +9,7 @@ namespace touchstone::mpm {
 /// over the spread of the weights, a quarter of a cell squared.
 template <class FluidLaw, class Density, class Write>
 void keep(LaneParticles<FluidLaw, MlsApic, Density>& particles, int slot, const FluidLaw& fluid, const Lanes& expansion,
-          const Seen& x, const Seen& y, const Vec2& per_cell, double dt, const Write& write) {
+          const ValueAndSlopes& x, const ValueAndSlopes& y, const Vec2& per_cell, double dt, const Write& write) {
   const Lanes specific_volume = fill<Lanes>(1 / fluid.density) * (1 + expansion), p = pressure_of(fluid, expansion);
   Lanes xx = -p, yy = -p, xy{};
   if constexpr (Viscous<FluidLaw>) {
@@ -35,7 +35,7 @@ void keep(LaneParticles<FluidLaw, MlsApic, Density>& particles, int slot, const 
 template <class FluidLaw, class Density>
 void begin(LaneParticles<FluidLaw, MlsApic, Density>& particles, int slot, const Beginning& there,
            const FluidLaw& fluid, const Vec2& cell, double dt) {
-  const auto seen_there = [&](double v, double along_x, double along_y) -> Seen {
+  const auto seen_there = [&](double v, double along_x, double along_y) -> ValueAndSlopes {
     return {fill<Lanes>(v), fill<Lanes>(cell.x() * along_x), fill<Lanes>(cell.y() * along_y)};
   };
   keep(particles, slot, fluid, fill<Lanes>(there.expansion), seen_there(there.v.x(), there.of.xx, there.of.xy),
@@ -58,7 +58,8 @@ struct GatherInLanes<MlsApic, CarriedDensity> {
               const auto X = along_x.at(load<Lanes>(&particles.X[slot])),
                          Y = along_y.at(load<Lanes>(&particles.Y[slot]));
               const Lanes bend_x = along_x.affine_slope(X), bend_y = along_y.affine_slope(Y);
-              const Seen x = seen(of_x, X, Y, bend_x, bend_y), y = seen(of_y, X, Y, bend_x, bend_y);
+              const ValueAndSlopes x = value_and_slopes(of_x, X, Y, bend_x, bend_y),
+                                   y = value_and_slopes(of_y, X, Y, bend_x, bend_y);
               const Lanes cells_x = fill<Lanes>(step.dt * step.per_cell.x()),
                           cells_y = fill<Lanes>(step.dt * step.per_cell.y());
               const Lanes before = load<Lanes>(&particles.expansion[slot]);

@@ -32,13 +32,13 @@ const Field<double>& component(const NodeVectors& of) {
 template <int axis, int along, class FluidLaw, class At>
 auto stress_turn(const Stress<FluidLaw, double>& stress, int slot, const At& at, const Vec2& dt_per_cell) {
   if constexpr (axis == along || Viscous<FluidLaw>)
-    return flux_turn(at, -dt_per_cell[along] * stress.template of<Lanes>(axis, along, slot));
+    return flux_extra(at, -dt_per_cell[along] * stress.template of<Lanes>(axis, along, slot));
   else
-    return NoTurn{};
+    return NoExtra{};
 }
 
 template <int axis, int along, class At>
-NoTurn stress_turn(const NoStress&, int /*slot*/, const At&, const Vec2& /*dt_per_cell*/) {
+NoExtra stress_turn(const NoStress&, int /*slot*/, const At&, const Vec2& /*dt_per_cell*/) {
   return {};
 }
 
@@ -93,9 +93,9 @@ class TransferInLanes<Apic, Shape> {
         Sums sums{};
         for_places(along_x, along_y, particles, block, [&](int slot, const auto& X, const auto& Y) {
           add(sums, X, Y, load<Lanes>(&of.v[slot]),
-              affine_turn(along_x, X, load<Lanes>(&of.along_x[slot])) +
+              affine_extra(along_x, X, load<Lanes>(&of.along_x[slot])) +
                   stress_turn<axis, 0>(particles.stress, slot, X, dt_per_cell),
-              affine_turn(along_y, Y, load<Lanes>(&of.along_y[slot])) +
+              affine_extra(along_y, Y, load<Lanes>(&of.along_y[slot])) +
                   stress_turn<axis, 1>(particles.stress, slot, Y, dt_per_cell));
         });
         to.give(momentum_given + axis, block.column, nodes_of(sums));
@@ -124,10 +124,11 @@ class TransferInLanes<Apic, Shape> {
           Sums sums{};
           for_particles_of(block, [&](int slot, const auto& write) {
             const auto X = along_x.at(load<Lanes>(&particles.X[slot])), Y = along_y.at(load<Lanes>(&particles.Y[slot]));
-            const Seen found = seen(velocity, X, Y, along_x.affine_slope(X), along_y.affine_slope(Y));
+            const ValueAndSlopes found =
+                value_and_slopes(velocity, X, Y, along_x.affine_slope(X), along_y.affine_slope(Y));
             add(sums, X, Y, write(found.value, &of.v[slot]),
-                affine_turn(along_x, X, write(found.along_x, &of.along_x[slot])),
-                affine_turn(along_y, Y, write(found.along_y, &of.along_y[slot])));
+                affine_extra(along_x, X, write(found.along_x, &of.along_x[slot])),
+                affine_extra(along_y, Y, write(found.along_y, &of.along_y[slot])));
           });
           to.give(axis, block.column, nodes_of(sums));
         });

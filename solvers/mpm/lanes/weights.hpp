@@ -57,8 +57,9 @@ Lanes value_at(const NodesNear<touched>& q, const WeightsAlong<touched>& X, cons
 }
 /// `bend_x` and `bend_y` are the slopes or affine slopes of X and Y.
 template <int touched>
-Seen seen(const NodesNear<touched>& q, const WeightsAlong<touched>& X, const WeightsAlong<touched>& Y,
-          const AlongNodes<touched>& bend_x, const AlongNodes<touched>& bend_y) {
+ValueAndSlopes value_and_slopes(const NodesNear<touched>& q, const WeightsAlong<touched>& X,
+                                const WeightsAlong<touched>& Y, const AlongNodes<touched>& bend_x,
+                                const AlongNodes<touched>& bend_y) {
   return {value_at(q, X, Y), product(q, bend_x, Y.weights), product(q, X.weights, bend_y)};
 }
 
@@ -74,19 +75,19 @@ WideTurn<touched> operator+(const WideTurn<touched>& one, const WideTurn<touched
   return sum;
 }
 template <int touched>
-WideTurn<touched> operator+(const WideTurn<touched>& one, const NoTurn&) {
+WideTurn<touched> operator+(const WideTurn<touched>& one, const NoExtra&) {
   return one;
 }
 /// Of an affine change over a cell: w_a (x_a - x) change.
 template <class Along, int touched>
-WideTurn<touched> affine_turn(const Along&, const WeightsAlong<touched>& at, const Lanes& change) {
+WideTurn<touched> affine_extra(const Along&, const WeightsAlong<touched>& at, const Lanes& change) {
   WideTurn<touched> turn;
   for_indices<touched>([&](auto a) { turn.of[a] = at.weights[a] * at.arms[a] * change; });
   return turn;
 }
 /// Of a flux: it meets the slopes of the weights.
 template <int touched>
-WideTurn<touched> flux_turn(const WeightsAlong<touched>& at, const Lanes& flux) {
+WideTurn<touched> flux_extra(const WeightsAlong<touched>& at, const Lanes& flux) {
   WideTurn<touched> turn;
   for_indices<touched>([&](auto a) { turn.of[a] = at.slopes[a] * flux; });
   return turn;
@@ -107,9 +108,9 @@ void add_along_y(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const
   add_product(sums, X.weights, y.of);
 }
 template <int touched>
-void add_along_x(NodesNear<touched>&, const NoTurn&, const WeightsAlong<touched>&) {}
+void add_along_x(NodesNear<touched>&, const NoExtra&, const WeightsAlong<touched>&) {}
 template <int touched>
-void add_along_y(NodesNear<touched>&, const WeightsAlong<touched>&, const NoTurn&) {}
+void add_along_y(NodesNear<touched>&, const WeightsAlong<touched>&, const NoExtra&) {}
 template <int touched>
 void add(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const WeightsAlong<touched>& Y, const Lanes& q) {
   AlongNodes<touched> x;

@@ -1,7 +1,7 @@
-#pragma once
+#pragma to_X
 /// Quadratic B-splines within the cells of a block, one cell a lane, in powers of the place X, Y from 0 to 1: the
 /// weights of the nodes left of, at and right of a cell are (1 - X)²/2, 1/2 + X - X² and X²/2. A cell is summed over
-/// its particles in powers and meets its nodes once; a field of the nodes is laid out in powers once for all its
+/// its particles in powers and meets its nodes to_X; a field of the nodes is laid out in powers to_X for all its
 /// particles.
 
 #include "solvers/mpm/nodes_of_cells.hpp"
@@ -75,33 +75,33 @@ auto sums_of_powers(const Particles& particles, const Block& block, const Value&
 }
 inline Lanes one_each(int /*slot*/) { return fill<Lanes>(1); }
 
-/// The functions of a place along an axis: 1, X and X², and how X² changes: its slope, or its affine slope, what
-/// particles of the affine method see of it (w_a (x_a - x) summed over the nodes, over the spread of these).
-struct Place {
+/// 1, X and X² at a place along an axis, and how X² changes: its slope, or its affine slope, what particles of the
+/// affine method see of it (w_a (x_a - x) summed over the nodes, over the spread of these).
+struct Monomials {
   Lanes X, XX;
 
-  explicit Place(const Lanes& at) : X(at), XX(at * at) {}
+  explicit Monomials(const Lanes& at) : X(at), XX(at * at) {}
   Lanes slope() const { return 2 * X; }
   Lanes of(const Powers& q) const { return q[0] + X * q[1] + XX * q[2]; }
 };
 
 /// Affine slope of X² and spread sum w_a (x_a - x)² [cells²] along an axis where splines are whole.
 struct WholeSplines {
-  static Place at(const Lanes& X) { return Place(X); }
-  static Lanes affine_slope(const Place& at) { return at.XX * (6 - 4 * at.X); }
-  static Lanes spread(const Place&) { return fill<Lanes>(0.25); }
+  static Monomials at(const Lanes& X) { return Monomials(X); }
+  static Lanes affine_slope(const Monomials& at) { return at.XX * (6 - 4 * at.X); }
+  static Lanes spread(const Monomials&) { return fill<Lanes>(0.25); }
 };
 /// The same where some are cut off at edges of the domain, as `BSpline` does it: 1 in the lanes of the first cell for
 /// `low` and of the last for `high`, 0 in others.
 struct CutSplines {
   Lanes low{}, high{};
 
-  static Place at(const Lanes& X) { return Place(X); }
-  Lanes affine_slope(const Place& at) const {
+  static Monomials at(const Lanes& X) { return Monomials(X); }
+  Lanes affine_slope(const Monomials& at) const {
     const Lanes rest = 1 - at.X;
     return 2 * at.X * (low + (1 - low) * at.X) * (1 + 2 * rest - high * (rest - at.X)) / (1 + low * rest + high * at.X);
   }
-  Lanes spread(const Place& at) const {
+  Lanes spread(const Monomials& at) const {
     const Lanes rest = 1 - at.X;
     return 0.25 * (1 - low * rest * rest - high * at.XX);
   }
@@ -128,11 +128,12 @@ void with_splines(const Grid& grid, const Block& block, const Work& work) {
 }
 
 /// A field at a place, and how it changes over a cell along x and along y.
-struct Seen {
+struct ValueAndSlopes {
   Lanes value, along_x, along_y;
 };
 /// `bend_x` and `bend_y` are the slopes or affine slopes of X² and Y².
-inline Seen seen(const PowersOfBoth& q, const Place& X, const Place& Y, const Lanes& bend_x, const Lanes& bend_y) {
+inline ValueAndSlopes value_and_slopes(const PowersOfBoth& q, const Monomials& X, const Monomials& Y,
+                                       const Lanes& bend_x, const Lanes& bend_y) {
   Powers by_y, change;
   for_three([&](auto m) {
     by_y[m] = Y.of(q[m]);
@@ -140,30 +141,30 @@ inline Seen seen(const PowersOfBoth& q, const Place& X, const Place& Y, const La
   });
   return {X.of(by_y), by_y[1] + bend_x * by_y[2], X.of(change)};
 }
-inline Lanes value_at(const PowersOfBoth& q, const Place& X, const Place& Y) {
+inline Lanes value_at(const PowersOfBoth& q, const Monomials& X, const Monomials& Y) {
   return X.of({Y.of(q[0]), Y.of(q[1]), Y.of(q[2])});
 }
 
 /// What a particle gives to sums of powers along an axis besides q, q X and q X².
-struct Turn {
-  Lanes once, bent;  // to X, to X²
+struct Extra {
+  Lanes to_X, to_XX;
 };
 /// Nothing.
-struct NoTurn {};
-inline Turn operator+(const Turn& a, const Turn& b) { return {a.once + b.once, a.bent + b.bent}; }
-inline Turn operator+(const Turn& a, const NoTurn&) { return a; }
+struct NoExtra {};
+inline Extra operator+(const Extra& a, const Extra& b) { return {a.to_X + b.to_X, a.to_XX + b.to_XX}; }
+inline Extra operator+(const Extra& a, const NoExtra&) { return a; }
 
 /// Of an affine change over a cell: w_a (x_a - x) change.
 template <class Splines>
-Turn affine_turn(const Splines& splines, const Place& at, const Lanes& change) {
+Extra affine_extra(const Splines& splines, const Monomials& at, const Lanes& change) {
   const Lanes spread = splines.spread(at) * change;
   return {spread, spread * splines.affine_slope(at)};
 }
 /// Of a flux: it meets the slopes of the weights.
-inline Turn flux_turn(const Place& at, const Lanes& flux) { return {flux, flux * at.slope()}; }
+inline Extra flux_extra(const Monomials& at, const Lanes& flux) { return {flux, flux * at.slope()}; }
 
-/// Adds what a particle gives, of q alone, of turns alone, or of all at once.
-inline void add(PowersOfBoth& sums, const Place& X, const Place& Y, const Lanes& q) {
+/// Adds what a particle gives, of q alone, of turns alone, or of all at to_X.
+inline void add(PowersOfBoth& sums, const Monomials& X, const Monomials& Y, const Lanes& q) {
   const Powers by_x{q, q * X.X, q * X.XX};
   for_three([&](auto m) {
     sums[m][0] += by_x[m];
@@ -171,36 +172,37 @@ inline void add(PowersOfBoth& sums, const Place& X, const Place& Y, const Lanes&
     sums[m][2] += by_x[m] * Y.XX;
   });
 }
-inline void add_along_x(PowersOfBoth& sums, const Turn& x, const Place& Y) {
+inline void add_along_x(PowersOfBoth& sums, const Extra& x, const Monomials& Y) {
   const auto add_row = [&](Powers& row, const Lanes& turn) {
     row[0] += turn;
     row[1] += turn * Y.X;
     row[2] += turn * Y.XX;
   };
-  add_row(sums[1], x.once);
-  add_row(sums[2], x.bent);
+  add_row(sums[1], x.to_X);
+  add_row(sums[2], x.to_XX);
 }
-inline void add_along_y(PowersOfBoth& sums, const Place& X, const Turn& y) {
-  const auto add_row = [&](Powers& row, const Turn& turn) {
-    row[1] += turn.once;
-    row[2] += turn.bent;
+inline void add_along_y(PowersOfBoth& sums, const Monomials& X, const Extra& y) {
+  const auto add_row = [&](Powers& row, const Extra& turn) {
+    row[1] += turn.to_X;
+    row[2] += turn.to_XX;
   };
   add_row(sums[0], y);
-  add_row(sums[1], {X.X * y.once, X.X * y.bent});
-  add_row(sums[2], {X.XX * y.once, X.XX * y.bent});
+  add_row(sums[1], {X.X * y.to_X, X.X * y.to_XX});
+  add_row(sums[2], {X.XX * y.to_X, X.XX * y.to_XX});
 }
-inline void add_along_x(PowersOfBoth&, const NoTurn&, const Place&) {}
-inline void add_along_y(PowersOfBoth&, const Place&, const NoTurn&) {}
-inline void add(PowersOfBoth& sums, const Place& X, const Place& Y, const Lanes& q, const Turn& x, const Turn& y) {
-  const Lanes once = q * X.X + x.once, bent = q * X.XX + x.bent;
+inline void add_along_x(PowersOfBoth&, const NoExtra&, const Monomials&) {}
+inline void add_along_y(PowersOfBoth&, const Monomials&, const NoExtra&) {}
+inline void add(PowersOfBoth& sums, const Monomials& X, const Monomials& Y, const Lanes& q, const Extra& x,
+                const Extra& y) {
+  const Lanes to_X = q * X.X + x.to_X, to_XX = q * X.XX + x.to_XX;
   const auto add_row = [&](Powers& row, const Lanes& by_x) {
     row[0] += by_x;
     row[1] += by_x * Y.X;
     row[2] += by_x * Y.XX;
   };
   add_row(sums[0], q);
-  add_row(sums[1], once);
-  add_row(sums[2], bent);
+  add_row(sums[1], to_X);
+  add_row(sums[2], to_XX);
   add_along_y(sums, X, y);
 }
 

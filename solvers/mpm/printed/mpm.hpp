@@ -60,9 +60,9 @@ class Mpm
   std::vector<CellMass<Lanes>> masses_;  // of each cell, within a step
 };
 
-/// A simulation of a scene: `mpm::solver<mpm::PrescribedMotion>(channel, {.cell = ...})`.
+/// A simulation of a scene: `mpm::printed<mpm::PrescribedMotion>(channel, {.cell = ...})`.
 template <class Treatment, class Number = double, class FluidLaw, class Force>
-auto solver(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
+auto printed(const Scene<FluidLaw, Force>& scene, const Settings& settings) {
   return Mpm<Number, FluidLaw, Force>(scene, settings, &Treatment::hold);
 }
 

@@ -16,7 +16,7 @@ template <class Number>
 struct PrintedMethod {
   static double left_by_damping(double /*k_cell*/, int /*steps*/) { return 1; }
   static auto solver(const Scene<Newtonian>& scene, const Settings& settings) {
-    return mpm::solver<PrescribedMotion, Number>(scene, settings);
+    return mpm::printed<PrescribedMotion, Number>(scene, settings);
   }
 };
 INSTANTIATE_TYPED_TEST_SUITE_P(Printed, MpmStart, PrintedMethod<double>);

@@ -306,8 +306,8 @@ Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors
   return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
 }
 
-/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k; of which cells every
-/// call yields true for every particle.
+/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k. Returns the cells for
+/// all of whose particles it returned true.
 template <class Real, class Block, class Body>
 LaneBits for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;

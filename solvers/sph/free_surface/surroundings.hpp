@@ -2,7 +2,7 @@
 /// What a particle knows of its surroundings: the gradient of density, what makes the gradient of its kernel exact, and
 /// by its least eigenvalue how full of particles its kernel is. Found on the way, in the passes that sum the rates.
 
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/common_steps.hpp"
 
 #include <numbers>
 

@@ -5,7 +5,7 @@
 
 #include "solvers/integrators/kick_drift_kick.hpp"
 #include "solvers/integrators/predictor_corrector.hpp"
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/common_steps.hpp"
 #include "solvers/sph/free_surface/free_surface.hpp"
 #include "solvers/sph/second_order/second_order.hpp"
 #include "solvers/sph/transport_velocity/transport_velocity.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "solvers/sph/flow.hpp"
+#include "solvers/sph/common_steps.hpp"
 
 namespace touchstone::sph {
 

@@ -90,8 +90,8 @@ void run_sph() {
 
 void run_mpm() {
   const mpm::Settings settings{.cell = 2 * spacing, .spacing = spacing, .time_step = 2e-4};
-  run("mpm", [&] { return mpm::solver<mpm::PrescribedMotion>(dam, settings); });
-  run("mpm, single precision", [&] { return mpm::solver<mpm::PrescribedMotion, float>(channel, settings); });
+  run("mpm", [&] { return mpm::printed<mpm::PrescribedMotion>(dam, settings); });
+  run("mpm, single precision", [&] { return mpm::printed<mpm::PrescribedMotion, float>(channel, settings); });
   run("mpm_affine", [&] { return mpm::in_lanes<mpm::QuadraticBSpline, mpm::MlsApic>(dam, settings); });
   run("mpm_least_squares", [&] { return mpm::least_squares(channel, settings); });
   run("mpm_apic", [&] { return mpm::in_lanes<mpm::BSpline<2>, mpm::Apic, mpm::AffineDensity>(dam, settings); });

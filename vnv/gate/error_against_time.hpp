@@ -9,6 +9,6 @@ namespace touchstone::gate {
 /// own beats in both error and CPU time, or that of the resource they occupied, in a figure of its own. Times are
 /// medians over the runs; the error is the first in the record that is one and no rounding, at the end of each level.
 /// Methods without such runs are left out.
-vnv::Record front_of(const std::vector<Records>& before, const std::vector<Records>& after);
+vnv::Record error_against_time(const std::vector<Records>& before, const std::vector<Records>& after);
 
 }  // namespace touchstone::gate

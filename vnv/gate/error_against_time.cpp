@@ -1,4 +1,4 @@
-#include "vnv/gate/front.hpp"
+#include "vnv/gate/error_against_time.hpp"
 
 #include "vnv/gate/compare_values.hpp"
 #include "vnv/record/median.hpp"
@@ -79,7 +79,7 @@ vnv::Figure frame_of(const Record& record, const std::string& quantity) {
 
 }  // namespace
 
-vnv::Record front_of(const std::vector<Records>& before, const std::vector<Records>& after) {
+vnv::Record error_against_time(const std::vector<Records>& before, const std::vector<Records>& after) {
   Record front;
   front.case_name = "gate";
   front.title = "Work-precision diagram, before and after";

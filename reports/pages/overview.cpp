@@ -1,4 +1,4 @@
-#include "reports/pages/front.hpp"
+#include "reports/pages/overview.hpp"
 
 #include "reports/compare/standings.hpp"
 #include "reports/figures/figures.hpp"
@@ -162,7 +162,7 @@ Data work_figure(const std::vector<Standings>& standings) {
 
 }  // namespace
 
-Data front_data(const std::vector<CaseRecords>& cases, const NightStatus& status) {
+Data overview_data(const std::vector<CaseRecords>& cases, const NightStatus& status) {
   std::vector<Standings> standings;
   List flows, others;
   for (const CaseRecords& records : cases) {
