@@ -137,7 +137,8 @@ TEST(PrintedMpm, DoesWithHatsAndFlipWhatPlainLoopsDo) {
     SCOPED_TRACE(seed);
     auto scene = random_scene(seed, thick, stirred, 1);
     scene.start.velocity = [](const Vec2&) -> Vec2 { return {0.1, -0.07}; };  // the same on both sides of a period
-    steps += compare_steps(plain<LinearHat, Flip>(scene, some_settings), solver<PrescribedMotion>(scene, some_settings),
+    steps += compare_steps(plain<LinearHat, Flip>(scene, some_settings),
+                           printed<PrescribedMotion>(scene, some_settings),
                            true);  // which has no contact with walls
   }
   EXPECT_GT(steps, 150);  // of 200

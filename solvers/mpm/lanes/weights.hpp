@@ -65,46 +65,46 @@ ValueAndSlopes value_and_slopes(const NodesNear<touched>& q, const WeightsAlong<
 
 /// What a particle gives to the nodes along an axis besides its weight.
 template <int touched>
-struct WideTurn {
+struct WideExtra {
   AlongNodes<touched> of;
 };
 template <int touched>
-WideTurn<touched> operator+(const WideTurn<touched>& one, const WideTurn<touched>& other) {
-  WideTurn<touched> sum;
+WideExtra<touched> operator+(const WideExtra<touched>& one, const WideExtra<touched>& other) {
+  WideExtra<touched> sum;
   for_indices<touched>([&](auto a) { sum.of[a] = one.of[a] + other.of[a]; });
   return sum;
 }
 template <int touched>
-WideTurn<touched> operator+(const WideTurn<touched>& one, const NoExtra&) {
+WideExtra<touched> operator+(const WideExtra<touched>& one, const NoExtra&) {
   return one;
 }
 /// Of an affine change over a cell: w_a (x_a - x) change.
 template <class Along, int touched>
-WideTurn<touched> affine_extra(const Along&, const WeightsAlong<touched>& at, const Lanes& change) {
-  WideTurn<touched> turn;
-  for_indices<touched>([&](auto a) { turn.of[a] = at.weights[a] * at.arms[a] * change; });
-  return turn;
+WideExtra<touched> affine_extra(const Along&, const WeightsAlong<touched>& at, const Lanes& change) {
+  WideExtra<touched> extra;
+  for_indices<touched>([&](auto a) { extra.of[a] = at.weights[a] * at.arms[a] * change; });
+  return extra;
 }
 /// Of a flux: it meets the slopes of the weights.
 template <int touched>
-WideTurn<touched> flux_extra(const WeightsAlong<touched>& at, const Lanes& flux) {
-  WideTurn<touched> turn;
-  for_indices<touched>([&](auto a) { turn.of[a] = at.slopes[a] * flux; });
-  return turn;
+WideExtra<touched> flux_extra(const WeightsAlong<touched>& at, const Lanes& flux) {
+  WideExtra<touched> extra;
+  for_indices<touched>([&](auto a) { extra.of[a] = at.slopes[a] * flux; });
+  return extra;
 }
 
-// Adds what a particle gives, of q alone, of turns alone, or of all at once.
+// Adds what a particle gives, of q alone, of extras alone, or of all at once.
 
 template <int touched>
 void add_product(NodesNear<touched>& sums, const AlongNodes<touched>& x, const AlongNodes<touched>& y) {
   for_indices<touched>([&](auto a) { for_indices<touched>([&](auto b) { sums.of[a][b] += x[a] * y[b]; }); });
 }
 template <int touched>
-void add_along_x(NodesNear<touched>& sums, const WideTurn<touched>& x, const WeightsAlong<touched>& Y) {
+void add_along_x(NodesNear<touched>& sums, const WideExtra<touched>& x, const WeightsAlong<touched>& Y) {
   add_product(sums, x.of, Y.weights);
 }
 template <int touched>
-void add_along_y(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const WideTurn<touched>& y) {
+void add_along_y(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const WideExtra<touched>& y) {
   add_product(sums, X.weights, y.of);
 }
 template <int touched>
@@ -119,7 +119,7 @@ void add(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const Weights
 }
 template <int touched>
 void add(NodesNear<touched>& sums, const WeightsAlong<touched>& X, const WeightsAlong<touched>& Y, const Lanes& q,
-         const WideTurn<touched>& x, const WideTurn<touched>& y) {
+         const WideExtra<touched>& x, const WideExtra<touched>& y) {
   AlongNodes<touched> with_q;
   for_indices<touched>([&](auto a) { with_q[a] = q * X.weights[a] + x.of[a]; });
   add_product(sums, with_q, Y.weights);

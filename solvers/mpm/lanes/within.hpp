@@ -1,7 +1,7 @@
-#pragma to_X
+#pragma once
 /// Quadratic B-splines within the cells of a block, one cell a lane, in powers of the place X, Y from 0 to 1: the
 /// weights of the nodes left of, at and right of a cell are (1 - X)²/2, 1/2 + X - X² and X²/2. A cell is summed over
-/// its particles in powers and meets its nodes to_X; a field of the nodes is laid out in powers to_X for all its
+/// its particles in powers and meets its nodes once; a field of the nodes is laid out in powers once for all its
 /// particles.
 
 #include "solvers/mpm/nodes_of_cells.hpp"
@@ -163,7 +163,7 @@ Extra affine_extra(const Splines& splines, const Monomials& at, const Lanes& cha
 /// Of a flux: it meets the slopes of the weights.
 inline Extra flux_extra(const Monomials& at, const Lanes& flux) { return {flux, flux * at.slope()}; }
 
-/// Adds what a particle gives, of q alone, of turns alone, or of all at to_X.
+/// Adds what a particle gives, of q alone, of extras alone, or of all at once.
 inline void add(PowersOfBoth& sums, const Monomials& X, const Monomials& Y, const Lanes& q) {
   const Powers by_x{q, q * X.X, q * X.XX};
   for_three([&](auto m) {
@@ -173,18 +173,18 @@ inline void add(PowersOfBoth& sums, const Monomials& X, const Monomials& Y, cons
   });
 }
 inline void add_along_x(PowersOfBoth& sums, const Extra& x, const Monomials& Y) {
-  const auto add_row = [&](Powers& row, const Lanes& turn) {
-    row[0] += turn;
-    row[1] += turn * Y.X;
-    row[2] += turn * Y.XX;
+  const auto add_row = [&](Powers& row, const Lanes& extra) {
+    row[0] += extra;
+    row[1] += extra * Y.X;
+    row[2] += extra * Y.XX;
   };
   add_row(sums[1], x.to_X);
   add_row(sums[2], x.to_XX);
 }
 inline void add_along_y(PowersOfBoth& sums, const Monomials& X, const Extra& y) {
-  const auto add_row = [&](Powers& row, const Extra& turn) {
-    row[1] += turn.to_X;
-    row[2] += turn.to_XX;
+  const auto add_row = [&](Powers& row, const Extra& extra) {
+    row[1] += extra.to_X;
+    row[2] += extra.to_XX;
   };
   add_row(sums[0], y);
   add_row(sums[1], {X.X * y.to_X, X.X * y.to_XX});

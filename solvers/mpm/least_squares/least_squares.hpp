@@ -184,7 +184,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     all_.lay_out(seats_, cells_);
     keep_order();
     for_fitted([&](int) {
-      return [&](int slot, const auto& write, const Place&, const Place&, const auto& fitted) {
+      return [&](int slot, const auto& write, const Monomials&, const Monomials&, const auto& fitted) {
         write(fitted[FittedNodes::v_x], &all_.vx[slot]);
         write(fitted[FittedNodes::v_y], &all_.vy[slot]);
         write(scene_.fluid.density + fitted[FittedNodes::excess], &all_.rho[slot]);
@@ -283,8 +283,8 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
                  of_v = std::min(damping_of_v * strain_rate_, of_rho), rho0 = scene_.fluid.density;
     for_fitted([&](int node) {
       return [&, ax = nodes_.parabolas(acceleration_.x, node), ay = nodes_.parabolas(acceleration_.y, node),
-              divergence = nodes_.parabolas(divergence_, node)](int slot, const auto& write, const Place& X,
-                                                                const Place& Y, const auto& fitted) {
+              divergence = nodes_.parabolas(divergence_, node)](int slot, const auto& write, const Monomials& X,
+                                                                const Monomials& Y, const auto& fitted) {
         const Lanes rho = load<Lanes>(&all_.rho[slot]);
         write(value_at(ax, X, Y) - of_v * (load<Lanes>(&all_.vx[slot]) - fitted[FittedNodes::v_x]), &all_.ax[slot]);
         write(value_at(ay, X, Y) - of_v * (load<Lanes>(&all_.vy[slot]) - fitted[FittedNodes::v_y]), &all_.ay[slot]);
@@ -302,7 +302,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
           const FittedNodes::Around fits = nodes_.around(node);
           const auto work = of_block(node);
           for_particles_of(block, [&](int slot, const auto& write) {
-            const Place X = all_.place(0, slot), Y = all_.place(1, slot);
+            const Monomials X = all_.place(0, slot), Y = all_.place(1, slot);
             const Between x = nodes_.between(0, block.column, X.X), y = nodes_.between(1, block.row, Y.X);
             work(slot, write, X, Y, std::array{joined(fits[0], x, y), joined(fits[1], x, y), joined(fits[2], x, y)});
           });

@@ -56,7 +56,7 @@ TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndAtParticlesAnywhere) {
   nodes.extend(values, parabola);
   for_blocks(all, nodes, 1, [&](Index, const auto& block, int node) {
     for_particles_of(block, [&](int slot, const auto& write) {
-      const Place X = all.place(0, slot), Y = all.place(1, slot);
+      const Monomials X = all.place(0, slot), Y = all.place(1, slot);
       const Between x = nodes.between(0, block.column, X.X), y = nodes.between(1, block.row, Y.X);
       const Lanes by_fits = joined(nodes.around(node)[FittedNodes::v_x], x, y),
                   by_values = value_at(nodes.parabolas(values, node), X, Y);

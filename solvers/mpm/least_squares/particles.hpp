@@ -15,7 +15,7 @@ struct FittedParticles : FluidState {
   CellOrder<lanes> order{1, 1, {}};
 
   /// From the nodes along an axis, of a register of particles.
-  Place place(int axis, int slot) const { return Place(load<Lanes>(&(axis == 0 ? X : Y)[slot])); }
+  Monomials place(int axis, int slot) const { return Monomials(load<Lanes>(&(axis == 0 ? X : Y)[slot])); }
 
   template <class F>
   void for_fields(const F& f) {

@@ -36,7 +36,7 @@ void run(Solver& simulation, int steps) {
 }
 
 TEST(Mpm, KeepsItsMomentumWithoutWalls) {
-  auto spinning = solver<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 {
+  auto spinning = printed<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 {
                                              return {40 * x.y() * x.y(), 30 * x.x()};
                                            })),
                                            {.cell = 0.1, .spacing = 0.04, .time_step = 0.01});
@@ -49,7 +49,7 @@ TEST(Mpm, KeepsItsMomentumWithoutWalls) {
 }
 
 TEST(Mpm, GainsTheMomentumThatItsForceGives) {
-  auto falling = solver<PrescribedMotion>(drop(Uniform{{2, -3}}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
+  auto falling = printed<PrescribedMotion>(drop(Uniform{{2, -3}}), {.cell = 0.1, .spacing = 0.05, .time_step = 1e-3});
   run(falling, 200);
   const Samples end = falling.samples();
   EXPECT_TRUE(momentum(end).isApprox(1000 * 0.2 * Vec2(2, -3), 1e-12));
@@ -61,8 +61,8 @@ TEST(Mpm, FeelsAForceAtItsParticlesAsItFeelsTheSameForceEverywhere) {
   const Scene<Tait, Uniform> scene = dam();
   Settings off_grid_lines = dam_settings;  // on one, rounding decides which cell's gradient a particle feels
   off_grid_lines.spacing = 0.05;
-  auto uniform = solver<PrescribedMotion>(scene, off_grid_lines);
-  auto local = solver<PrescribedMotion>(
+  auto uniform = printed<PrescribedMotion>(scene, off_grid_lines);
+  auto local = printed<PrescribedMotion>(
       Scene<Tait, ForceField>{scene.domain, scene.fluid, scene.filled, scene.walls, gravity}, off_grid_lines);
   run(uniform, 100);
   run(local, 100);
@@ -72,7 +72,7 @@ TEST(Mpm, FeelsAForceAtItsParticlesAsItFeelsTheSameForceEverywhere) {
 TEST(Mpm, CarriesUniformFlowUnchangedAcrossThePeriodicBoundary) {
   const Vec2 v(9, 0.2);  // m/s: 0.9 cells per step along x
   auto stream =
-      solver<PrescribedMotion>(Scene<Newtonian, Uniform>{.domain = {.box = {.high = {0.7, 1}}, .periodic_x = true},
+      printed<PrescribedMotion>(Scene<Newtonian, Uniform>{.domain = {.box = {.high = {0.7, 1}}, .periodic_x = true},
                                                          .fluid = {soft_water, 1e-3},
                                                          .filled = {.low = {0, 0.2}, .high = {0.7, 0.6}},
                                                          .body_force = {{0, 0}},
@@ -95,7 +95,7 @@ TEST(Mpm, LeavesStillWaterStill) {
                                   .filled = {.high = {0.55, 0.45}},
                                   .walls = {floor_at(0, no_slip()), left_at(0, free_slip())},
                                   .body_force = {{0, 0}}};
-  auto still = solver<PrescribedMotion>(pool, {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
+  auto still = printed<PrescribedMotion>(pool, {.cell = 0.1, .spacing = 0.03, .time_step = 0.01});
   run(still, 50);
   EXPECT_EQ(still.samples().v.norm(), 0);
   EXPECT_EQ(still.samples().density.maxCoeff(), still.samples().density.minCoeff());
@@ -107,7 +107,7 @@ TEST(Mpm, RestsOnItsFloor) {
                                  .filled = {.high = {0.5, 0.5}},
                                  .walls = {floor_at(0, no_slip())},
                                  .body_force = {{0, -0.02}}};
-  auto resting = solver<PrescribedMotion>(pool, {.cell = 0.05, .spacing = 0.025, .time_step = 5e-3});
+  auto resting = printed<PrescribedMotion>(pool, {.cell = 0.05, .spacing = 0.025, .time_step = 5e-3});
   run(resting, 4000);
   const Samples end = resting.samples();
   const Scalars weight_above = 1000 * 0.02 * (0.5 - end.x.row(1).array()).transpose();  // Pa
@@ -116,7 +116,7 @@ TEST(Mpm, RestsOnItsFloor) {
 }
 
 TEST(Mpm, KeepsAllParticlesOfADamBreakInTheTank) {
-  auto breaking = solver<PrescribedMotion>(dam(), dam_settings);
+  auto breaking = printed<PrescribedMotion>(dam(), dam_settings);
   run(breaking, 600);
   const Samples end = breaking.samples();
   EXPECT_GT(end.x.row(0).maxCoeff(), 0.9);  // the front has reached the far wall
@@ -125,8 +125,8 @@ TEST(Mpm, KeepsAllParticlesOfADamBreakInTheTank) {
 }
 
 TEST(Mpm, RunsTwiceToTheSameBits) {
-  auto one = solver<PrescribedMotion>(dam(), dam_settings);
-  auto other = solver<PrescribedMotion>(dam(), dam_settings);
+  auto one = printed<PrescribedMotion>(dam(), dam_settings);
+  auto other = printed<PrescribedMotion>(dam(), dam_settings);
   run(one, 400);
   run(other, 400);
   EXPECT_EQ(one.samples().x, other.samples().x);
@@ -137,12 +137,12 @@ TEST(Mpm, RunsTwiceToTheSameBits) {
 /// The same bits after some steps, for one thread and for more.
 template <class Force, class FluidLaw>
 void expect_same_bits(const Scene<FluidLaw, Force>& scene, Settings settings, int steps) {
-  auto one = solver<PrescribedMotion>(scene, settings);
+  auto one = printed<PrescribedMotion>(scene, settings);
   run(one, steps);
   const Samples expected = one.samples();
   for (int threads : {2, 3}) {
     settings.threads = threads;
-    auto shared = solver<PrescribedMotion>(scene, settings);
+    auto shared = printed<PrescribedMotion>(scene, settings);
     run(shared, steps);
     const Samples s = shared.samples();
     EXPECT_EQ(s.x, expected.x) << threads;
@@ -164,7 +164,7 @@ TEST(Mpm, GivesTheSameBitsForAnyNumberOfThreads) {
 TEST(Mpm, NamesTheSameFaultForAnyNumberOfThreads) {
   std::string faults[2];
   for (int threads : {1, 2}) try {
-      auto falling = solver<PrescribedMotion>(drop(Uniform{{0, -10}}),
+      auto falling = printed<PrescribedMotion>(drop(Uniform{{0, -10}}),
                                               {.cell = 0.1, .spacing = 0.05, .time_step = 0.01, .threads = threads});
       run(falling, 200);
     } catch (const Diverged& diverged) {
@@ -178,8 +178,8 @@ TEST(Mpm, FindsItsWayWhereTheBackgroundIsEmpty) {
   Scene<Tait, Uniform> wide = dam();
   wide.domain.box.high = {20, 40};
   wide.walls[2] = right_at(20, free_slip());
-  auto in_a_tank = solver<PrescribedMotion>(dam(), dam_settings);
-  auto in_a_lake = solver<PrescribedMotion>(wide, dam_settings);
+  auto in_a_tank = printed<PrescribedMotion>(dam(), dam_settings);
+  auto in_a_lake = printed<PrescribedMotion>(wide, dam_settings);
   run(in_a_tank, 60);  // before the far wall is reached
   run(in_a_lake, 60);
   EXPECT_TRUE(in_a_lake.samples().v.isApprox(in_a_tank.samples().v, 1e-9));
@@ -192,8 +192,8 @@ TEST(Mpm, InSinglePrecisionComesCloseToDouble) {
                                           .walls = {floor_at(0, no_slip()), ceiling_at(1, no_slip())},
                                           .body_force = {{0.1, 0}}};
   const Settings settings{.cell = 0.1, .spacing = 0.05, .time_step = 5e-3};
-  auto fine = solver<PrescribedMotion>(channel, settings);
-  auto coarse = solver<PrescribedMotion, float>(channel, settings);
+  auto fine = printed<PrescribedMotion>(channel, settings);
+  auto coarse = printed<PrescribedMotion, float>(channel, settings);
   run(fine, 500);
   run(coarse, 500);
   EXPECT_TRUE(coarse.samples().v.isApprox(fine.samples().v, 1e-5));
@@ -206,14 +206,14 @@ TEST(Mpm, TellsWhichPartOfAStepIsDone) {
     void operator()(SubStep part) const { parts.push_back(part); }
   };
   std::vector<SubStep> parts;
-  auto breaking = solver<PrescribedMotion>(dam(), dam_settings);
+  auto breaking = printed<PrescribedMotion>(dam(), dam_settings);
   breaking.step(Heard{parts});
   EXPECT_EQ(parts,
             (std::vector<SubStep>{SubStep::scatter, SubStep::grid, SubStep::remap, SubStep::gather, SubStep::sorting}));
 }
 
 TEST(Mpm, CountsStepsAndTime) {
-  auto breaking = solver<PrescribedMotion>(dam(), dam_settings);
+  auto breaking = printed<PrescribedMotion>(dam(), dam_settings);
   run(breaking, 3);
   EXPECT_EQ(breaking.steps(), 3);
   EXPECT_DOUBLE_EQ(breaking.time(), 3 * 4e-3);
@@ -224,17 +224,17 @@ TEST(Mpm, CountsStepsAndTime) {
 
 TEST(Mpm, StopsWhenFluidLeavesTheDomain) {
   expect_stop_of_a_fall(
-      solver<PrescribedMotion>(drop(Uniform{{0, -10}}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}));
+      printed<PrescribedMotion>(drop(Uniform{{0, -10}}), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}));
 }
 
 TEST(Mpm, DiagnosesANumberThatIsNotOneInTheStepItAppears) {
   // In one step number 99 spoils two cells on every side: (16), then (18).
-  expect_stop_of_spoilt(solver<PrescribedMotion>(drop(spoilt()), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
+  expect_stop_of_spoilt(printed<PrescribedMotion>(drop(spoilt()), {.cell = 0.1, .spacing = 0.1, .time_step = 0.01}), 77);
 }
 
 TEST(Mpm, DiagnosesACollapse) {
   auto squeezed =
-      solver<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); })),
+      printed<PrescribedMotion>(drop(blow([](const Vec2& x) -> Vec2 { return -500 * (x - Vec2(0.5, 0.5)); })),
                                {.cell = 0.1, .spacing = 0.1, .time_step = 0.05});
   EXPECT_THROW(run(squeezed, 20), Diverged);
 }
@@ -253,7 +253,7 @@ constexpr Settings coarse{.cell = 0.1, .spacing = 0.05, .time_step = 1e-4};
 
 std::string refusal(const Scene<Tait, Uniform>& scene, const Settings& settings) {
   try {
-    solver<PrescribedMotion>(scene, settings);
+    printed<PrescribedMotion>(scene, settings);
   } catch (const std::invalid_argument& refused) {
     return refused.what();
   }
@@ -261,7 +261,7 @@ std::string refusal(const Scene<Tait, Uniform>& scene, const Settings& settings)
 }
 
 TEST(Mpm, StartsAtRestWithTheMassOfItsFluid) {
-  const auto dam = solver<PrescribedMotion>(tank(), coarse);
+  const auto dam = printed<PrescribedMotion>(tank(), coarse);
   const Samples s = dam.samples();
   EXPECT_EQ(dam.particles(), 144);
   EXPECT_EQ(dam.boundary_particles(), 0);
@@ -337,7 +337,7 @@ TEST(Mpm, RefusesInOneLine) {
 /// The fast transfer against the plain loops over particles and their four nodes of plain MPM.
 template <class FluidLaw>
 void expect_equal_runs(const Scene<FluidLaw, ForceField>& scene, const Settings& settings, int steps) {
-  auto fast = solver<PrescribedMotion>(scene, settings);
+  auto fast = printed<PrescribedMotion>(scene, settings);
   auto plain = mpm::plain<LinearHat, Flip>(scene, settings);
   for (int step = 0; step < steps; ++step) {
     fast.step();

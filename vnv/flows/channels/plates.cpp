@@ -28,7 +28,7 @@ class Slipping {
   };
   /// `early`: what it is where the series has too many terms.
   Slipping(double H, double F, double nu, Plate lower, Plate upper, Truth early)
-      : H_(H), F_(F), nu_(nu), lower_(lower), early_(std::move(early)) {
+      : F_(F), nu_(nu), lower_(lower), early_(std::move(early)) {
     slope_ = (upper.velocity - lower.velocity + F * H / nu * (H / 2 + upper.b)) / (H + lower.b + upper.b);
     for (int n = 1; n <= most; ++n) {
       double low = (n - 1) * std::numbers::pi / H, high = n * std::numbers::pi / H;
@@ -61,7 +61,7 @@ class Slipping {
     double k, phase, strength;
   };
   static constexpr int most = 60;
-  double H_, F_, nu_, slope_;
+  double F_, nu_, slope_;
   Plate lower_;
   Truth early_;
   std::vector<Mode> modes_{};
