@@ -539,7 +539,7 @@ TEST(Diagnosis, NamesAnyFactor) {
   for (const auto& [factor, words] :
        {std::pair(20., "the velocity is 20.0"), {60., "the velocity is 60.0"}, {8., "the velocity is 8.0"},
         {1 / 7., "times too weak"}, {-3., "the velocity has the wrong sign and is 3 times too large"}})
-    EXPECT_EQ(lacks(said_of(flow, [=](Samples& s) { s.v *= factor; }), {words}), "");
+    EXPECT_EQ(lacks(said_of(flow, [by = factor](Samples& s) { s.v *= by; }), {words}), "");
   for (const double factor : {10., 100., 1000., 0.1}) {
     const Diagnosis found = said_of(flow, shows(truth_with(flow, Cause::viscosity, factor - 1)));
     EXPECT_EQ(lacks(found, {"the flow is that of a fluid ", factor > 1 ? "times too viscous" : "times less viscous"}), "");

@@ -138,7 +138,7 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
   add_of_time("frozen", fmt::format("{} is that of the start: nothing changes", field), [](double) { return 0.0; });
   for (const auto& [factor, words] : {std::pair(2.0, "twice"), std::pair(0.5, "half")})
     add_of_time("clock", fmt::format("the clock of {} runs {} as fast as it should", field, words),
-                [factor](double t) { return factor * t; });
+                [by = factor](double t) { return by * t; });  // Clang 14 captures no binding
   if (times.size() > 1) {
     add_of_time("one output late", fmt::format("{} is one output late", field),
                 [times](double t) { return before(times, t); });
