@@ -4,6 +4,8 @@
 #include "vnv/flows/manufactured.hpp"
 #include "vnv/record/record.hpp"
 
+#include <fmt/format.h>
+
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::square;
