@@ -219,7 +219,9 @@ template <class Columns>
 const auto& column(const DataTable& table, const Columns& columns, std::string_view kind, std::string_view heading) {
   const auto found = columns.find(heading);
   if (found != columns.end()) return found->second;
-  throw BadData(table.file(), 0, fmt::format("no column of {} '{}'; found {}", kind, heading, listed(like(std::string(heading), names_in(columns)))));
+  throw BadData(table.file(), 0,
+                fmt::format("no column of {} '{}'; found {}", kind, heading,
+                            listed(like(std::string(heading), names_in(columns)))));
 }
 
 template <class Columns>

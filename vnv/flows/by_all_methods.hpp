@@ -55,7 +55,8 @@ inline Case by_all_methods(const Flow& flow) {
                                                              {56, 0, 0, end},
                                                              {80, 0, 0, end}}),
                                  methods_for(flow), {});
-  for (Method& method : declared.methods) method.ladders.front().name = ladder_of_files;  // of which a flow claims an order
+  for (Method& method : declared.methods)
+    method.ladders.front().name = ladder_of_files;  // of which a flow claims an order
   return declared;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Plane Poiseuille flow of any fluid and body force, between the plates of Sun et al. at rest.
+/// Plane Poiseuille flow of water by any body force, between the plates of Sun et al. at rest.
 
 #include "solvers/forces/force_field.hpp"
 #include "solvers/forces/uniform.hpp"
@@ -12,8 +12,8 @@
 namespace touchstone::vnv::channel {
 
 template <class Force>
-Scene<Newtonian, Force> driven_by(const Force& body_force, const Newtonian& fluid = water) {
-  return between_plates(gap, fluid, no_slip(), no_slip(), body_force);
+Scene<Newtonian, Force> driven_by(const Force& body_force) {
+  return between_plates(gap, water, no_slip(), no_slip(), body_force);
 }
 
 /// The paper's body force with a perturbation, a fraction of it, at wavelengths of a few cells: without it nothing

@@ -36,7 +36,10 @@ std::vector<Experiment> experiments_of(double aspect) {
     const double most = origin == from.uncertainty.end() ? shifts.high : origin->second.value;
     if (!from.read_out.empty()) table = table.only("series", from.read_out);
     const bool is_front = table.has("L [-]");
-    all.push_back({name, is_front, {table.numbers("T [-]"), table.numbers(is_front ? "L [-]" : "eta [-]")}, {-most, most}});
+    all.push_back({name,
+                   is_front,
+                   {table.numbers("T [-]"), table.numbers(is_front ? "L [-]" : "eta [-]")},
+                   {-most, most}});
   }
   std::ranges::stable_sort(all, std::greater{}, [](const Experiment& one) { return one.measured.T.size(); });
   return all;
