@@ -3,10 +3,10 @@
 /// that is sustained.
 
 #include "vnv/flows/lid_driven.hpp"
+#include "vnv/measures/plots/centreline_profiles.hpp"
+#include "vnv/measures/plots/over_time.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 #include "vnv/measures/steadiness.hpp"
-#include "vnv/plots/centreline_profiles.hpp"
-#include "vnv/plots/over_time.hpp"
-#include "vnv/plots/snapshots.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>

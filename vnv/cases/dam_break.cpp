@@ -2,12 +2,12 @@
 /// measured by Lobovský et al. (2014), up to when it reaches the far wall.
 
 #include "vnv/flows/dam_break.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
+#include "vnv/measures/plots/over_time.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 #include "vnv/measures/roughness.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 #include "vnv/methods/setups.hpp"
-#include "vnv/plots/along_ladders.hpp"
-#include "vnv/plots/over_time.hpp"
-#include "vnv/plots/snapshots.hpp"
 #include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;

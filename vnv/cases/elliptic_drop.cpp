@@ -1,8 +1,8 @@
 /// A circular drop in a straining flow [Monaghan 1994]: a closed free surface and no external force.
 
 #include "vnv/flows/drop.hpp"
-#include "vnv/plots/along_ladders.hpp"
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 #include "vnv/studies/run_time.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 /// Hydrostatic equilibrium: pressure, and spurious motion.
 
 #include "vnv/flows/water_at_rest.hpp"
-#include "vnv/plots/along_ladders.hpp"
-#include "vnv/plots/over_time.hpp"
-#include "vnv/plots/profiles.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
+#include "vnv/measures/plots/over_time.hpp"
+#include "vnv/measures/plots/profiles.hpp"
 #include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;

@@ -1,6 +1,6 @@
 /// Stability of a particle lattice under uniform pressure: tensile and pairing instability, and their growth rates.
 
-#include "vnv/plots/along_ladders.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/stability/critical_step.hpp"
 #include "vnv/stability/lattice_starts.hpp"

@@ -2,8 +2,8 @@
 
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/hidden_motion.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
-#include "vnv/plots/over_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

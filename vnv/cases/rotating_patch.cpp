@@ -1,8 +1,8 @@
 /// Rotating square patch [Colagrossi 2005]: conservation under tension.
 
 #include "vnv/flows/patch.hpp"
-#include "vnv/plots/over_time.hpp"
-#include "vnv/plots/snapshots.hpp"
+#include "vnv/measures/plots/over_time.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 #include "vnv/studies/disturbed.hpp"
 
 #include <fmt/format.h>

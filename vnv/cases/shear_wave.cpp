@@ -3,7 +3,7 @@
 #include "vnv/flows/shear_wave.hpp"
 #include "vnv/flows/squares/square.hpp"
 #include "vnv/measures/decay.hpp"
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 #include "vnv/studies/run_time.hpp"
 
 using namespace touchstone;

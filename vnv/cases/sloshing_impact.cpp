@@ -6,9 +6,9 @@
 #include "solvers/scene.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "vnv/files/tables.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 #include "vnv/measures/wall_pressure.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
-#include "vnv/plots/snapshots.hpp"
 #include "vnv/studies/ensembles.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// A standing gravity wave of small amplitude: its period and its viscous decay.
 
 #include "vnv/flows/gravity_wave.hpp"
-#include "vnv/plots/along_ladders.hpp"
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

@@ -4,8 +4,8 @@
 #include "solvers/walls/no_slip.hpp"
 #include "vnv/flows/flow.hpp"
 #include "vnv/measures/centrelines.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/methods/methods.hpp"
-#include "vnv/plots/along_ladders.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "vnv/flows/flow.hpp"
 #include "vnv/flows/squares/square.hpp"
 #include "vnv/measures/decay.hpp"
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 
 namespace touchstone::vnv::taylor_green {
 

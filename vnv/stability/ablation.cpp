@@ -1,6 +1,6 @@
 #include "vnv/stability/ablation.hpp"
 
-#include "vnv/plots/along_ladders.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/stability/named_runs.hpp"
 
 #include <fmt/format.h>

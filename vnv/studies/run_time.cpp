@@ -1,7 +1,7 @@
 #include "vnv/studies/run_time.hpp"
 
 #include "vnv/judge/norms.hpp"
-#include "vnv/plots/along_ladders.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/record/work_precision.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "vnv/studies/views.hpp"
 
-#include "vnv/plots/along_ladders.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/record/record.hpp"
 #include "vnv/studies/disturbed.hpp"
 

@@ -6,11 +6,11 @@
 #include "vnv/case.hpp"
 #include "vnv/measures/norms_of.hpp"
 #include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
+#include "vnv/measures/plots/profiles.hpp"
 #include "vnv/measures/row_means.hpp"
 #include "vnv/methods/methods.hpp"
 #include "vnv/methods/setups.hpp"
-#include "vnv/plots/along_ladders.hpp"
-#include "vnv/plots/profiles.hpp"
 
 namespace touchstone::vnv::channel {
 

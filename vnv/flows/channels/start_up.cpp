@@ -1,7 +1,7 @@
 #include "vnv/flows/channels/start_up.hpp"
 
 #include "vnv/judge/norms.hpp"
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 
 #include <fmt/format.h>
 

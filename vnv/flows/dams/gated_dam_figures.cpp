@@ -1,7 +1,7 @@
 #include "vnv/flows/dams/gated_dam_figures.hpp"
 
 #include "vnv/flows/dams/dam_front.hpp"
-#include "vnv/plots/snapshots.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 #include "vnv/record/record.hpp"
 
 #include <fmt/format.h>

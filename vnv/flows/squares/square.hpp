@@ -2,8 +2,8 @@
 /// What the flows in a square that repeats along both axes share: the box, and their figures.
 
 #include "vnv/measures/field_errors.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/methods/methods.hpp"
-#include "vnv/plots/along_ladders.hpp"
 
 namespace touchstone::vnv::square {
 

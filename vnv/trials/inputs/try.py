@@ -28,7 +28,7 @@ SEEDS = {"table": ("data/experiments/*.csv", "data/papers/*.csv", "data/peers/*.
          "references": ("data/references.bib",),
          "record": ("vnv/record/former_records/*", "vnv/trials/inputs/seeds/record/*"),
          "night": ("vnv/trials/inputs/seeds/night/*",),
-         "solver": ("vnv/peers/*.toml", "vnv/doors/examples/program/*.toml"),
+         "solver": ("vnv/doors/peers/*.toml", "vnv/doors/examples/program/*.toml"),
          "case_options": ("vnv/trials/inputs/seeds/case_options/*",),
          "command": ("vnv/trials/inputs/seeds/command/*",)}
 SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solver_file.cpp", "vnv/flows/flow.cpp", "vnv/record/record.cpp",

@@ -39,7 +39,7 @@ def readers_of_a_newer_scene(scene):
     for reader in ("run_freefem.py", "run_openfoam.py"):
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "scene.json").write_text(json.dumps({**scene, "schema": "touchstone scene 2"}), encoding="utf-8")
-            ended = subprocess.run([sys.executable, VNV / "peers" / reader, "0.5"], cwd=folder, capture_output=True, text=True, check=False)
+            ended = subprocess.run([sys.executable, VNV / "doors/peers" / reader, "0.5"], cwd=folder, capture_output=True, text=True, check=False)
         if ended.stderr != "scene.json: schema 'touchstone scene 2', expected 'touchstone scene 1'\n" or ended.returncode == 0:
             yield f"{reader}: {ended.returncode}: {ended.stderr}"
 

@@ -1,4 +1,4 @@
-#include "vnv/plots/profiles.hpp"
+#include "vnv/measures/plots/profiles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "vnv/plots/over_time.hpp"
+#include "vnv/measures/plots/over_time.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "vnv/plots/centreline_profiles.hpp"
+#include "vnv/measures/plots/centreline_profiles.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "vnv/plots/snapshots.hpp"
+#include "vnv/measures/plots/snapshots.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "vnv/plots/along_ladders.hpp"
+#include "vnv/measures/plots/along_ladders.hpp"
 
 #include <fmt/format.h>
 
