@@ -34,14 +34,27 @@ Program program_of(const fs::path& tests, const Choice& choice) {
   return program;
 }
 
+/// The chosen cases: those of the sources, and flows that the build made a case of. What lies in of_reports/ is left out
+/// where acceptance is compared, which runs nothing of it.
+std::set<std::string> chosen_cases(const fs::path& source, const fs::path& build, const Choice& choice) {
+  std::set<std::string> chosen;
+  for (const fs::path& folder : {source / "vnv/cases", source / "vnv/cases/of_reports", build / "vnv/cases"}) {
+    if (!fs::is_directory(folder) || (choice.suite == "acceptance" && folder.filename() == "of_reports")) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".cpp" && choice.includes_case(entry.path().stem()))
+        chosen.insert(entry.path().stem());
+  }
+  return chosen;
+}
+
 Build build_in(const fs::path& folder, const fs::path& source, const Choice& choice) {
   Build build{folder, source};
+  const std::set<std::string> chosen = chosen_cases(source, folder, choice);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "vnv")) {
     if (!entry.path().filename().string().ends_with("_tests.cmake")) continue;
     Program program = program_of(entry.path(), choice);
     program.data = source / "data";
-    const bool has_source = fs::exists(build.source / "vnv/cases" / (program.case_name + ".cpp"));
-    if (has_source && fs::exists(program.file) && choice.includes_case(program.case_name) && !program.methods.empty())
+    if (chosen.contains(program.case_name) && fs::exists(program.file) && !program.methods.empty())
       build.programs.push_back(std::move(program));
   }
   std::ranges::sort(build.programs, {}, &Program::case_name);
@@ -122,11 +135,10 @@ Build Revisions::build(const std::string& commit, const Choice& choice, std::ost
   check_out(commit);
   run({"cmake", "-S", source(), "-B", folder(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
       "configured");
+  const std::set<std::string> cases = chosen_cases(source(), folder(), choice);
+  if (cases.empty()) throw BadInput(fmt::format("{}: no such case in it", commit));
   std::vector<std::string> build = {"cmake", "--build", folder(), "--target"};
-  for (const fs::directory_entry& entry : fs::directory_iterator(source() / "vnv/cases"))
-    if (entry.path().extension() == ".cpp" && choice.includes_case(entry.path().stem()))
-      build.push_back(entry.path().stem());
-  if (build.back() == "--target") throw BadInput(fmt::format("{}: no such case in it", commit));
+  build.insert(build.end(), cases.begin(), cases.end());
   run(build, "built");
   const fs::path kept = scratch_ / commit;  // of what the next revision overwrites, what is run and compared
   fs::remove_all(kept);

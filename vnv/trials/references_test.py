@@ -25,7 +25,7 @@ def main():
     named = [re.compile(pattern) for pattern in re.findall(r"^  named = \{(.*)\},$", bib, re.MULTILINE)]
     cited, unknown = 0, []
     for folder in ("cases", "flows", "methods", "doors", "studies", "stability"):
-        for file in sorted((TOP / "vnv" / folder).glob("*.[ch]pp")):
+        for file in sorted((TOP / "vnv" / folder).rglob("*.[ch]pp")):
             if file.name.endswith("_test.cpp"):
                 continue
             for text in texts(file):

@@ -177,7 +177,7 @@ def test_names(root, build):
     are not built."""
     names, missing = set(unit_tests(root)), []
     files = [build / "vnv" / "CTestTestfile.cmake"]
-    for case in sorted((root / "vnv" / "cases").glob("*.cpp")):
+    for case in sorted((root / "vnv" / "cases").rglob("*.cpp")):
         file = build / "vnv" / f"{case.stem}_tests.cmake"
         files.append(file)
         if not file.is_file() or not file.stat().st_size:
@@ -222,7 +222,7 @@ def complaints(folder, root, build=None):
         if not fault.harmless and fault.folder not in (modules := {module_of(change.file) for change in fault.changes}):
             found.append(f"{fault.folder}/{fault.name}.fault: expected in {' or '.join(sorted(modules))}")
     names, missing = test_names(root, build) if build else (set(unit_tests(root)), None)
-    cases = {file.stem for file in (root / "vnv" / "cases").glob("*.cpp")}
+    cases = {file.stem for file in (root / "vnv" / "cases").rglob("*.cpp")}
     for fault in faults:
         for pattern in fault.tests:
             case = case_of(pattern)

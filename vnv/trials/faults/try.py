@@ -32,7 +32,7 @@ SUITES = {"acceptance": "^(unit|acceptance)$", "nightly": "^(unit|nightly)$"}
 
 def run_tests(source, build, patterns, environment, options):
     """Runs tests; what each says: {name: {failed, margin, sentence}}."""
-    for case in (source / "vnv" / "cases").glob("*.cpp"):  # ctest wants all lists, also of what is not built
+    for case in (source / "vnv" / "cases").rglob("*.cpp"):  # ctest wants all lists, also of what is not built
         tests = build / "vnv" / f"{case.stem}_tests.cmake"
         if not tests.exists():
             tests.write_text("", encoding="utf-8")
