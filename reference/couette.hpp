@@ -55,7 +55,7 @@ struct Couette {
 
  private:
   Scaled door(double y, double t) const {
-    require_finite("Couette", "V [m/s]", V);
+    require_finite("Couette", {{"V [m/s]", V}});
     return scaled("Couette", y, t, H, nu);
   }
 };

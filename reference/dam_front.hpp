@@ -19,9 +19,7 @@ struct RitterFront {
   /// Distance of the front from the back wall [m], at any time: the rarefaction that comes back from the wall lags
   /// behind it, and ever more so, so that the front never learns that the column was finite.
   double operator()(double t) const {
-    require_positive("RitterFront", "g [m/s²]", g);
-    require_positive("RitterFront", "h0 [m]", h0);
-    require_positive("RitterFront", "l0 [m]", l0);
+    require_positive("RitterFront", {{"g [m/s²]", g}, {"h0 [m]", h0}, {"l0 [m]", l0}});
     require_time("RitterFront", t);
     return l0 + 2 * std::sqrt(g * h0) * t;
   }

@@ -33,9 +33,7 @@ struct EllipticDrop {
   /// Integrated from the start by Runge, Kutta, Prince and Dormand to a relative 1e-13 [GSL, Ordinary Differential
   /// Equations].
   State at(double t) const {
-    require_positive("EllipticDrop", "R [m]", R);
-    require_positive("EllipticDrop", "s0 [1/s]", s0);
-    require_positive("EllipticDrop", "rho [kg/m³]", rho);
+    require_positive("EllipticDrop", {{"R [m]", R}, {"s0 [1/s]", s0}, {"rho [kg/m³]", rho}});
     require_time("EllipticDrop", t);
     constexpr double latest = 1000;  // s0 t
     if (s0 * t > latest) refuse("EllipticDrop", "t [s]", t, fmt::format("at most {}", latest / s0));

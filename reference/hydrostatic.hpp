@@ -18,10 +18,7 @@ struct Hydrostatic {
 
   /// Pressure [Pa].
   double p(double y) const {
-    require_positive("Hydrostatic", "rho0 [kg/m³]", rho0);
-    require_positive("Hydrostatic", "K [Pa]", K);
-    require_positive("Hydrostatic", "g [m/s²]", g);
-    require_positive("Hydrostatic", "h [m]", h);
+    require_positive("Hydrostatic", {{"rho0 [kg/m³]", rho0}, {"K [Pa]", K}, {"g [m/s²]", g}, {"h [m]", h}});
     if (!(std::isfinite(gamma) && gamma > 1)) refuse("Hydrostatic", "gamma", gamma, "a finite number above 1");
     if (!(std::isfinite(y) && y <= h)) refuse("Hydrostatic", "y [m]", y, fmt::format("a finite place, at most {}", h));
     const double power = gamma / (gamma - 1);

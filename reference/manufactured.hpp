@@ -36,7 +36,8 @@ struct Manufactured {
   /// The force [m/s²] that sustains it: Dv/Dt + grad P / rho - (mu / rho) (laplacian v + grad div v / 3).
   std::array<double, 2> force(double x, double y, double t) const {
     const Place p = at(x, y);
-    const double now = a(t), rate = omega / 2 * std::cos(omega * t), push = 7 * K / rho0 * (p.R * p.R) * (p.R * p.R) * p.R;
+    const double now = a(t), rate = omega / 2 * std::cos(omega * t);
+    const double push = 7 * K / rho0 * (p.R * p.R) * (p.R * p.R) * p.R;
     const std::array<double, 2> R_along{p.R_x, p.R_y},
         compressed{p.g[0].xx + p.g[1].xy, p.g[0].xy + p.g[1].yy};  // the slopes of div g
     std::array<double, 2> b;
@@ -59,8 +60,7 @@ struct Manufactured {
   };
 
   double a(double t) const {
-    require_finite("Manufactured", "t [s]", t);
-    require_finite("Manufactured", "omega [1/s]", omega);
+    require_finite("Manufactured", {{"t [s]", t}, {"omega [1/s]", omega}});
     return 1 + std::sin(omega * t) / 2;
   }
 
@@ -78,14 +78,9 @@ struct Manufactured {
   }
 
   Place at(double x, double y) const {
-    require_positive("Manufactured", "L [m]", L);
-    require_positive("Manufactured", "rho0 [kg/m³]", rho0);
-    require_positive("Manufactured", "K [Pa]", K);
-    require_positive("Manufactured", "mu [Pa s]", mu);
+    require_positive("Manufactured", {{"L [m]", L}, {"rho0 [kg/m³]", rho0}, {"K [Pa]", K}, {"mu [Pa s]", mu}});
     if (!(ripple >= 0 && ripple < 1)) refuse("Manufactured", "ripple", ripple, "a number from 0 to below 1");
-    require_finite("Manufactured", "U [m/s]", U);
-    require_finite("Manufactured", "x [m]", x);
-    require_finite("Manufactured", "y [m]", y);
+    require_finite("Manufactured", {{"U [m/s]", U}, {"x [m]", x}, {"y [m]", y}});
     const double k = 2 * std::numbers::pi / L;
     const double sx = std::sin(k * x), cx = std::cos(k * x), sy = std::sin(k * y), cy = std::cos(k * y);
     // c c, c s, s c and s s with their derivatives, of c = cos and s = sin of kx and ky

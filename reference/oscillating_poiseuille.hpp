@@ -22,9 +22,8 @@ struct OscillatingPoiseuille {
   /// double.
   double operator()(double y, double t) const {
     using Complex = std::complex<double>;
-    require_positive("OscillatingPoiseuille", "omega [1/s]", omega);
-    require_finite("OscillatingPoiseuille", "F [m/s²]", F);
-    require_finite("OscillatingPoiseuille", "t [s]", t);
+    require_positive("OscillatingPoiseuille", {{"omega [1/s]", omega}});
+    require_finite("OscillatingPoiseuille", {{"F [m/s²]", F}, {"t [s]", t}});
     const double place = scaled("OscillatingPoiseuille", y, 0, H, nu).y;
     const Complex half = std::sqrt(Complex(0, 1)) * (H / 2 * std::sqrt(omega / nu));  // q H / 2, by Womersley's number
     const auto part = [](const Complex& z) {

@@ -61,7 +61,7 @@ struct Poiseuille {
 
  private:
   Scaled door(double y, double t) const {
-    require_finite("Poiseuille", "F [m/s²]", F);
+    require_finite("Poiseuille", {{"F [m/s²]", F}});
     return scaled("Poiseuille", y, t, H, nu);
   }
 };

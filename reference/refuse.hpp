@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,12 +15,20 @@ namespace touchstone::reference {
   throw std::domain_error(fmt::format("{}: {} = {}, expected {}", where, what, value, expected));
 }
 
-inline void require_finite(std::string_view where, std::string_view what, double value) {
-  if (!std::isfinite(value)) refuse(where, what, value, "a finite number");
+/// A number of an oracle by its name and unit, "H [m]".
+struct Named {
+  std::string_view what;
+  double value;
+};
+
+inline void require_finite(std::string_view where, std::initializer_list<Named> all) {
+  for (const auto& [what, value] : all)
+    if (!std::isfinite(value)) refuse(where, what, value, "a finite number");
 }
 
-inline void require_positive(std::string_view where, std::string_view what, double value) {
-  if (!(std::isfinite(value) && value > 0)) refuse(where, what, value, "a finite number above 0");
+inline void require_positive(std::string_view where, std::initializer_list<Named> all) {
+  for (const auto& [what, value] : all)
+    if (!(std::isfinite(value) && value > 0)) refuse(where, what, value, "a finite number above 0");
 }
 
 inline void require_time(std::string_view where, double t) {

@@ -44,9 +44,7 @@ struct RotatingPatch {
 
  private:
   void check(double x, double y) const {
-    require_positive("RotatingPatch", "L [m]", L);
-    require_positive("RotatingPatch", "omega [1/s]", omega);
-    require_positive("RotatingPatch", "rho [kg/m³]", rho);
+    require_positive("RotatingPatch", {{"L [m]", L}, {"omega [1/s]", omega}, {"rho [kg/m³]", rho}});
     for (const auto& [name, value] : {std::pair("x [m]", x), std::pair("y [m]", y)})
       if (!(std::abs(value) <= L / 2)) refuse("RotatingPatch", name, value, fmt::format("within +-{}", L / 2));
   }

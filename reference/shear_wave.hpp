@@ -15,10 +15,8 @@ struct ShearWave {
   double nu;  // m²/s  kinematic viscosity
 
   double operator()(double y, double t) const {
-    require_positive("ShearWave", "L [m]", L);
-    require_positive("ShearWave", "nu [m²/s]", nu);
-    require_finite("ShearWave", "U [m/s]", U);
-    require_finite("ShearWave", "y [m]", y);
+    require_positive("ShearWave", {{"L [m]", L}, {"nu [m²/s]", nu}});
+    require_finite("ShearWave", {{"U [m/s]", U}, {"y [m]", y}});
     require_time("ShearWave", t);
     return U * std::sin(k() * y) * std::exp(-decay_rate() * t);
   }

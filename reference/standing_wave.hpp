@@ -32,22 +32,18 @@ struct StandingWave {
     return -speed(t) * std::sinh(k() * y) / std::sinh(k() * h) * std::cos(k() * x);
   }
 
+  double k() const { return 2 * std::numbers::pi / L; }                     // 1/m
   double omega() const { return std::sqrt(g * k() * std::tanh(k() * h)); }  // 1/s
   double decay_rate() const { return 2 * nu * k() * k(); }  // 1/s  of the amplitude; energy falls twice as fast
 
  private:
-  double k() const { return 2 * std::numbers::pi / L; }
   double fade(double t) const { return std::exp(-decay_rate() * t); }
   /// Of the surface at a crest, upwards where it falls [m/s].
   double speed(double t) const { return a * omega() * fade(t) * std::sin(omega() * t); }
   void check(double x, double y, double t) const {
-    require_positive("StandingWave", "L [m]", L);
-    require_positive("StandingWave", "h [m]", h);
-    require_positive("StandingWave", "g [m/s²]", g);
+    require_positive("StandingWave", {{"L [m]", L}, {"h [m]", h}, {"g [m/s²]", g}});
     if (!(std::isfinite(nu) && nu >= 0)) refuse("StandingWave", "nu [m²/s]", nu, "a finite number, not negative");
-    require_finite("StandingWave", "a [m]", a);
-    require_finite("StandingWave", "x [m]", x);
-    require_finite("StandingWave", "y [m]", y);
+    require_finite("StandingWave", {{"a [m]", a}, {"x [m]", x}, {"y [m]", y}});
     require_time("StandingWave", t);
   }
 };

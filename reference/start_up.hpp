@@ -22,8 +22,7 @@ struct Scaled {
 /// Throws std::domain_error unless H, nu are positive, y [m] is in [0, H] but for rounding, and t [s] is not negative.
 inline Scaled scaled(std::string_view where, double y, double t, double H, double nu) {
   constexpr double rounding = 1e-12;
-  require_positive(where, "H [m]", H);
-  require_positive(where, "nu [m²/s]", nu);
+  require_positive(where, {{"H [m]", H}, {"nu [m²/s]", nu}});
   require_time(where, t);
   if (!(y >= -rounding * H && y <= (1 + rounding) * H)) refuse(where, "y [m]", y, fmt::format("a place in [0, {}]", H));
   return {std::clamp(y / H, 0.0, 1.0), nu / H * (t / H)};

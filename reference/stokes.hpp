@@ -16,8 +16,8 @@ struct StokesFirst {
   double nu;  // m²/s  kinematic viscosity
 
   double operator()(double y, double t) const {
-    require_positive("StokesFirst", "nu [m²/s]", nu);
-    require_finite("StokesFirst", "V [m/s]", V);
+    require_positive("StokesFirst", {{"nu [m²/s]", nu}});
+    require_finite("StokesFirst", {{"V [m/s]", V}});
     require_time("StokesFirst", t);
     require_height("StokesFirst", y);
     if (y == 0) return V;
@@ -34,10 +34,8 @@ struct StokesSecond {
   double nu;     // m²/s   kinematic viscosity
 
   double operator()(double y, double t) const {
-    require_positive("StokesSecond", "omega [1/s]", omega);
-    require_positive("StokesSecond", "nu [m²/s]", nu);
-    require_finite("StokesSecond", "V [m/s]", V);
-    require_finite("StokesSecond", "t [s]", t);
+    require_positive("StokesSecond", {{"omega [1/s]", omega}, {"nu [m²/s]", nu}});
+    require_finite("StokesSecond", {{"V [m/s]", V}, {"t [s]", t}});
     require_height("StokesSecond", y);
     return V * std::exp(-y / layer()) * std::cos(omega * t - y / layer());
   }

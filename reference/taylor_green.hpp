@@ -34,12 +34,8 @@ struct TaylorGreen {
  private:
   double k() const { return 2 * std::numbers::pi / L; }
   double decay(double x, double y, double t) const {
-    require_positive("TaylorGreen", "L [m]", L);
-    require_positive("TaylorGreen", "nu [m²/s]", nu);
-    require_positive("TaylorGreen", "rho [kg/m³]", rho);
-    require_finite("TaylorGreen", "U [m/s]", U);
-    require_finite("TaylorGreen", "x [m]", x);
-    require_finite("TaylorGreen", "y [m]", y);
+    require_positive("TaylorGreen", {{"L [m]", L}, {"nu [m²/s]", nu}, {"rho [kg/m³]", rho}});
+    require_finite("TaylorGreen", {{"U [m/s]", U}, {"x [m]", x}, {"y [m]", y}});
     require_time("TaylorGreen", t);
     return std::exp(-decay_rate() * t);
   }
