@@ -31,17 +31,18 @@ std::map<std::string, std::vector<Claim>> claims() {
 
 Case vnv::the_case() {
   const Flow flow = flow_named("elliptic_drop");
-  const auto length = [](double t) { return exact.at(t).a; };
+  const auto exact = flow.oracle<reference::EllipticDrop>();
   Case declared{
       .title = flow.title(),
-      .description = flow.judged.description + " At the end it is twice as long as at the start. The Mach number is 1/60.",
+      .description =
+          flow.judged.description + " At the end it is twice as long as at the start. The Mach number is 1/60.",
       .times = flow.judged.times,
-      .monitor = monitored_axes(),
-      .measurements = {error_of_axes, velocity_errors(velocity_of(exact)), error_of_pressure(exact)},
-      .methods = with_ladder(levels, methods_on(scene()), claims()),
+      .monitor = flow.judged.monitor,
+      .measurements = {error_of_axes(exact), velocity_errors(flow.velocity()), error_of_pressure(exact)},
+      .methods = with_ladder(levels, methods_on(scene_of<Tait>(flow)), claims()),
       .plots = {over_time("length", "Major half-axis over time", "From the second moments of the particles.",
                           {"half-axis [m]"}, 0, {"40 across"}),
-                exact_over_time("length", length, end),
+                exact_over_time("length", [=](double t) { return exact.at(t).a; }, end),
                 error_against_spacing("order", "Error against particle spacing",
                                       fmt::format("L2 error of the velocity, over particles, at t = {:g} s.", end),
                                       "L2 v [%]", l2_velocity, end)}};

@@ -19,25 +19,26 @@ const SeveralViews in_views =
     several_views({mirrored, views::carried_along({0.3, 0.2}), turned}, 2 * R / 30, end, axes_error);
 
 Scene<Tait> scene_in(const View& view) {
-  Scene<Tait> seen = scene();
-  seen.start = view.start(velocity, drop::pressure);
-  seen.start.places = [=](const Vectors& lattice) { return view.places_on(within(lattice)); };
+  auto seen = scene_of<Tait>(flow_named("elliptic_drop"));
+  seen.start = view.start(seen.start);
   return seen;
 }
 
 }  // namespace
 
 Case vnv::the_case() {
+  const Flow flow = flow_named("elliptic_drop");
   Case declared =
-      in_views.declared(error_of_axes, in_views.methods(scene_in, methods_on, {"sph", "sph_corrected"}),
+      in_views.declared(error_of_axes(flow.oracle<reference::EllipticDrop>()),
+                        in_views.methods(scene_in, methods_on, {"sph", "sph_corrected"}),
                         "Carried along: a uniform velocity of (0.3, 0.2) m/s is added. Turned: rotated by 30 degrees.");
   declared.title = "Invariance: stretching drop";
   declared.description =
-      "A circular drop of an inviscid fluid is stretched to twice its length, 30 particles across, under symmetry transformations: "
-      "mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; rotated by 30 degrees; from a "
-      "disturbed lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
-      "reflection and renumbering; SPH, which has no grid, also Galilean invariance. Rotated, the drop is not "
-      "stretched along rows of particles.";
-  declared.monitor = monitored_axes();
+      "A circular drop of an inviscid fluid is stretched to twice its length, 30 particles across, under symmetry "
+      "transformations: mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; rotated by 30 "
+      "degrees; from a disturbed lattice; with renumbered particles. The equations are invariant. Every method claims "
+      "invariance under reflection and renumbering; SPH, which has no grid, also Galilean invariance. Rotated, the "
+      "drop is not stretched along rows of particles.";
+  declared.monitor = flow.judged.monitor;
   return declared;
 }

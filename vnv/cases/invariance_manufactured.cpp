@@ -12,8 +12,7 @@ Case vnv::the_case() {
   const auto force_in = [force = flow.drive.at](const View& view) -> ForceField {
     return {[=](const Vec2& x, double t) -> Vec2 { return view.turned * force(view.place_in_plain_flow(x, t), t); }};
   };
-  Case declared = square::in_several_views(
-      square::PlaneFlow<ForceField>{flow.fluid, flow.velocity(), flow.pressure(), force_in}, manufactured::end);
+  Case declared = square::in_several_views<ForceField>(flow, manufactured::end, force_in);
   for (Method& method : declared.methods)
     if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);
   declared.title = "Invariance: manufactured solution";

@@ -37,8 +37,9 @@ Case vnv::the_case() {
   Case declared{
       .title = flow.title(),
       .description = flow.judged.description +
-                     " Vortices cross the grid at 0.4 of their velocity; Reynolds number 100, Mach number 0.1. The density "
-                     "varies by 4 %, which gives a pressure amplitude of 4 rho U². Continuity is satisfied identically.",
+                     " Vortices cross the grid at 0.4 of their velocity; Reynolds number 100, Mach number 0.1. The "
+                     "density varies by 4 %, which gives a pressure amplitude of 4 rho U². Continuity is satisfied "
+                     "identically.",
       .times = flow.judged.times,
       .measurements = {velocity_errors(flow.velocity()), pressure_errors(flow.pressure())},
       .methods = {with_ladder(coarse_levels, mpm_as_printed(scene, output_interval), {no_worse_than(33)}),

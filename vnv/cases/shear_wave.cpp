@@ -1,6 +1,7 @@
 /// A decaying shear wave: the viscous term alone, in a fluid whose rows of particles slip past each other.
 
-#include "vnv/flows/shear_wave.hpp"
+#include "reference/shear_wave.hpp"
+#include "vnv/flows/flow.hpp"
 #include "vnv/flows/squares/square.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/plots/over_time.hpp"
@@ -8,7 +9,6 @@
 
 using namespace touchstone;
 using namespace touchstone::vnv;
-using namespace touchstone::vnv::shear_wave;
 using namespace touchstone::vnv::square;
 
 namespace {
@@ -30,7 +30,11 @@ Claim of_second_order(const std::string& words) {
 Case vnv::the_case() {
   const Flow flow = flow_named("shear_wave");
   const auto scene = scene_of<>(flow);
-  const reference::ShearWave exact = exact_of(flow);
+  const auto exact = flow.oracle<reference::ShearWave>();
+  const auto energy = [exact, rho = flow.fluid.density](double t) {
+    const double v = exact(side / 4, t);
+    return rho * side * side * v * v / 4;
+  };
   Case declared = with_plots(
       {.title = flow.title(),
        .description = flow.judged.description +
@@ -48,14 +52,12 @@ Case vnv::the_case() {
                    with_ladder(levels, sph_transport_velocity(scene, output_interval)),
                    with_ladder(finer_levels, sph_second_order(scene, output_interval),
                                {of_second_order("fits of second degree")})},
-       .plots = {kinetic_energy_over_time(0, {"32 across"}), exact_over_time(
-                                                                 "energy",
-                                                                 [exact, rho = flow.fluid.density](double t) {
-                                                                   const double v = exact(side / 4, t);
-                                                                   return rho * side * side * v * v / 4;
-                                                                 },
-                                                                 end)}},
+       .plots = {kinetic_energy_over_time(0, {"32 across"}), exact_over_time("energy", energy, end)}},
       figures(early, l2_velocity, 10));
   return with_work(std::move(declared),
-                   {.error = l2_velocity, .times = {end}, .length = side, .largest_speed = flow["U"], .stiffness = {10, 5, 3}});
+                   {.error = l2_velocity,
+                    .times = {end},
+                    .length = side,
+                    .largest_speed = flow["U"],
+                    .stiffness = {10, 5, 3}});
 }

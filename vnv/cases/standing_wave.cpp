@@ -12,7 +12,7 @@ namespace {
 
 constexpr double end = 4;  // s
 
-const std::vector<Level> levels = levels_across(L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
+const std::vector<Level> levels = levels_across(published.L, {{50, end, 0, end}, {100, 0, 0, end}, {150, 0, 0, end}});
 
 /// From so many particles to a wave on.
 std::vector<Claim> period_and_decay_agree(const std::vector<std::string>& names) {
@@ -24,10 +24,10 @@ std::vector<Claim> period_and_decay_agree(const std::vector<std::string>& names)
 /// Each up to the levels worth their cost: 150 across takes the more expensive methods three to ten minutes each, 100
 /// across takes those on B-splines one or more. XPIC, the most expensive, runs in the nightly suite only; acceptance
 /// tests it in the drop.
-std::vector<Method> methods_up_levels() {
+std::vector<Method> methods_up_levels(const Scene<Newtonian, Uniform>& scene) {
   Level at_night = levels[0];
   at_night.acceptance = 0;
-  std::vector<Method> methods = with_ladder(levels, methods_on(scene),
+  std::vector<Method> methods = with_ladder(levels, free_surface_methods(scene, output_interval),
                                             {{"mpm_affine", period_and_decay_agree({"100 across", "150 across"})},
                                              {"sph_delta", period_and_decay_agree({"50 across"})}});
   for (Method& method : methods)
@@ -48,9 +48,9 @@ Case vnv::the_case() {
       .title = flow.title(),
       .description = flow.judged.description + " Viscosity reduces the amplitude by a tenth in each of five periods.",
       .times = flow.judged.times,
-      .monitor = monitored(L),
-      .measurements = {errors_of_oscillation(exact)},
-      .methods = methods_up_levels(),
+      .monitor = flow.judged.monitor,
+      .measurements = {errors_of_oscillation(flow.oracle<reference::StandingWave>())},
+      .methods = methods_up_levels(scene_of<Newtonian, Uniform>(flow)),
       .plots = {over_time("swing", "First moment of the particle heights",
                           "Mass times height times the cosine of the wave, summed over all particles.",
                           {"moment [kg m / m]"}, 0, {"100 across"})},

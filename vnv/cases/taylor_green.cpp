@@ -51,8 +51,8 @@ Case vnv::the_case() {
   declared.methods.back().tolerance = {
       0.1, "particles are redistributed: a sanitized build differed by 5 % in pressure"};  // they return to no lattice
   declared.description +=
-      " Here the Reynolds number is 100 and the Mach number 1/80. Within half a second the flow stretches the fluid near "
-      "the corners of the vortices ten times.";
+      " Here the Reynolds number is 100 and the Mach number 1/80. Within half a second the flow stretches the fluid "
+      "near the corners of the vortices ten times.";
   return with_work(std::move(declared), {.error = l2_velocity,
                                          .times = {end},
                                          .length = square::side,

@@ -100,23 +100,21 @@ inline Samples right_of(const Flow& flow, double across, double t, double shaken
     const double L = parameter(flow, "L"), V = parameter(flow, "V");
     for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = V * Vec2(u(s.x(1, p) / L), v(s.x(0, p) / L));
   } else if (flow.name == "standing_wave") {
-    gravity_wave::Wave wave{.L = parameter(flow, "L"), .depth = parameter(flow, "h"), .a = parameter(flow, "a")};
-    wave.g = parameter(flow, "g"), wave.nu = parameter(flow, "nu");
-    const auto amplitude = [a = wave.a, exact = wave.exact()](double at) {
-      return a * std::cos(exact.omega() * at) * std::exp(-exact.decay_rate() * at);
+    auto wave = flow.oracle<reference::StandingWave>();
+    const auto amplitude = [exact = wave](double at) {
+      return exact.a * std::cos(exact.omega() * at) * std::exp(-exact.decay_rate() * at);
     };
     constexpr double soon = 1e-4;  // s
     wave.a = amplitude(t + soon);
-    s.v = wave.heaped(at_rest);
+    s.v = gravity_wave::heaped(wave, at_rest);
     wave.a = amplitude(t - soon);
-    s.v = (s.v - wave.heaped(at_rest)) / (2 * soon);
+    s.v = (s.v - gravity_wave::heaped(wave, at_rest)) / (2 * soon);
     wave.a = amplitude(t);
-    s.x = wave.heaped(at_rest);
+    s.x = gravity_wave::heaped(wave, at_rest);
     for (Eigen::Index p = 0; p < s.size(); ++p)
-      s.pressure[p] = flow.fluid.density * wave.g * (wave.depth - at_rest(1, p));
+      s.pressure[p] = flow.fluid.density * wave.g * (wave.h - at_rest(1, p));
   } else if (flow.name == "elliptic_drop") {
-    const auto now =
-        reference::EllipticDrop{.R = parameter(flow, "R"), .s0 = parameter(flow, "s"), .rho = flow.fluid.density}.at(t);
+    const auto now = flow.oracle<reference::EllipticDrop>().at(t);
     s.x = start.array().colwise() * Eigen::Array2d(now.a, now.b) / parameter(flow, "R");
     s.x.row(0) *= std::lerp(1, second_order, parameter(flow, "s") * t);
     for (Eigen::Index p = 0; p < s.size(); ++p) {

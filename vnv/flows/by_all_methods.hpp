@@ -19,8 +19,17 @@ inline double interval_of(const Flow& flow) {
   throw std::invalid_argument(flow.name + ": no interval divides all of its times, expected one by which methods step");
 }
 
-/// The methods that know the fluid of a flow, its force and whether its surface is free: what a flow has not is compiled
-/// into none of them.
+/// The methods that run a scene with a free surface.
+template <class AnyScene>
+std::vector<Method> free_surface_methods(const AnyScene& scene, double output_interval,
+                                         const SphChoice& of_delta = {}) {
+  return {mpm_as_printed(scene, output_interval, 0.4), mpm_affine(scene, output_interval),
+          mpm_apic(scene, output_interval),            mpm_xpic(scene, output_interval),
+          sph_as_printed(scene, output_interval, 0.2), sph_delta(scene, output_interval, of_delta)};
+}
+
+/// The methods that know the fluid of a flow, its force and whether its surface is free: what a flow has not is
+/// compiled into none of them.
 inline std::vector<Method> methods_for(const Flow& flow) {
   const double interval = interval_of(flow);
   const auto filling = [&](const auto& scene) -> std::vector<Method> {
@@ -29,8 +38,9 @@ inline std::vector<Method> methods_for(const Flow& flow) {
             sph_transport_velocity(scene, interval), sph_second_order(scene, interval)};
   };
   const auto with_a_surface = [&](const auto& scene) -> std::vector<Method> {
-    return {mpm_as_printed(scene, interval, 0.4), mpm_affine(scene, interval), mpm_apic(scene, interval),
-            sph_as_printed(scene, interval, 0.2), sph_delta(scene, interval)};
+    std::vector<Method> all = free_surface_methods(scene, interval);
+    std::erase_if(all, [](const Method& method) { return method.name == "mpm_xpic"; });  // it costs most
+    return all;
   };
   const bool is_uniform = !flow.drive.at && flow.drive.angular_frequency == 0,
              has_force = flow.drive.at || !flow.drive.amplitude.isZero(0), is_viscous = flow.fluid.viscosity > 0;

@@ -22,8 +22,8 @@ Flow couette(Settings& set) {
   Flow flow = with_row_means(
       plates.flow(
           "Start-up of plane Couette flow",
-          "Fluid at rest between two plates, of which the upper one slides from t = 0, or both do. The oracle is the exact "
-          "series of Morris, Fox & Zhu (1997), one for each plate.",
+          "Fluid at rest between two plates, of which the upper one slides from t = 0, or both do. The oracle is the "
+          "exact series of Morris, Fox & Zhu (1997), one for each plate.",
           plates.times({0.05, 0.1, 0.2, 1}), no_slip({V_lower, 0}), no_slip({V, 0}), exact, of_two_plates, true),
       exact);
   const double H = plates.H();

@@ -1,10 +1,11 @@
 /// A column of water that collapses in a tank [Sun et al., section 3.3].
 
 #include "vnv/flows/dam_break.hpp"
-#include "vnv/flows/flow.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/motion.hpp"
 #include "vnv/measures/roughness.hpp"
+
+#include <functional>
 
 namespace touchstone::vnv::flows {
 namespace {
@@ -18,23 +19,27 @@ Flow dam_break(Settings& set) {
   using namespace vnv::dam_break;
   const double l0 = set.positive("l0", column.x(), "m", "length of the column");
   const double h0 = set.positive("h0", column.y(), "m", "height of the column");
-  const Vec2 size(set.positive("L", tank.x(), "m", "length of the tank"),
-                  set.positive("H", tank.y(), "m", "height of the domain"));
-  const double gravity = set.positive("g", g, "m/s²", "gravity, down");
+  const double H = set.positive("H", tank.y(), "m", "height of the domain");
+  const double L = set.positive("L", tank.x(), "m", "length of the tank");
+  const double g = set.positive("g", vnv::dam_break::g, "m/s²", "gravity, down");
   const double rho = set.positive("rho", water.density, "kg/m³", "density without pressure");
   const double c = set.positive("c", water.sound_speed(), "m/s", "speed of sound without pressure");
-  const Tait fluid{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma};
   const DamFront dam{.column_length = l0,
                      .column_height = h0,
-                     .tank_length = size.x(),
-                     .tank_height = size.y(),
+                     .tank_length = L,
+                     .tank_height = H,
                      .density = rho,
-                     .gravity = gravity,
+                     .gravity = g,
                      .slab = l0 / 30};
-  const bool is_published = Vec2(l0, h0) == column && size == tank;           // those of Lobovský et al.
+  const bool is_published = Vec2(l0, h0) == column && Vec2(L, H) == tank;     // those of Lobovský et al.
   const double scale = dam_break::front.scaled_time(1) / dam.scaled_time(1);  // of times
   Flow flow;
-  set_scene(flow, collapse({l0, h0}, size, fluid, gravity));
+  const auto scene = collapse({l0, h0}, {L, H}, fluid_of(rho, c), g);
+  flow.domain = scene.domain;
+  flow.fluid = scene.fluid;
+  flow.filled = scene.filled;
+  flow.walls = scene.walls;
+  flow.drive.amplitude = scene.body_force.per_mass;
   flow.across = l0;
   flow.judged.title = "Dam break";
   flow.judged.description =
@@ -71,41 +76,34 @@ Flow dam_break(Settings& set) {
   flow.of_resolved.push_back(near_experiment(0.22));
   flow.of_coarse = [=](double across) { return std::vector{near_experiment(0.17 + 1.5 / across)}; };
   flow.resolved = 30;
-  const auto kept = [dam](const Level& level, const Run& run) {
-    std::vector<Value> found = dam.kept(level, run);
-    std::erase_if(found, [&](const Value& value) { return value.quantity == dam.lost; });
-    found.push_back({level.name, level.spacing, run.summary.end_time, mass_over_time,
-                     run.samples.back().mass.sum() / run.samples.front().mass.sum() - 1});
-    return found;
+  /// Their mass, or their number: cells and nodes have none to lose.
+  const auto kept = [dam](bool is_number) -> Measurement {
+    return [=](const Level& level, const Run& run) {
+      std::vector<Value> found = dam.kept(level, run);
+      std::erase_if(found, [&](const Value& value) { return (value.quantity == dam.lost) != is_number; });
+      if (!is_number)
+        found.push_back({level.name, level.spacing, run.summary.end_time, mass_over_time,
+                         run.samples.back().mass.sum() / run.samples.front().mass.sum() - 1});
+      return found;
+    };
   };
-  const auto lost = [dam](const Level& level, const Run& run) {
-    std::vector<Value> found = dam.kept(level, run);
-    std::erase_if(found, [&](const Value& value) { return value.quantity != dam.lost; });
-    return found;
-  };
+  constexpr Span at_any_times{INFINITY, 0, 1};
   flow.measured = {
       {{}, [dam](const Level& level, const Run& run) { return dam.positions(level, run.samples.back()); }},
-      {{}, kept, Span{0, 0, 2}, "mass"},
-      {{"particles"}, lost, Span{0, 0, 2}, "the number of particles"},
+      {{}, kept(false), Span{0, 0, 2}, "mass"},
+      {{"particles"}, kept(true), Span{0, 0, 2}, "the number of particles"},
       {{"velocity"},
        part_of_motion({.of = [](const Vec2& x) { return x.x(); }, .slope = [](const Vec2&) { return Vec2(1, 0); }}),
        Span{INFINITY, 0, 2},
        "the motion of the water"},
       {{"velocity"},
-       [=](const Level& level, const Run& run) -> std::vector<Value> {
-         const Samples& s = run.samples.back();
-         const double falls = gravity * (s.mass * s.x.row(1).transpose().array()).sum();
-         return {{level.name, level.spacing, s.time, energy,
-                  (kinetic_energy(s) + falls) / (s.mass.sum() * gravity * h0 / 2)}};
-       }},
-      {{},
-       [dam](const Level& level, const Run& run) { return dam.lead(level, run); },
-       Span{INFINITY, 0, 1},  // at whatever times there are
-       "the lead of the front"},
-      {{},
-       [dam](const Level& level, const Run& run) { return dam.off(level, run); },
-       Span{INFINITY, 0, 1},
-       "the error of the front"},
+       of_each_sample(energy,
+                      [=](const Samples& s) {
+                        const double falls = g * (s.mass * s.x.row(1).transpose().array()).sum();
+                        return (kinetic_energy(s) + falls) / (s.mass.sum() * g * h0 / 2);
+                      })},
+      {{}, std::bind_front(&DamFront::lead, dam), at_any_times, "the lead of the front"},
+      {{}, std::bind_front(&DamFront::off, dam), at_any_times, "the error of the front"},
       {{},
        [=](const Level& level, const Run& run) {
          std::vector<Value> found = dam.against_experiments(level, run);
@@ -114,8 +112,8 @@ Flow dam_break(Settings& set) {
        },
        Span{0.5 * scale, 0.5 * scale, 20},
        "the front"},
-      {{"pressure"}, roughness_of("pressure", vnv::pressure, "rho g h0", rho * gravity * h0)},
-      {{"pressure"}, [dam, found = mean_pressure(mean, rho * gravity * h0 / 2)](const Level& level, const Run& run) {
+      {{"pressure"}, roughness_of("pressure", vnv::pressure, "rho g h0", rho * g * h0)},
+      {{"pressure"}, [dam, found = mean_pressure(mean, rho * g * h0 / 2)](const Level& level, const Run& run) {
          const bool has_begun = dam.scaled_time(run.samples.back().time) >= 1;  // without pressure
          return has_begun ? found(level, run) : std::vector<Value>{};
        }}};

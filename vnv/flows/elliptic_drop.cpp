@@ -1,28 +1,31 @@
 /// A circular drop in a straining flow [Monaghan 1994]: a closed free surface and no external force.
 
 #include "vnv/flows/drop.hpp"
-#include "vnv/flows/flow.hpp"
+#include "vnv/measures/half_axes.hpp"
 
 namespace touchstone::vnv::flows {
 namespace {
 
-/// As drop::error_of_axes_in of rows that start on a lattice. Other rows are not round: each axis is compared with its
+/// As drop::error_of_axes of rows that start on a lattice. Other rows are not round: each axis is compared with its
 /// own start, along x and y.
-Measurement error_of_axes_along(const reference::EllipticDrop& flow) {
-  return [flow](const Level& level, const Run& run) -> std::vector<Value> {
-    if (!run.summary.finished) return {};
-    const auto extents = [](const Samples& s) -> Eigen::Array2d {
-      const Vec2 centre = s.x * s.mass.matrix() / s.mass.sum();
-      return ((s.x.colwise() - centre).array().square().matrix() * s.mass.matrix() / s.mass.sum()).array().sqrt();
-    };
-    const Eigen::Array2d first = extents(run.samples.front());
-    double largest = 0;
-    for (const Samples& s : run.samples) {
-      const auto state = flow.at(s.time);
-      const Eigen::Array2d off = extents(s) / first * flow.R / Eigen::Array2d(state.a, state.b) - 1;
-      for (const double one : off) largest = norms::larger_magnitude(largest, one);
-    }
-    return {{level.name, level.spacing, run.summary.end_time, drop::axes_error, 100 * std::abs(largest)}};
+double error_of_axes_along(const reference::EllipticDrop& drop, const Run& run) {
+  std::vector<double> times;
+  std::vector<std::vector<double>> axes;
+  for (const Samples& s : run.samples) {
+    const Vec2 centre = s.x * s.mass.matrix() / s.mass.sum();
+    const Eigen::Array2d extents =
+        ((s.x.colwise() - centre).array().square().matrix() * s.mass.matrix() / s.mass.sum()).array().sqrt();
+    times.push_back(s.time);
+    axes.push_back({extents[0], extents[1]});
+  }
+  return drop::largest_error(drop, times, axes);
+}
+
+/// The drop at a time, found once for all particles.
+auto found_once(const reference::EllipticDrop& drop) {
+  return [drop, known = -1.0, now = drop.at(0)](double t) mutable {
+    if (t != known) now = drop.at(known = t);
+    return now;
   };
 }
 
@@ -30,33 +33,51 @@ Measurement error_of_axes_along(const reference::EllipticDrop& flow) {
 
 Flow elliptic_drop(Settings& set) {
   using namespace drop;
-  const double radius = set.positive("R", R, "m", "radius at the start");
-  const double strain = set.positive("s", s0, "1/s", "strain rate at the start, extension along x");
-  const double density = set.positive("rho", rho0, "kg/m³", "density at zero pressure");
-  const double sound_speed = set.positive("c", c, "m/s", "speed of sound at zero pressure");
-  const reference::EllipticDrop drop{.R = radius, .s0 = strain, .rho = density};
-  const double until = end / strain;
+  const reference::EllipticDrop drop{
+      .R = set.positive("R", drop::R, "m", "radius at the start"),
+      .s0 = set.positive("s", 1, "1/s", "strain rate at the start, extension along x"),
+      .rho = set.positive("rho", 1000, "kg/m³", "density at zero pressure")};
+  const double c = set.positive("c", 60, "m/s", "speed of sound at zero pressure");
+  const double R = drop.R, until = end / drop.s0, far = 2.6 * R;
+  const VelocityTruth velocity = [at = found_once(drop)](const Vec2& x, double t) mutable -> Vec2 {
+    const double s = at(t).s;
+    return {s * x.x(), -s * x.y()};
+  };
   Flow flow;
-  set_scene(flow, scene_with(drop, sound_speed));
+  flow.exact_solution = drop;
+  flow.domain = {.box = {.low = {-far, -far}, .high = {far, far}}};
+  flow.fluid = fluid_of(drop.rho, c);
+  flow.filled = {.low = {-R, -R}, .high = {R, R}};
   flow.shape = "those points of a lattice that lie within the radius R of (0, 0),";
-  flow.area = std::numbers::pi * radius * radius;
+  flow.area = std::numbers::pi * R * R;
+  flow.start = {.velocity = [s = drop.at(0).s](const Vec2& x) { return Vec2(s * x.x(), -s * x.y()); },
+                .pressure = [at_start = drop.at(0)](
+                                const Vec2& x) { return std::max(0.0, at_start.p(x.x(), x.y())); },
+                .places = [R](const Vectors& lattice) -> Vectors {
+                  std::vector<Eigen::Index> inside;
+                  for (Eigen::Index p = 0; p < lattice.cols(); ++p)
+                    if (lattice.col(p).norm() < R) inside.push_back(p);
+                  return lattice(Eigen::all, inside);
+                }};
   flow.region = [domain = flow.domain, drop](double t) {
-    const auto now = drop.at(t);
+    const auto now = drop.at(t);  // b < a, so that the depth is at most
     return Region{.domain = domain,
-                  .depth =
-                      [now](const Vec2& x) {
-                        return (1 - std::hypot(x.x() / now.a, x.y() / now.b)) * now.b;  // at most, as b < a
-                      },
+                  .depth = [now](const Vec2& x) { return (1 - std::hypot(x.x() / now.a, x.y() / now.b)) * now.b; },
                   .drawn = {now.a / drop.R, now.b / drop.R}};
   };
-  flow.across = 2 * radius;
+  flow.across = 2 * R;
   flow.judged.title = "Stretching elliptic drop";
   flow.judged.description =
       "A circular drop of an inviscid fluid starts with a uniform strain rate; no force acts on it. It stays an "
       "ellipse, whose half-axes and pressure follow from an ordinary differential equation (Monaghan 1994).";
   flow.judged.times = {until / 4, until / 2, 3 * until / 4, until};
-  flow.judged.monitor = monitored_axes();
-  flow.judged.monitor.interval /= strain;
+  flow.judged.monitor = {.interval = 0.02 / drop.s0,
+                         .evaluate =
+                             [](const Samples& s) {
+                               const auto axes = half_axes(s);
+                               return std::vector{axes[0], axes[1]};
+                             },
+                         .quantities = {{"longer half-axis", "m"}, {"shorter half-axis", "m"}}};
   flow.aside = {has_its_pressure()};
   flow.judged.claims = {is_consistent(axes_error),
                         at_most(axes_error, 20,
@@ -69,17 +90,17 @@ Flow elliptic_drop(Settings& set) {
                  .norms = {l2_velocity.name, linf_velocity.name},
                  .components = 2,
                  .causes = {},
-                 .with = [drop](const Changes&) -> FieldTruth { return velocity_of(drop); }}};
-  flow.measured = {{{"velocity"}, velocity_errors(velocity_of(drop))},
+                 .with = [velocity](const Changes&) -> FieldTruth { return velocity; }}};
+  const PressureTruth pressure = [at = found_once(drop)](const Vec2& x, double t) mutable {
+    return std::max(0.0, at(t).p(x.x(), x.y()));
+  };
+  flow.measured = {{{"velocity"}, velocity_errors(velocity)},
                    {{"pressure"}, error_of_pressure(drop)},
-                   {{"pressure"},
-                    part_of_exact_pressure(
-                        [drop, known = -1.0, now = drop.at(0)](const Vec2& x, double t) mutable {
-                          if (t != known) now = drop.at(known = t);
-                          return std::max(0.0, now.p(x.x(), x.y()));
-                        },
-                        false)},
-                   {{}, error_of_axes_along(drop), Span{0, until, 2}, "half-axes"}};
+                   {{"pressure"}, part_of_exact_pressure(pressure, false)},
+                   {{},
+                    of_finished_run(axes_error, [drop](const Run& run) { return error_of_axes_along(drop, run); }),
+                    Span{0, until, 2},
+                    "half-axes"}};
   return flow;
 }
 

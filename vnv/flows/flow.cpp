@@ -92,6 +92,30 @@ std::optional<Region> Flow::region_at(double t) const {
   return t == 0 && shape.empty() ? std::optional(Region{.domain = domain, .box = filled}) : std::nullopt;
 }
 
+Newtonian fluid_of(double rho, double c, double nu) {
+  return {{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma}, rho * nu};
+}
+
+Measurement of_each_sample(const Quantity& quantity, std::function<double(const Samples&)> found) {
+  return [=](const Level& level, const Run& run) {
+    std::vector<Value> values;
+    for (const Samples& s : run.samples) values.push_back({level.name, level.spacing, s.time, quantity, found(s)});
+    return values;
+  };
+}
+
+Measurement of_run(const Quantity& quantity, std::function<double(const Run&)> found) {
+  return [=](const Level& level, const Run& run) -> std::vector<Value> {
+    return {{level.name, level.spacing, run.summary.end_time, quantity, found(run)}};
+  };
+}
+
+Measurement of_finished_run(const Quantity& quantity, std::function<double(const Run&)> found) {
+  return [of_any = of_run(quantity, std::move(found))](const Level& level, const Run& run) {
+    return run.summary.finished ? of_any(level, run) : std::vector<Value>{};
+  };
+}
+
 Claim is_consistent(const Quantity& quantity) {
   return order_at_least(ladder_of_files, quantity, 0.9, 0.5, theory("a consistent method is of first order at least"))
       .with_at_least_levels(3);

@@ -13,6 +13,7 @@
 #include "vnv/measures/norms_of.hpp"
 
 #include <algorithm>
+#include <any>
 #include <array>
 #include <cmath>
 #include <map>
@@ -138,6 +139,7 @@ struct Flow {
   Case judged{};  // title, description, times, claims and figures; no methods
   std::vector<Measured> measured{};
   std::vector<Exact> exact{};
+  std::any exact_solution{};         // of reference/, whole
   double across{};                   // m  the length that a resolution is counted over
   std::vector<Claim> aside{};        // claims besides those in `judged`, which much that is not this flow keeps, too
   std::vector<Claim> of_resolved{};  // claims of levels with so many particles across
@@ -169,6 +171,11 @@ struct Flow {
   VelocityTruth velocity() const;
   PressureTruth pressure() const;
   Truth along_x() const;
+  /// The exact solution that it was made with. Throws std::bad_any_cast for another.
+  template <class Oracle>
+  const Oracle& oracle() const {
+    return std::any_cast<const Oracle&>(exact_solution);
+  }
 
   double filled_area() const { return area > 0 ? area : filled.size().prod(); }  // m²
   /// Where the fluid is at a time [s], if that is known exactly of any method.
@@ -177,19 +184,8 @@ struct Flow {
   bool has_free_surface() const { return filled.low != domain.box.low || filled.high != domain.box.high; }
 };
 
-inline Newtonian newtonian(const Newtonian& fluid) { return fluid; }
-inline Newtonian newtonian(const Tait& fluid) { return {fluid, 0}; }
-
-/// Of a scene all but a body force that is not uniform, which a flow says in words.
-template <class FluidLaw, class Force>
-void set_scene(Flow& flow, const Scene<FluidLaw, Force>& scene) {
-  flow.domain = scene.domain;
-  flow.fluid = newtonian(scene.fluid);
-  flow.filled = scene.filled;
-  flow.walls = scene.walls;
-  flow.start = scene.start;
-  if constexpr (std::is_same_v<Force, Uniform>) flow.drive.amplitude = scene.body_force.per_mass;
-}
+/// A fluid by its density [kg/m³] and speed of sound [m/s] without pressure and its kinematic viscosity [m²/s].
+Newtonian fluid_of(double rho, double c, double nu = 0);
 
 /// The scene of a flow as a solver takes it, with the fluid's law and the force that its types say. Throws
 /// std::logic_error where the flow has a viscosity or a force for which they have no room.
@@ -209,9 +205,16 @@ Scene<FluidLaw, Force> scene_of(const Flow& flow) {
     scene.body_force = flow.drive.at ? ForceField{flow.drive.at}
                                      : ForceField{Oscillating{flow.drive.amplitude, flow.drive.angular_frequency}};
   }
-  if (!has_room) throw std::logic_error(flow.name + ": a scene of this type lacks a force or the viscosity of the flow");
+  if (!has_room)
+    throw std::logic_error(flow.name + ": a scene of this type lacks a force or the viscosity of the flow");
   return scene;
 }
+
+/// A number of each sample of a run, and one of a whole run.
+Measurement of_each_sample(const Quantity& quantity, std::function<double(const Samples&)> found);
+Measurement of_run(const Quantity& quantity, std::function<double(const Run&)> found);
+/// The same of a run that reached its end.
+Measurement of_finished_run(const Quantity& quantity, std::function<double(const Run&)> found);
 
 /// The ladder of a code that is judged: the files given, by their spacing.
 inline const std::string ladder_of_files = "spacing";

@@ -1,4 +1,4 @@
-/// A flow in a periodic square that was chosen so that every term of the equations takes part [reference/manufactured.hpp].
+/// A flow in a periodic square that was chosen so that every term of the equations takes part.
 
 #include "vnv/flows/manufactured.hpp"
 
@@ -40,7 +40,8 @@ std::vector<std::string> formula_of(const Newtonian& fluid) {
                                  "w_yy = (-U*k*k*sx*cy - 2*w_y*R_y - w*R_xx)/R"};
   for (const auto& [i, x, slope] : {std::tuple("u", "x", "u_xx + w_xy"), std::tuple("w", "y", "u_xy + w_yy")})
     lines.push_back(fmt::format(
-        "b_{1} = a_t*{0} + a*a*(u*{0}_x + w*{0}_y) + 7*K/rho*R*R*R*R*R*R_{1} - mu/(rho*R)*a*({0}_xx + {0}_yy + ({2})/3)",
+        "b_{1} = a_t*{0} + a*a*(u*{0}_x + w*{0}_y) + 7*K/rho*R*R*R*R*R*R_{1} "
+        "- mu/(rho*R)*a*({0}_xx + {0}_yy + ({2})/3)",
         i, x, slope));
   return lines;
 }

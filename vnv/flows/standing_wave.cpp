@@ -1,6 +1,6 @@
 /// A standing gravity wave of small amplitude [Lamb 1932].
 
-#include "vnv/flows/flow.hpp"
+#include "solvers/walls/free_slip.hpp"
 #include "vnv/flows/gravity_wave.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/motion.hpp"
@@ -15,30 +15,46 @@ const Quantity amplitude{"amplitude over that of the wave at the start, by its o
 
 Flow standing_wave(Settings& set) {
   using namespace gravity_wave;
-  Wave wave;
-  wave.L = set.positive("L", wave.L, "m", "length of the wave and of the periodic box");
-  wave.depth = set.positive("h", wave.depth, "m", "depth at rest");
-  wave.a = set.positive("a", wave.a, "m", "amplitude at the start");
-  wave.g = set.positive("g", wave.g, "m/s²", "gravity, down");
-  wave.rho = set.positive("rho", wave.rho, "kg/m³", "density at zero pressure");
-  wave.nu = set.positive("nu", wave.nu, "m²/s", "kinematic viscosity");
-  wave.c = set.positive("c", wave.c, "m/s", "speed of sound at zero pressure");
-  const double scale = exact.omega() / wave.exact().omega();  // of times
+  const double L = set.positive("L", published.L, "m", "length of the wave and of the periodic box");
+  const double h = set.positive("h", published.h, "m", "depth at rest");
+  const double a = set.positive("a", published.a, "m", "amplitude at the start");
+  const double g = set.positive("g", published.g, "m/s²", "gravity, down");
+  const double rho = set.positive("rho", 1000, "kg/m³", "density at zero pressure");
+  const double nu = set.positive("nu", published.nu, "m²/s", "kinematic viscosity");
+  const double c = set.positive("c", 40, "m/s", "speed of sound at zero pressure");
+  const reference::StandingWave wave{.L = L, .a = a, .h = h, .g = g, .nu = nu};
+  const double scale = published.omega() / wave.omega();  // of times
   Flow flow;
-  set_scene(flow, scene_with(wave));
+  flow.exact_solution = wave;
+  flow.domain = {.box = {.high = {L, 1.2 * h}}, .periodic_x = true};
+  flow.fluid = fluid_of(rho, c, nu);
+  flow.filled = {.high = {L, h}};
   flow.shape = "a lattice with a wave on it,";
+  flow.walls = {floor_at(0, free_slip())};
+  flow.drive.amplitude = {0, -g};
+  flow.start = {.pressure =
+                    [=, k = wave.k()](const Vec2& x) {
+                      const double raised = a * std::cosh(k * x.y()) / std::cosh(k * h) * std::cos(k * x.x());
+                      return std::max(0.0, rho * g * (h - x.y() + raised));
+                    },
+                .places = [wave](const Vectors& lattice) { return heaped(wave, lattice); }};
   flow.region = [domain = flow.domain, wave](double t) {
-    const double lowest = wave.depth - wave.a * std::exp(-wave.exact().decay_rate() * t);  // of all phases
+    const double lowest = wave.h - wave.a * std::exp(-wave.decay_rate() * t);  // of all phases
     return Region{.domain = domain, .depth = [lowest](const Vec2& x) { return lowest - x.y(); }};
   };
-  flow.across = wave.L;
+  flow.across = L;
   flow.judged.title = "Standing gravity wave";
   flow.judged.description =
       "Water starts at rest with a cosine-shaped surface and oscillates. The oracle is the linear wave (Lamb 1932): "
       "period from the dispersion relation, decay rate 2 nu k² from the potential flow over a free-slip floor. Both "
       "are compared with those of the damped oscillation fitted to the first moment of the particle heights over time.";
-  flow.judged.monitor = monitored(wave.L);
-  flow.judged.monitor.interval *= scale;
+  flow.judged.monitor = {
+      .interval = 0.02 * scale,
+      .evaluate = [k = wave.k()](const Samples& s) -> std::vector<double> {
+        const Scalars heights = s.x.row(1).transpose(), crests = (k * s.x.row(0).transpose().array()).cos();
+        return {(s.mass * heights * crests).sum()};
+      },
+      .quantities = {{"first moment of the particle heights", "kg"}}};
   flow.judged.times = {4 * scale};  // five periods
   flow.of_resolved = {period_agrees, decay_agrees};
   flow.resolved = 100;
@@ -56,33 +72,30 @@ Flow standing_wave(Settings& set) {
   const Moment standing{
       .of = [k = wave.k()](const Vec2& x) { return x.y() * std::cos(k * x.x()); },
       .slope = [k = wave.k()](const Vec2& x) { return Vec2(-k * x.y() * std::sin(k * x.x()), std::cos(k * x.x())); }};
-  flow.measured = {{{}, errors_of_oscillation(wave.exact()), Span{0, 1.6 * scale, 30}, "the oscillation"},
-                   {{"velocity"}, part_of_motion(standing), Span{0, 1.6 * scale, 30}, "the motion of the water"},
+  const Span oscillation{0, 1.6 * scale, 30};
+  flow.measured = {{{}, errors_of_oscillation(wave), oscillation, "the oscillation"},
+                   {{"velocity"}, part_of_motion(standing), oscillation, "the motion of the water"},
                    {{},
-                    [=](const Level& level, const Run& run) -> std::vector<Value> {
-                      std::vector<double> heights;  // first moments
-                      for (const std::vector<double>& row : run.history.values) heights.push_back(row[0]);
-                      const double found =
-                          fit_damped_oscillation(run.history.time, heights, wave.exact().omega()).at_start;
-                      const double of_wave = run.samples.front().mass.sum() * wave.a / 2;
-                      return {{level.name, level.spacing, run.summary.end_time, amplitude, found / of_wave}};
-                    },
-                    Span{0, 1.6 * scale, 30},
+                    of_run(amplitude,
+                           [=](const Run& run) {
+                             const double of_wave = run.samples.front().mass.sum() * a / 2;
+                             return oscillation_of(run, wave).at_start / of_wave;
+                           }),
+                    oscillation,
                     "the amplitude"},
                    {{"velocity"},
-                    [=](const Level& level, const Run& run) -> std::vector<Value> {
-                      double largest = 0;
-                      for (const Samples& s : run.samples)
-                        largest = norms::larger_magnitude(largest, kinetic_energy(s) / s.mass.sum());
-                      const double linear = wave.g * wave.a * wave.a / (4 * wave.depth);  // Lamb 1932, of a unit of mass
-                      return {{level.name, level.spacing, run.summary.end_time, liveliest, largest / linear}};
-                    },
-                    Span{0, 1.6 * scale, 30},
+                    of_run(liveliest,
+                           [=](const Run& run) {
+                             double largest = 0;
+                             for (const Samples& s : run.samples)
+                               largest = norms::larger_magnitude(largest, kinetic_energy(s) / s.mass.sum());
+                             return largest / (g * a * a / (4 * h));  // Lamb 1932, of a unit of mass
+                           }),
+                    oscillation,
                     "the kinetic energy"},
                    {{"pressure"},
-                    part_of_exact_pressure([unit = wave.rho * wave.g, h = wave.depth](
-                                               const Vec2& x, double) { return unit * std::max(0.0, h - x.y()); },
-                                           false)}};
+                    part_of_exact_pressure(
+                        [=](const Vec2& x, double) { return rho * g * std::max(0.0, h - x.y()); }, false)}};
   return flow;
 }
 

@@ -26,6 +26,7 @@ Flow taylor_green(Settings& set) {
                         },
                         pressure({}), {Cause::viscosity});
   add_pressure(flow, pressure, {Cause::viscosity});
+  flow.exact_solution = exact({});
   flow.judged.title = "Taylor-Green vortices";
   flow.judged.description =
       "Four vortices in a periodic square decay. The oracle is Taylor's (1923) solution for an incompressible fluid.";

@@ -9,16 +9,12 @@
 
 namespace touchstone::vnv::taylor_green {
 
-inline reference::TaylorGreen exact_of(const Flow& flow) {
-  return {.L = flow["L"], .U = flow["U"], .nu = flow.fluid.kinematic_viscosity(), .rho = flow.fluid.density};
-}
-
 /// Errors at `early` and the decay of energy until `end`, by methods of which those of second order have their own
 /// levels.
 inline constexpr double early = 0.1, end = 0.5;  // s
 inline Case declared(const Flow& flow, const std::vector<Across>& of_second_order,
                      const std::map<std::string, std::vector<Claim>>& claims = {}) {
-  const reference::TaylorGreen exact = exact_of(flow);
+  const auto exact = flow.oracle<reference::TaylorGreen>();
   Case all{.title = flow.title(),
            .description = flow.judged.description,
            .times = {early, end},

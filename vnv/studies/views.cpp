@@ -14,10 +14,12 @@
 
 namespace touchstone::vnv {
 
-Start View::start(const VelocityTruth& v, const PressureTruth& p) const {
-  return {.velocity = [v, view = *this](const Vec2& x) { return view.velocity(v, x, 0); },
-          .pressure = [p, view = *this](const Vec2& x) { return view.pressure(p, x, 0); },
-          .places = rearranged};
+Start View::start(const Start& plain) const {
+  return {.velocity = [=, *this](const Vec2& x) -> Vec2 {
+            return carried + turned * plain.velocity_at(place_in_plain_flow(x, 0));
+          },
+          .pressure = [=, *this](const Vec2& x) { return plain.pressure_at(place_in_plain_flow(x, 0)); },
+          .places = [=, *this](const Vectors& lattice) { return places_on(plain.places_on(lattice)); }};
 }
 
 Samples View::in_plain_flow(Samples s) const {

@@ -27,11 +27,8 @@ struct View {
   Vec2 velocity(const VelocityTruth& plain, const Vec2& x, double t) const {
     return carried + turned * plain(place_in_plain_flow(x, t), t);
   }
-  double pressure(const PressureTruth& plain, const Vec2& x, double t) const {
-    return plain(place_in_plain_flow(x, t), t);
-  }
-  /// The start of a flow on its lattice.
-  Start start(const VelocityTruth& v, const PressureTruth& p) const;
+  /// The start of a flow that starts so in the plain view.
+  Start start(const Start& plain) const;
   Vectors places_on(const Vectors& lattice) const { return rearranged ? rearranged(lattice) : lattice; }
 
   /// The particles of a run in this view, as they would be in the plain flow.

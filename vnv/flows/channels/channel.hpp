@@ -22,18 +22,6 @@ inline constexpr double dt = 5 * us;
 /// The box between the plates, periodic along x and full of water.
 inline const Box gap{.high = {L, H}};
 
-/// Fluid between plates along x, at the bottom and the top of a box that is periodic along x and full of it.
-template <class Force = NoForce>
-Scene<Newtonian, Force> between_plates(const Box& box, const Newtonian& fluid, WallVelocity floor, WallVelocity ceiling,
-                                       const Force& body_force = {}, Start start = {}) {
-  return {.domain = {.box = box, .periodic_x = true},
-          .fluid = fluid,
-          .filled = box,
-          .walls = {floor_at(box.low.y(), std::move(floor)), ceiling_at(box.high.y(), std::move(ceiling))},
-          .body_force = body_force,
-          .start = std::move(start)};
-}
-
 // Quantities that every method is judged by.
 inline const Quantity l2_rows{"L2 v_x, row means", "%", Kind::norm}, linf_rows{"Linf v_x, row means", "%", Kind::norm};
 inline const Quantity l2{"L2 v_x, per particle", "%", Kind::norm}, linf{"Linf v_x, per particle", "%", Kind::norm};
@@ -63,33 +51,34 @@ auto sph_with_transport_velocity(const SceneOfChannel& scene, double time_step =
 
 /// The methods in words.
 inline const std::string mpm_words =
-    "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, explicit Euler, FLIP, remapped "
-    "momentum (MUSL). The paper leaves open which acceleration a wall node transmits to its particles. ";
+    "Material point method as printed by Sun et al., section 2.1: linear shape functions, lumped mass, explicit Euler, "
+    "FLIP, remapped momentum (MUSL). The paper leaves open which acceleration a wall node transmits to its particles. ";
 inline const std::string moving_words = "Here the node moves with the wall: v = V, a = dV/dt. Expected order 2.";
 inline const std::string reset_words =
-    "Here its velocity is reset, a = (V - v) / dt, which is transmitted to the particles. Expected order 1 in Linf; in L2, where only "
-    "the cells at the wall are wrong, 1.5.";
+    "Here its velocity is reset, a = (V - v) / dt, which is transmitted to the particles. Expected order 1 in Linf; in "
+    "L2, where only the cells at the wall are wrong, 1.5.";
 inline const std::string affine_words =
-    "Material point method with quadratic B-splines and affine particle velocities (APIC, Jiang et al. 2015), the stress "
-    "given to the nodes as in MLS-MPM (Hu et al. 2018), explicit Euler, walls by mirrored cells. Particles take their "
-    "velocity from the nodes, which adds a little dissipation in each step: the largest stable step is the most accurate.";
+    "Material point method with quadratic B-splines and affine particle velocities (APIC, Jiang et al. 2015), the "
+    "stress given to the nodes as in MLS-MPM (Hu et al. 2018), explicit Euler, walls by mirrored cells. Particles take "
+    "their velocity from the nodes, which adds a little dissipation in each step: the largest stable step is the most "
+    "accurate.";
 inline const std::string float_words = " Particles in single precision.";
 inline const std::string sph_printed_words =
-    "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2: cubic spline with h = 1.2 spacings, continuity "
-    "density, laminar viscosity (26), artificial viscosity (27), density reinitialised every 30 steps, ghost and repulsive "
-    "particles, predictor-corrector. The paper leaves open the force of the repulsive particles; here it acts only on fluid particles "
-    "that are closer to the wall than initially. ";
+    "Smoothed particle hydrodynamics as printed by Sun et al., section 2.2: cubic spline with h = 1.2 spacings, "
+    "continuity density, laminar viscosity (26), artificial viscosity (27), density reinitialised every 30 steps, "
+    "ghost and repulsive particles, predictor-corrector. The paper leaves open the force of the repulsive particles; "
+    "here it acts only on fluid particles that are closer to the wall than initially. ";
 inline const std::string conservative_words =
-    "The pressure term is the conservative one, with a plus between the pressures where (24) and (28) print a minus: any mean "
-    "pressure then makes the lattice of particles elastic, and the flow is wrong until its rows have slipped; "
+    "The pressure term is the conservative one, with a plus between the pressures where (24) and (28) print a minus: "
+    "any mean pressure then makes the lattice of particles elastic, and the flow is wrong until its rows have slipped; "
     "refining does not help.";
 inline const std::string difference_words =
-    "The minus that (24) and (28) print between the pressures is kept, with the leading sign corrected: a difference of "
-    "pressures, which does not conserve momentum pair by pair but vanishes for uniform pressure.";
+    "The minus that (24) and (28) print between the pressures is kept, with the leading sign corrected: a difference "
+    "of pressures, which does not conserve momentum pair by pair but vanishes for uniform pressure.";
 inline const std::string sph_regularised_words =
-    "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with "
-    "h = 1 spacing, continuity density, pressure differences, viscosity of Morris, Fox & Zhu (1997), wall velocities mirrored "
-    "(Adami, Hu & Adams 2012), kick-drift-kick with twice the paper's time step.";
+    "Smoothed particle hydrodynamics with a transport velocity (Adami, Hu & Adams 2013), quintic spline with h = 1 "
+    "spacing, continuity density, pressure differences, viscosity of Morris, Fox & Zhu (1997), wall velocities "
+    "mirrored (Adami, Hu & Adams 2012), kick-drift-kick with twice the paper's time step.";
 inline const std::string one_evaluation_words =
     " Here with Adams-Bashforth steps of third order, one evaluation of the right-hand side per step.";
 

@@ -38,8 +38,8 @@ inline std::vector<Method> methods_along(const Flow& flow) {
                                         : methods_along(scene_of<Newtonian, ForceField>(flow));
 }
 
-/// A flow between plates as a case, with so many particles across; `here` is said of it besides. Acceptance runs its two
-/// coarsest levels. Three methods claim to be of second order.
+/// A flow between plates as a case, with so many particles across; `here` is said of it besides. Acceptance runs its
+/// two coarsest levels. Three methods claim to be of second order.
 inline Case flow_along(const Flow& flow, const std::vector<int>& across, const std::string& here) {
   const Truth exact = flow.along_x();
   const double end = flow.judged.times.back();

@@ -13,7 +13,11 @@ namespace touchstone::vnv::channel {
 
 template <class Force>
 Scene<Newtonian, Force> driven_by(const Force& body_force) {
-  return between_plates(gap, water, no_slip(), no_slip(), body_force);
+  return {.domain = {.box = gap, .periodic_x = true},
+          .fluid = water,
+          .filled = gap,
+          .walls = {floor_at(0, no_slip()), ceiling_at(H, no_slip())},
+          .body_force = body_force};
 }
 
 /// The paper's body force with a perturbation, a fraction of it, at wavelengths of a few cells: without it nothing

@@ -119,7 +119,7 @@ Plates::Plates(Settings& set) {
   const double rho = set.positive("rho", channel::water.density, "kg/m³", "density at rest");
   const double nu = set.positive("nu", channel::water.kinematic_viscosity(), "m²/s", "kinematic viscosity");
   const double c = set.positive("c", channel::water.sound_speed(), "m/s", "speed of sound at rest");
-  fluid = {{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma}, rho * nu};
+  fluid = fluid_of(rho, c, nu);
 }
 
 double Plates::H(const Changes& by) const {
@@ -139,12 +139,12 @@ Altered Plates::slipping(const Altered& walls, const std::function<double(const 
 Flow Plates::flow(std::string title, std::string description, std::vector<double> times, WallVelocity floor,
                   WallVelocity ceiling, const Altered& altered, std::vector<Cause> causes, bool slips) const {
   const Truth exact = altered({});
-  Start start;
-  if (!is_zero(exact, H()))
-    start.velocity = [exact](const Vec2& x) -> Vec2 { return {exact(x.y(), 0), 0}; };
   Flow made;
-  set_scene(made,
-            channel::between_plates(gap, fluid, std::move(floor), std::move(ceiling), NoForce{}, std::move(start)));
+  made.domain = {.box = gap, .periodic_x = true};
+  made.fluid = fluid;
+  made.filled = gap;
+  made.walls = {floor_at(0, std::move(floor)), ceiling_at(H(), std::move(ceiling))};
+  if (!is_zero(exact, H())) made.start.velocity = [exact](const Vec2& x) -> Vec2 { return {exact(x.y(), 0), 0}; };
   made.across = H();
   made.is_uniform_along_x = true;
   made.judged.title = std::move(title);

@@ -35,8 +35,4 @@ void add_pressure(Flow& flow, const PressureWith& with, std::vector<Cause> cause
                         }});
 }
 
-Newtonian fluid_of(double rho, double c, double nu) {
-  return {{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma}, rho * nu};
-}
-
 }  // namespace touchstone::vnv::flows

@@ -17,7 +17,4 @@ Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity
 /// Judges the pressure, too.
 void add_pressure(Flow& flow, const PressureWith& with, std::vector<Cause> causes);
 
-/// A fluid by its density [kg/m³] and speed of sound [m/s] at rest and its kinematic viscosity [m²/s].
-Newtonian fluid_of(double rho, double c, double nu);
-
 }  // namespace touchstone::vnv::flows

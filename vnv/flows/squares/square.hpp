@@ -1,5 +1,5 @@
 #pragma once
-/// What the flows in a square that repeats along both axes share: the box, and their figures.
+/// What the flows in a square that repeats along both axes share: methods and figures.
 
 #include "vnv/measures/field_errors.hpp"
 #include "vnv/measures/plots/along_ladders.hpp"
@@ -8,8 +8,6 @@
 namespace touchstone::vnv::square {
 
 inline constexpr double side = 1;  // m
-inline const Box box{.high = {side, side}};
-inline const Domain domain{.box = box, .periodic_x = true, .periodic_y = true};
 
 /// Every step divides it, and it the times at which flows in a square are sampled [s].
 inline constexpr double output_interval = 0.1;

@@ -1,19 +1,11 @@
 #pragma once
 /// Flows in a square that repeats along both axes, under symmetry transformations, by six methods.
 
+#include "vnv/flows/flow.hpp"
 #include "vnv/flows/squares/square.hpp"
 #include "vnv/studies/views.hpp"
 
 namespace touchstone::vnv::square {
-
-/// A flow in the whole plane, of which a square of 1 m repeats.
-template <class Force = NoForce>
-struct PlaneFlow {
-  Newtonian fluid;
-  VelocityTruth velocity;
-  PressureTruth pressure;
-  std::function<Force(const View&)> body_force = [](const View&) { return Force{}; };
-};
 
 /// By the angle of the direction (2, 1), 26.6 degrees: the only one below 30 degrees for which a square of less than
 /// ten periods repeats.
@@ -21,24 +13,27 @@ inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5)
 
 /// At `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
 /// those of the cells.
-template <class Force>
-Case in_several_views(const PlaneFlow<Force>& flow, double end) {
+template <class Force = NoForce>
+Case in_several_views(
+    const Flow& flow, double end,
+    const std::function<Force(const View&)>& force_in = [](const View&) { return Force{}; }) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
   const SeveralViews flows =
       several_views({views::mirrored_about_x(0), views::carried_along({1, 0.5}), turned}, spacing, end, l2_velocity);
-  const auto scene_of = [=](const View& view) -> Scene<Newtonian, Force> {
+  const auto scene_in = [=](const View& view) -> Scene<Newtonian, Force> {
     const double period = view.name == turned.name ? std::sqrt(5) * side : side;
     const Box repeated{.high = {period, period}};
     return {.domain = {.box = repeated, .periodic_x = true, .periodic_y = true},
             .fluid = flow.fluid,
             .filled = repeated,
-            .body_force = flow.body_force(view),
-            .start = view.start(flow.velocity, flow.pressure)};
+            .body_force = force_in(view),
+            .start = view.start(flow.start)};
   };
   return flows.declared(
-      velocity_errors(flow.velocity), flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
-      "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the lattice.");
+      velocity_errors(flow.velocity()), flows.methods(scene_in, methods_on<Force>, {"sph", "sph_second_order"}),
+      "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the "
+      "lattice.");
 }
 
 /// What methods claim of the views, for the description of a case.
