@@ -28,8 +28,9 @@ std::vector<Method> methods_on(const Scene<Newtonian, Uniform>& seen) {
 }  // namespace
 
 Case vnv::the_case() {
-  const VelocityTruth exact = [](const Vec2& x, double t) -> Vec2 {
-    return {published.v_x(x.x(), x.y(), t), published.v_y(x.x(), x.y(), t)};
+  const auto wave = flow_named("standing_wave").oracle<reference::StandingWave>();
+  const VelocityTruth exact = [wave](const Vec2& x, double t) -> Vec2 {
+    return {wave.v_x(x.x(), x.y(), t), wave.v_y(x.x(), x.y(), t)};
   };
   Case declared = in_views.declared(velocity_errors(exact), in_views.methods(scene_in, methods_on),
                                     "Carried along: a uniform velocity of 0.5 m/s is added.");
