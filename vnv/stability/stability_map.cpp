@@ -153,8 +153,8 @@ Run map_of_courant_numbers(const LatticeMethod& method, const std::string& figur
   const Curve rising_side = map.theory;
   for (auto a = map.acoustic.rbegin(); a != map.acoustic.rend() && !rising_side.y.empty(); ++a)
     if (*a < rising_side.x.back())
-      if (const auto limit = boundary(rising_side.y.back(), viscous.back(),
-                                      [&](double v) { return map.grows(lattice, *a, v); }))
+      if (const auto limit =
+              boundary(rising_side.y.back(), viscous.back(), [&](double v) { return map.grows(lattice, *a, v); }))
         add_point(map.theory, *a, *limit);
   return map.run();
 }
