@@ -43,8 +43,8 @@ void draw_empty_background(const vnv::Results& results, vnv::Record& record) {
   record.figures.push_back(
       {"empty_background",
        "CPU time per step against the empty fraction of the background grid",
-       "The same column of 14400 particles in tanks 1, 10 and 100 times as large. Sun et al. give the empty background as "
-       "a cost of MPM in the dam break.",
+       "The same column of 14400 particles in tanks 1, 10 and 100 times as large. Sun et al. give the empty background "
+       "as a cost of MPM in the dam break.",
        {.label = "empty fraction of the grid [%]", .low = 80, .high = 100},
        {.label = "T_p [ms]", .scale = 1e3, .low = 0}});
   record.curves.push_back(std::move(curve));
