@@ -1,8 +1,6 @@
 #pragma once
 #include "vnv/bench/plain_grid.hpp"
 
-#include <vector>
-
 namespace touchstone::bench {
 
 struct MlsParticle {
@@ -18,10 +16,9 @@ struct MlsNode {
 /// The moving least squares material point method as its 88-line program has it (Hu et al., ACM Trans. Graph. 37 (2018)
 /// 150): quadratic B-splines, nine nodes, affine velocities (APIC), the stress by the affine matrix. Here for a fluid:
 /// pressure from the density by Tait's law, viscosity from the affine matrix as the velocity gradient.
-class MlsMpm : public PlainMpm<MlsParticle, MlsNode> {
+class MlsMpm : public PlainMpm<MlsParticle, MlsNode, 1> {
  public:
-  MlsMpm(const PlainFlow& flow, double cell, double spacing, double time_step)
-      : PlainMpm(flow, cell, spacing, time_step, 1) {}
+  using PlainMpm::PlainMpm;
 
   void step() {
     for (Node& node : nodes_) node = {};

@@ -56,22 +56,22 @@ class PlainGrid {
 };
 
 /// What a plain loop of the material point method works on, with `layers` of nodes outside each wall.
-template <class ParticleOfLoop, class NodeOfLoop>
+template <class ParticleOfLoop, class NodeOfLoop, int layers>
 class PlainMpm {
  public:
   using Particle = ParticleOfLoop;
 
-  const std::vector<Particle>& particles() const { return particles_; }
-
- protected:
-  using Node = NodeOfLoop;
-
-  PlainMpm(const PlainFlow& flow, double cell, double spacing, double time_step, int layers)
+  PlainMpm(const PlainFlow& flow, double cell, double spacing, double time_step)
       : flow_(flow),
         grid_(flow, cell, layers),
         dt_(time_step),
         particles_(particles_at_rest<Particle>(flow, spacing)),
         nodes_(grid_.nodes()) {}
+
+  const std::vector<Particle>& particles() const { return particles_; }
+
+ protected:
+  using Node = NodeOfLoop;
 
   PlainFlow flow_;
   PlainGrid grid_;

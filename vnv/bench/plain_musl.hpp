@@ -1,8 +1,6 @@
 #pragma once
 #include "vnv/bench/plain_grid.hpp"
 
-#include <vector>
-
 namespace touchstone::bench {
 
 struct MuslParticle {
@@ -21,10 +19,9 @@ struct MuslNode {
 
 /// The material point method with linear hats as textbooks have it (Sulsky, Zhou & Schreyer 1995): three loops over
 /// particles and their four nodes a step. The whole stress is kept whatever the fluid.
-class PlainMusl : public PlainMpm<MuslParticle, MuslNode> {
+class PlainMusl : public PlainMpm<MuslParticle, MuslNode, 0> {
  public:
-  PlainMusl(const PlainFlow& flow, double cell, double spacing, double time_step)
-      : PlainMpm(flow, cell, spacing, time_step, 0) {}
+  using PlainMpm::PlainMpm;
 
   void step() {
     for (Node& node : nodes_) node = {};

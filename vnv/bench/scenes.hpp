@@ -6,6 +6,7 @@
 #include "solvers/scene.hpp"
 #include "solvers/walls/free_slip.hpp"
 #include "solvers/walls/no_slip.hpp"
+#include "vnv/flows/flow.hpp"
 
 namespace touchstone::bench {
 
@@ -33,6 +34,16 @@ inline Scene<Tait, Uniform> dam(const Vec2& tank = dam_tank) {
           .filled = {.high = {0.6, 0.6}},
           .walls = {floor_at(0, free_slip()), left_at(0, free_slip()), right_at(tank.x(), free_slip())},
           .body_force = {{0, -9.8}}};
+}
+
+/// A square of vortices, without the force of the manufactured flow: its evaluation is not the method's.
+inline const Scene<Newtonian>& vortices() {
+  static const Scene<Newtonian> scene = [] {
+    vnv::Flow flow = vnv::flow_named("manufactured");
+    flow.drive = {};
+    return vnv::scene_of<>(flow);
+  }();
+  return scene;
 }
 
 }  // namespace touchstone::bench

@@ -24,16 +24,6 @@ AnyScene scene_at(const Level& level, AnyScene scene) {
   return scene;
 }
 
-/// The step of a level with an acoustic Courant number c dt / cell, or c dt / spacing.
-template <class AnyScene>
-auto by_cells(const AnyScene& scene, double courant, double output_interval) {
-  return [=](const Level& level) { return step_for(scene, courant, level.cell, output_interval); };
-}
-template <class AnyScene>
-auto by_spacings(const AnyScene& scene, double courant, double output_interval) {
-  return [=](const Level& level) { return step_for(scene, courant, level.spacing, output_interval); };
-}
-
 /// `courant` is the acoustic Courant number, c dt / cell in MPM and c dt / spacing in SPH.
 template <class AnyScene>
 Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant = 0.5);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 
 namespace touchstone::vnv {
@@ -18,14 +19,16 @@ inline double noise(std::uint64_t column, std::uint64_t row, std::uint64_t what)
   return static_cast<double>(h >> 11) * 0x1p-52 - 1;
 }
 
-/// Velocities that are noise, of so many speeds of sound: uniform around each particle, so without slopes of its own.
-inline Start noisy(const RestingLattice& lattice, double amplitude) {
+/// Velocities that are noise, of so many speeds of sound, beside those of a flow [m/s], if there is one: uniform around
+/// each particle, so without slopes of its own.
+inline Start noisy(const RestingLattice& lattice, double amplitude, std::function<Vec2(const Vec2&)> flow = {}) {
   Start start;
   start.velocity = [=, shift = lattice.shift](const Vec2& x) -> Vec2 {
     const Vec2 place = x / RestingLattice::spacing - shift;
     const auto column = static_cast<std::uint64_t>(std::floor(place.x()) + 1),
                row = static_cast<std::uint64_t>(std::floor(place.y()) + 1);
-    return amplitude * RestingLattice::sound_speed * Vec2(noise(column, row, 0), noise(column, row, 1));
+    const Vec2 stir = amplitude * RestingLattice::sound_speed * Vec2(noise(column, row, 0), noise(column, row, 1));
+    return flow ? Vec2(stir + flow(x)) : stir;
   };
   return start;
 }

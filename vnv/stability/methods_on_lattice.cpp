@@ -30,16 +30,12 @@ OnLattice forced(Make make) {
   };
 }
 
-/// A method of the channels, in steps in which sound travels a fraction of a spacing.
+/// A method of the channels.
 template <class MakeSolver>
 OnLattice of_channel(const std::string& name, const std::string& words, double courant, MakeSolver solver) {
-  return [=](const RestingLattice& lattice, const Start& start) {
-    const Scene<Newtonian> scene = lattice.scene(start);
-    return simulating(
-        {.name = name, .family = Family::sph, .description = words, .tolerance = stretched, .relative_cost = 2},
-        [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
-        by_spacings(scene, courant, output_interval));
-  };
+  return solved_by(
+      {.name = name, .family = Family::sph, .description = words, .tolerance = stretched, .relative_cost = 2}, courant,
+      solver);
 }
 
 /// Artificial viscosity acts between particles that close in and not between those that part: at rest it has no
@@ -56,23 +52,16 @@ struct HalfOfArtificialViscosity : sph::ArtificialViscosity {
   }
 };
 
-/// The same, whole.
-struct WholeArtificialViscosity : sph::ArtificialViscosity {};
-
-/// Printed SPH with one of the pressure terms and one of the artificial viscosities.
-template <class PressureTerm, class Artificial>
-OnLattice printed_with(const std::string& name, const std::string& words) {
-  return of_channel(name, words, 0.25, [](const Scene<Newtonian>& scene, const Level& level, double time_step) {
+/// Printed SPH with one of the pressure terms, as linear theory sees it.
+template <class PressureTerm>
+OnLattice linear_printed() {
+  return of_channel("linear", "", 0.25, [](const Scene<Newtonian>& scene, const Level& level, double time_step) {
     const double h = level.smoothing_or(1.2 * level.spacing);
     return sph::printed<sph::CubicSpline>(
         scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
         sph::momentum(PressureTerm{}, sph::LaminarViscosity{.nu = scene.fluid.kinematic_viscosity(), .eta = 0.1 * h},
-                      Artificial{{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}}));
+                      HalfOfArtificialViscosity{{.alpha = 0.01, .sound_speed = scene.fluid.sound_speed(), .h = h}}));
   });
-}
-template <class PressureTerm>
-OnLattice linear_printed() {
-  return printed_with<PressureTerm, HalfOfArtificialViscosity>("linear", "");
 }
 
 }  // namespace
@@ -88,18 +77,14 @@ std::vector<LatticeMethod> methods_on_lattice() {
       {plain([](const Still& s) { return mpm_least_squares(s, output_interval); }), true},
       {plain([](const Still& s) { return sph_as_printed(s, output_interval); }), false, restores,
        linear_printed<sph::Pressure>()},
-      {printed_with<sph::PressureDifference, WholeArtificialViscosity>(
-           "sph_difference", channel::sph_printed_words + channel::difference_words),
+      {of_channel("sph_difference", channel::sph_printed_words + channel::difference_words, 0.25,
+                  sph_printed_solver<sph::PressureDifference, PredictorCorrector, Still>),
        false, restores, linear_printed<sph::PressureDifference>()},
       {.on = of_channel("sph_regularised", channel::sph_regularised_words, 0.5,
-                        [](const Still& s, const Level& level, double time_step) {
-                          return sph_regularised_solver<>(s, level, time_step);
-                        }),
+                        sph_regularised_solver<KickDriftKick, double, Still>),
        .one_kernel = true},
       {.on = of_channel("sph_one_evaluation", channel::sph_regularised_words + channel::one_evaluation_words, 0.5,
-                        [](const Still& s, const Level& level, double time_step) {
-                          return sph_regularised_solver<AdamsBashforth>(s, level, time_step);
-                        }),
+                        sph_regularised_solver<AdamsBashforth, double, Still>),
        .one_kernel = true},
       {plain([](const Still& s) { return sph_transport_velocity(s, output_interval); })},
       {plain([](const Still& s) { return sph_second_order(s, output_interval); })},
@@ -119,27 +104,17 @@ std::vector<LatticeMethod> methods_on_lattice() {
 
 std::vector<LatticeMethod> methods_of_any_precision() {
   using Still = Scene<Newtonian>;
-  const OnLattice mpm = [](const RestingLattice& lattice, const Start& start) {
-    const Still scene = lattice.scene(start);
-    return simulating(
-        {.name = "mpm_float",
-         .family = Family::mpm,
-         .description = channel::mpm_words + channel::float_words,
-         .tolerance = stretched},
-        [=](const Level& level, double time_step) {
-          return mpm_solver<mpm::PrescribedMotion, float>(scene, level, time_step);
-        },
-        by_cells(scene, 0.5, output_interval));
-  };
   std::vector<LatticeMethod> all = methods_on_lattice();
-  all.push_back({.on = mpm,
+  all.push_back({.on = solved_by({.name = "mpm_float",
+                                  .family = Family::mpm,
+                                  .description = channel::mpm_words + channel::float_words,
+                                  .tolerance = stretched},
+                                 0.5, mpm_solver<mpm::PrescribedMotion, float, Still>),
                  .linear = plain([](const Still& s) { return mpm_as_printed(s, output_interval); }),
                  .at_night_only = true});
   all.push_back({.on = of_channel("sph_regularised_float",
                                   channel::sph_regularised_words + " Sums over pairs in single precision.", 0.5,
-                                  [](const Still& s, const Level& level, double time_step) {
-                                    return sph_regularised_solver<KickDriftKick, float>(s, level, time_step);
-                                  }),
+                                  sph_regularised_solver<KickDriftKick, float, Still>),
                  .linear = method_on_lattice("sph_regularised").on,
                  .one_kernel = true,
                  .at_night_only = true});

@@ -1,6 +1,7 @@
 #pragma once
 /// All methods of the project on a resting lattice.
 
+#include "vnv/methods/methods.hpp"
 #include "vnv/stability/named_runs.hpp"
 #include "vnv/stability/resting_lattice.hpp"
 
@@ -30,6 +31,21 @@ struct LatticeMethod {
     return {.cells = particles_across};
   }
 };
+
+/// A method by solver(scene, level, time step [s]), in steps in which sound travels a fraction of a cell or, in SPH, of
+/// a spacing.
+template <class MakeSolver>
+OnLattice solved_by(const Method& method, double courant, MakeSolver solver) {
+  constexpr double output_interval = 1;  // s
+  return [=](const RestingLattice& lattice, const Start& start) {
+    const Scene<Newtonian> scene = lattice.scene(start);
+    return simulating(
+        method, [=](const Level& level, double time_step) { return solver(scene, level, time_step); },
+        [=, has_cells = method.family == Family::mpm](const Level& level) {
+          return step_for(scene, courant, has_cells ? level.cell : level.spacing, output_interval);
+        });
+  };
+}
 
 std::vector<LatticeMethod> methods_on_lattice();
 

@@ -11,55 +11,44 @@
 #include "solvers/sph/kernels/wendland_c2.hpp"
 #include "solvers/sph/terms/monaghan_cleary_viscosity.hpp"
 #include "solvers/sph/terms/pressure_sum.hpp"
-#include "vnv/methods/methods.hpp"
 
 #include <fmt/format.h>
 
 namespace touchstone::vnv {
 namespace {
 
-constexpr double output_interval = 1;  // s
-
 template <class Shape, class Transfer, class Density = mpm::CarriedDensity>
 LatticeMethod mpm_with(const std::string& name, const std::string& part) {
-  const OnLattice method = [=](const RestingLattice& lattice, const Start& start) {
-    const Scene<Newtonian> scene = lattice.scene(start);
-    return simulating(
-        {.name = name,
-         .family = Family::mpm,
-         .description =
-             "Material point method with linear shape functions, FLIP, MUSL and densities stored on particles, except for " +
-             part + ".",
-         .relative_cost = 2},
-        [=](const Level& level, double time_step) {
-          return mpm::in_lanes<Shape, Transfer, Density>(
-              scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
-        },
-        by_cells(scene, 0.4, output_interval));
-  };
+  const OnLattice method = solved_by(
+      {.name = name,
+       .family = Family::mpm,
+       .description =
+           "Material point method with linear shape functions, FLIP, MUSL and densities stored on particles, except for " +
+           part + ".",
+       .relative_cost = 2},
+      0.4, [](const Scene<Newtonian>& scene, const Level& level, double time_step) {
+        return mpm::in_lanes<Shape, Transfer, Density>(
+            scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+      });
   return {.on = method, .at_night_only = true};
 }
 
 /// `ratio` is that of h to the spacing.
 template <class Kernel, class Integrator, class MakeParts>
 LatticeMethod sph_with(const std::string& name, const std::string& part, double ratio, MakeParts parts) {
-  const OnLattice method = [=](const RestingLattice& lattice, const Start& start) {
-    const Scene<Newtonian> scene = lattice.scene(start);
-    return simulating(
-        {.name = name,
-         .family = Family::sph,
-         .description = fmt::format("delta-SPH with sums of pressures, Wendland's C2 kernel and kick-drift-kick, "
-                                    "except for {}; h = {:g} spacings.",
-                                    part, ratio),
-         .relative_cost = 2},
-        [=](const Level& level, double time_step) {
-          const double h = level.smoothing_or(ratio * level.spacing);
-          return sph::free_surface<Kernel, Integrator>(
-              scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
-              sph::momentum(sph::MonaghanClearyViscosity{.mu = scene.fluid.viscosity}), parts(scene.fluid, h));
-        },
-        by_spacings(scene, 0.3, output_interval));
-  };
+  const OnLattice method =
+      solved_by({.name = name,
+                 .family = Family::sph,
+                 .description = fmt::format("delta-SPH with sums of pressures, Wendland's C2 kernel and "
+                                            "kick-drift-kick, except for {}; h = {:g} spacings.",
+                                            part, ratio),
+                 .relative_cost = 2},
+                0.3, [=](const Scene<Newtonian>& scene, const Level& level, double time_step) {
+                  const double h = level.smoothing_or(ratio * level.spacing);
+                  return sph::free_surface<Kernel, Integrator>(
+                      scene, {.spacing = level.spacing, .smoothing_length = h, .time_step = time_step},
+                      sph::momentum(sph::MonaghanClearyViscosity{.mu = scene.fluid.viscosity}), parts(scene.fluid, h));
+                });
   return {.on = method, .at_night_only = true};
 }
 

@@ -1,8 +1,8 @@
 /// Cost per particle from a thousand to ten million particles: time of a step, and memory.
 
-#include "vnv/bench/scenes.hpp"
 #include "vnv/bench/machine.hpp"
 #include "vnv/bench/race.hpp"
+#include "vnv/bench/scenes.hpp"
 #include "vnv/flows/channels/channel.hpp"
 
 using namespace touchstone;
@@ -64,18 +64,22 @@ auto scale(Make make) {
   };
 }
 
-/// Each run had a process of its own.
+double time_of_particle_step(const Run& run) { return run.summary.cost.per_particle_step(); }  // s
+/// Bytes; each run had a process of its own.
+double memory_of_particle(const Run& run) {
+  return run.summary.cost.peak_memory / static_cast<double>(run.summary.cost.particles);
+}
+
 std::vector<Value> find_memory(const Results& results, const Record&) {
   std::vector<Value> all;
   for (const Run& run : results.runs) {
-    const Cost& cost = run.summary.cost;
-    const double each = cost.peak_memory / static_cast<double>(cost.particles);
     const auto found = [&](const Quantity& quantity, double value) {
       all.push_back({run.summary.level, run.summary.spacing, not_a_number, quantity, value});
     };
-    found(memory, 1e-9 * cost.peak_memory);
-    found(memory_each, each);
-    if (const double bytes = run.value_of(moved_meanwhile); !std::isnan(bytes)) found(passes, bytes / each);
+    found(memory, 1e-9 * run.summary.cost.peak_memory);
+    found(memory_each, memory_of_particle(run));
+    if (const double bytes = run.value_of(moved_meanwhile); !std::isnan(bytes))
+      found(passes, bytes / memory_of_particle(run));
   }
   return all;
 }
@@ -90,19 +94,19 @@ Method scaling(Method method) {
   return method;
 }
 
-Pick per_particle_step() {
-  return [](const Record&, const Run& run) { return run.summary.cost.per_particle_step(); };
-}
-Pick memory_per_particle() {
-  return [](const Record&, const Run& run) {
-    return run.summary.cost.peak_memory / static_cast<double>(run.summary.cost.particles);
-  };
+Plot over_particles(std::string id, std::string title, std::string caption, Axis axis,
+                    double (*number_of)(const Run&)) {
+  return along_ladders({std::move(id),
+                        std::move(title),
+                        std::move(caption),
+                        {.label = "particle number", .logarithmic = true},
+                        std::move(axis)},
+                       {}, particle_number(), {{"", [=](const Record&, const Run& run) { return number_of(run); }}});
 }
 
 }  // namespace
 
 Case vnv::the_case() {
-  const Axis number{.label = "particle number", .logarithmic = true};
   return {
       .title = "Scaling to ten million particles",
       .description =
@@ -126,20 +130,13 @@ Case vnv::the_case() {
                            .run = scale(sph_of),
                            .claims = {at_most(dearer, 2.5, goal).on("1e6"), at_most(dearer, 2.5, goal).on("1e7"),
                                       at_most(memory, 6, goal).on("1e7")}})},
-      .plots = {along_ladders({"cost_per_particle",
-                               "CPU time per particle-step",
-                               "One core. The channel grows at equal spacing.",
-                               number,
-                               {.label = "time per particle-step [ns]", .scale = 1e9, .logarithmic = true}},
-                              {}, particle_number(), {{"", per_particle_step()}}),
-                along_ladders(
-                    {"memory_per_particle",
-                     "Memory per particle",
-                     "Peak memory of the process over the number of particles; below 10^5 particles it is mostly "
-                     "that of the program.",
-                     number,
-                     {.label = "memory per particle [bytes]", .logarithmic = true}},
-                    {}, particle_number(), {{"", memory_per_particle()}})},
+      .plots = {over_particles(
+                    "cost_per_particle", "CPU time per particle-step", "One core. The channel grows at equal spacing.",
+                    {.label = "time per particle-step [ns]", .scale = 1e9, .logarithmic = true}, time_of_particle_step),
+                over_particles("memory_per_particle", "Memory per particle",
+                               "Peak memory of the process over the number of particles; below 10^5 particles it is "
+                               "mostly that of the program.",
+                               {.label = "memory per particle [bytes]", .logarithmic = true}, memory_of_particle)},
       .timed = true,
   };
 }
