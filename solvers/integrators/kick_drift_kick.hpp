@@ -12,7 +12,7 @@ class KickDriftKick {
  public:
   static constexpr std::size_t past_fields = 0;
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     FluidState& all = flow.state();
     const int threads = flow.threads();

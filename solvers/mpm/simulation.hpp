@@ -48,8 +48,7 @@ template <class Method, class Particles, class Nodes, class FluidLaw, class Forc
 class SimulationInCells : public Simulation<FluidLaw, Force> {
  public:
   /// One step, explicit Euler, lumped mass; all weights are those of the places at its start. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     method().scatter();  // m_i, (m v)_i, (12), (13)
     lap(SubStep::scatter);
     method().accelerate();  // (10), (11), (14), as walls have it

@@ -2,6 +2,7 @@
 /// Where the time of a step goes, for a caller who wants to know.
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 namespace touchstone {
@@ -21,10 +22,8 @@ enum class SubStep {
 inline constexpr std::array<std::string_view, 9> names_of_sub_steps{
     "scatter", "grid", "remap", "gather", "pairs", "rates", "boundaries", "motion", "sorting"};
 
-/// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part. This one
-/// hears nothing and costs nothing.
-struct NoLaps {
-  void operator()(SubStep) const {}
-};
+/// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part.
+using Laps = std::function<void(SubStep)>;
+inline const Laps no_laps = [](SubStep) {};
 
 }  // namespace touchstone

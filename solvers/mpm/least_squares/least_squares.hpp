@@ -52,8 +52,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   }
 
   /// One step of the integrator, from particles that stand evenly enough. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     if (strained_ > most_strain) remesh();
     lap(SubStep::sorting);
     integrator_.step(*this, this->time(), time_step(), lap);
@@ -194,7 +193,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     integrator_ = Integrator{};  // past rates were of other places
   }
 
-  template <class Laps>
   void find_rates(double time, const Laps& lap) {
     keep_order();
     lap(SubStep::sorting);

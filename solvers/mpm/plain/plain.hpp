@@ -139,8 +139,7 @@ class Plain : public Simulation<FluidLaw, Force> {
 
   /// One step, in which the stress is found last, by velocities that the particles give to the nodes anew (MUSL;
   /// Sulsky, Zhou & Schreyer 1995): nodes of little mass, at a free surface, strain less. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     scatter();  // m_i, (m v)_i, (12), (13)
     lap(SubStep::scatter);
     accelerate();  // (10), (11), (14), as walls have it

@@ -232,7 +232,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
 
   /// Rates of density, and of velocity with the pressure that the density has by then. Diffusion reads the gradient
   /// of density of the last second pass: kick-drift-kick begins with both, other integrators begin with none.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     if constexpr (of_density) {
       see_all(time, lap);
@@ -275,7 +275,6 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   }
 
   /// Fluid, ghosts and images as the last motion left them.
-  template <class Laps>
   void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);

@@ -17,7 +17,7 @@ class KickDriftKickWithBudget {
 
   std::shared_ptr<EnergyBudget> budget = std::make_shared<EnergyBudget>();
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     auto& all = flow.state();
     const Energy before = energy_in(flow);
@@ -57,7 +57,7 @@ class KickDriftKickWithBudget {
   }
 
   /// The first pass leaves the accelerations by viscosity alone.
-  template <class Flow, class Laps>
+  template <class Flow>
   static void find_density_rate(Flow& flow, double time, const Laps& lap) {
     auto& all = flow.state();
     flow.find_density_rate(time, lap);

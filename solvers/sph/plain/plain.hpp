@@ -57,7 +57,7 @@ class PlainSimulation : public Clock {
 
   void step() {
     method().spread_particles();
-    integrator_.step(*this, time(), time_step(), NoLaps{});
+    integrator_.step(*this, time(), time_step(), no_laps);
     tick();
     method().correct_density();
   }
@@ -75,9 +75,9 @@ class PlainSimulation : public Clock {
   // For the integrator.
   Particles& state() { return all_; }
   static int threads() { return 1; }
-  void find_rates(double time, const NoLaps&) { method().template find<true, true>(time); }
-  void find_density_rate(double time, const NoLaps&) { method().template find<true, false>(time); }
-  void find_accelerations(double time, const NoLaps&) { method().template find<false, true>(time); }
+  void find_rates(double time, const Laps&) { method().template find<true, true>(time); }
+  void find_density_rate(double time, const Laps&) { method().template find<true, false>(time); }
+  void find_accelerations(double time, const Laps&) { method().template find<false, true>(time); }
   void before_drift(double time, double dt) { method().meet_walls(time, dt); }
 
  protected:

@@ -39,7 +39,7 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
   }
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     this->see_fluid_and_ghosts(time, lap);
     if constexpr (of_velocity)
@@ -53,7 +53,6 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
     }
   }
 
-  template <class Laps>
   void push_off_walls(const Laps& lap) {
     if constexpr (repels) {
       push_off<0>(near_, scene_.fluid.sound_speed(), settings_.spacing);

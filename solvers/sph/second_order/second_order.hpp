@@ -104,7 +104,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
   void correct_density() { near_.all.rho += mean_density_ - near_.all.rho.mean(); }
 
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     static_assert(of_density && of_velocity, "one fit gives both rates: the integrator has to ask for both at once");
     near_.see_fluid(scene_.fluid);

@@ -107,7 +107,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   }
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     if constexpr (drift_has_momentum) see_drift();
     this->see_fluid_and_ghosts(time, lap);

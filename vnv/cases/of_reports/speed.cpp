@@ -94,8 +94,7 @@ class Repeated {
  public:
   Repeated(Solver solver, long lead, long stretch) : now_(std::move(solver)), lead_(lead), stretch_(stretch) {}
 
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     if (now_->steps() == lead_) start_.emplace(*now_);
     if (now_->steps() == lead_ + stretch_) now_.emplace(*start_);
     now_->step(lap);
