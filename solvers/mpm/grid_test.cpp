@@ -1,4 +1,4 @@
-#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/sorting.hpp"
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/mpm/beginning.hpp"

@@ -8,7 +8,7 @@
 #include "solvers/mpm/samples_of.hpp"
 #include "solvers/mpm/seed.hpp"
 #include "solvers/mpm/settings.hpp"
-#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/sorting.hpp"
 #include "solvers/stepping/clock.hpp"
 #include "solvers/stepping/laps.hpp"
 

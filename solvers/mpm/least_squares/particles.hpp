@@ -2,7 +2,7 @@
 #include "solvers/integrators/fluid_state.hpp"
 #include "solvers/mpm/cell_order.hpp"
 #include "solvers/mpm/fields.hpp"
-#include "solvers/mpm/lanes/within.hpp"
+#include "solvers/mpm/lanes/quadratic_weights.hpp"
 #include "solvers/mpm/seed.hpp"
 
 namespace touchstone::mpm {

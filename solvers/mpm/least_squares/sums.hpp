@@ -3,7 +3,7 @@
 /// nine nodes around it is a product of parabolas, so a cell is summed in powers of X and Y, the place from its own
 /// node, once for all nine. Rows of cells then meet their nodes along x, and rows of nodes meet along y.
 
-#include "solvers/mpm/lanes/within.hpp"
+#include "solvers/mpm/lanes/quadratic_weights.hpp"
 #include "solvers/mpm/least_squares/particles.hpp"
 #include "solvers/quadratic_fit.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/parts.hpp"
-#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/sorting.hpp"
 #include "solvers/mpm/shapes/along_axis.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/contact.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// What particles take whose affine velocity holds the stress (`MlsApic`), all in one pass.
 
-#include "solvers/mpm/lanes/densities.hpp"
+#include "solvers/mpm/lanes/grid_to_particles.hpp"
 
 namespace touchstone::mpm {
 

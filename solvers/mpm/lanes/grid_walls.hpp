@@ -1,7 +1,7 @@
 #pragma once
 /// Walls of methods in lanes: across the domain, and with an extent.
 
-#include "solvers/mpm/lanes/nodes.hpp"
+#include "solvers/mpm/lanes/grid_update.hpp"
 #include "solvers/mpm/walls/held_nodes.hpp"
 #include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"

@@ -3,7 +3,7 @@
 /// anew.
 
 #include "solvers/mpm/lanes/particles.hpp"
-#include "solvers/mpm/lanes/walls.hpp"
+#include "solvers/mpm/lanes/grid_walls.hpp"
 #include "solvers/stepping/clock.hpp"
 
 namespace touchstone::mpm {

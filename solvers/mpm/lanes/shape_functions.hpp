@@ -4,7 +4,7 @@
 /// too. The shapes are named by the types of `plain`, whose node k along an axis is `first_node` + k here; of nodes
 /// that are the same, along a periodic axis, those from `first_of_period` on are no ghosts (`Edges`).
 
-#include "solvers/mpm/lanes/weights.hpp"
+#include "solvers/mpm/lanes/any_weights.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"

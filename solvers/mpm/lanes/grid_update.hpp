@@ -1,7 +1,7 @@
 #pragma once
 /// The nodes of methods in lanes, and where these are the same, or splines are cut off, at edges.
 
-#include "solvers/mpm/lanes/shapes.hpp"
+#include "solvers/mpm/lanes/shape_functions.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
 namespace touchstone::mpm {

@@ -1,7 +1,7 @@
 #pragma once
 /// How densities follow the flow in lanes, with what comes of them: stress and place.
 
-#include "solvers/mpm/lanes/transfers.hpp"
+#include "solvers/mpm/lanes/particles_to_grid.hpp"
 
 namespace touchstone::mpm {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Walls where quadratic B-splines are whole: they mirror.
 
-#include "solvers/mpm/lanes/walls.hpp"
+#include "solvers/mpm/lanes/grid_walls.hpp"
 
 namespace touchstone::mpm {
 
