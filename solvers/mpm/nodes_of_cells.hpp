@@ -12,12 +12,6 @@
 
 namespace touchstone::mpm {
 
-/// One number for each column of nodes near a cell, and for each row; or for each function of X, and for each of Y.
-template <class Real, int touched>
-using Square = std::array<std::array<Real, touched>, touched>;
-template <class Real>
-using ThreeByThree = Square<Real, 3>;
-
 /// Nodes row by row: the cell (column, row) touches the nodes (column, row) to (column + touched - 1, row + touched -
 /// 1). Rows are as long as whole blocks of cells, and as the registers more in which the last of these have nodes.
 ///

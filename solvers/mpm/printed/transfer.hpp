@@ -98,20 +98,20 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
 
 /// Sums over the particles of the cells of a block of a body force (13) [m/s²].
 template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
-Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
-                             const Force& force, double time) {
-  Momentum<Real> sums;
+VectorMoments<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
+                                  const Force& force, double time) {
+  VectorMoments<Real> sums{};
   for (int lane = 0; lane < lanes_of<Number>; ++lane) {
-    Moments<Number> x, y;
+    VectorMoments<Number> of_cell{};
     for (int k = 0; k < block.count[lane]; ++k) {
       const int slot = block.slot(lane, k);
       const Number X = particles.X[slot], Y = particles.Y[slot];
       const Vec2 b = force(grid.place(particles.order.cell(block, lane), X, Y), time);
-      x += Moments<Number>::of(static_cast<Number>(b.x()), X, Y, X * Y);
-      y += Moments<Number>::of(static_cast<Number>(b.y()), X, Y, X * Y);
+      for (const int axis : {0, 1}) add_to(of_cell[axis], moments(static_cast<Number>(b[axis]), X, Y));
     }
-    sums.x.set(lane, x);
-    sums.y.set(lane, y);
+    for (const int axis : {0, 1})
+      for (const int i : {0, 1})
+        for (const int j : {0, 1}) sums[axis][i][j][lane] = of_cell[axis][i][j];
   }
   return sums;
 }
@@ -120,32 +120,24 @@ NoForce body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Gr
   return {};
 }
 
-inline std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
-  return LinearHat::at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
+/// From sums of q, q X, q Y and q XY at least.
+template <std::size_t count>
+std::array<Lanes, 4> at_corners(const std::array<std::array<Lanes, count>, count>& q) {
+  return LinearHat::at_corners(q[0][0], q[1][0], q[0][1], q[1][1]);
 }
-
-template <int part, class Real>
-void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
-  const auto x = at_corners(widened<part>(sums.x)), y = at_corners(widened<part>(sums.y));
-  for (int corner = 0; corner < 4; ++corner) {
-    forces.x[corner] += x[corner];
-    forces.y[corner] += y[corner];
-  }
-}
-template <int part>
-void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
 
 /// Gives the corners of a part of a block their masses, momenta and forces (12), (13).
-template <int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
-void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
+template <int part, class FluidLaw, class Mass, class Velocity, class Stress, class BodyForce, class To>
+void give(int column, const Mass& m, const Velocity& v, const Stress& stress, const BodyForce& body_force,
           const Vec2& per_cell, To& to) {
-  to.template give<mass>(column, at_corners(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
-  to.template give<momentum_x>(column, at_corners(widened<part>(v.x)));
-  to.template give<momentum_y>(column, at_corners(widened<part>(v.y)));
-  CornerForces<Lanes> forces = stress.template as_doubles<part>().forces(per_cell);
-  add_body_force<part>(body_force, forces);
-  to.template give<force_x>(column, forces.x);
-  to.template give<force_y>(column, forces.y);
+  to.template give<mass>(column, at_corners(widened<part>(m)));
+  to.template give<momentum_x>(column, at_corners(widened<part>(v[0])));
+  to.template give<momentum_y>(column, at_corners(widened<part>(v[1])));
+  CornerForces forces = forces_of<FluidLaw>(widened<part>(stress), per_cell);
+  if constexpr (is_present<BodyForce>)
+    for_indices<2>([&](auto axis) { add_to(forces[axis], at_corners(widened<part>(body_force[axis]))); });
+  to.template give<force_x>(column, forces[0]);
+  to.template give<force_y>(column, forces[1]);
 }
 
 /// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
@@ -161,7 +153,7 @@ void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, con
     const auto stress = stress_of(particles, block);
     const auto b = body_force_of(particles, block, grid, force, time);
     with_indices<parts>(
-        [&](auto... part) { (give<part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
+        [&](auto... part) { (give<part, FluidLaw>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
     if constexpr (!Block::is_single)
       with_indices<parts>([&](auto... part) { ((masses[i * parts + part] = widened<part>(m)), ...); });
   };
@@ -175,12 +167,16 @@ inline LinearHat::Within<Lanes> laid_out(const Field<double>& field, int node, i
   return {load<Lanes>(low), load<Lanes>(low + 1), load<Lanes>(high), load<Lanes>(high + 1)};
 }
 
-/// Sums over the particles of a cell of q, q X, q Y and q XY, for a field q within the cell.
+/// Moments of a field q within the cell.
 template <class Within>
 Moments<Lanes> moments_of(const Within& q, const CellMass<Lanes>& m) {
-  return {m.one * q.q0 + m.X * q.qX + m.Y * q.qY + m.XY * q.qXY, m.X * q.q0 + m.XX * q.qX + m.XY * q.qY + m.XXY * q.qXY,
-          m.Y * q.q0 + m.XY * q.qX + m.YY * q.qY + m.XYY * q.qXY,
-          m.XY * q.q0 + m.XXY * q.qX + m.XYY * q.qY + m.XXYY * q.qXY};
+  Moments<Lanes> found;
+  for_indices<2>([&](auto i) {
+    for_indices<2>([&](auto j) {
+      found[i][j] = m[i][j] * q.q0 + m[i + 1][j] * q.qX + m[i][j + 1] * q.qY + m[i + 1][j + 1] * q.qXY;
+    });
+  });
+  return found;
 }
 
 template <class Real, class Within>
@@ -202,7 +198,7 @@ void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::ve
       if constexpr (Block::is_single) {
         const Lanes X = widened<part>(load<Real>(&particles.X[block.first])),
                     Y = widened<part>(load<Real>(&particles.Y[block.first]));
-        return Moments<Lanes>::of(at(X, Y, q), X, Y, X * Y);
+        return mpm::moments(at(X, Y, q), X, Y);
       } else {
         return moments_of(q, masses[i * parts + part]);
       }
