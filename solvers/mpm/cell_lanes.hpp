@@ -1,60 +1,27 @@
 #pragma once
 /// Several neighbouring cells in one register, a particle of each: the vector details of this solver, all of them.
-/// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
-/// depends on what lies in the lanes beside it.
 
 #include "solvers/indices.hpp"
+#include "solvers/lanes.hpp"
 
 #include <cstring>
-#include <type_traits>
-#include <utility>
 
 namespace touchstone::mpm {
-
-#if defined(__AVX512F__)
-inline constexpr int register_bytes = 64;
-#elif defined(__AVX__)
-inline constexpr int register_bytes = 32;
-#else
-inline constexpr int register_bytes = 16;
-#endif
-
-/// How many numbers a register holds.
-template <class Number>
-inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(Number));
-
-/// A register of numbers, and the same where its address need not be aligned.
-template <class Number>
-struct Register;
-template <>
-struct Register<double> {
-  using type [[gnu::vector_size(register_bytes)]] = double;
-  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(double))]] = double;
-};
-template <>
-struct Register<float> {
-  using type [[gnu::vector_size(register_bytes)]] = float;
-  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(float))]] = float;
-};
-template <class Number>
-using LanesOf = typename Register<Number>::type;
 
 /// What nodes are reckoned with, whatever the particles are.
 using Lanes = LanesOf<double>;
 inline constexpr int lanes = lanes_of<double>;
 
-/// The type of the numbers in lanes.
 template <class Real>
-using NumberIn = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
-
+using InMemory = typename Register<NumberIn<Real>, lanes_of<NumberIn<Real>>>::in_memory;
 /// The numbers from an address on.
 template <class Real>
 Real load(const NumberIn<Real>* from) {
-  return *reinterpret_cast<const typename Register<NumberIn<Real>>::in_memory*>(from);
+  return *reinterpret_cast<const InMemory<Real>*>(from);
 }
 template <class Real>
 void store(const Real& value, NumberIn<Real>* to) {
-  *reinterpret_cast<typename Register<NumberIn<Real>>::in_memory*>(to) = value;
+  *reinterpret_cast<InMemory<Real>*>(to) = value;
 }
 
 /// The same number in every lane.

@@ -42,7 +42,7 @@ template <class Packed_>
 class Neighbourhood {
  public:
   using Packed = Packed_;
-  static constexpr int width = lanes<typename Packed::Number>;
+  static constexpr int width = lanes_of<typename Packed::Number>;
   using Lists = NeighbourLists<width>;
 
   Particles all;

@@ -96,7 +96,7 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
 /// The sums of one block. Everything is inlined here, or vectors would travel through memory.
 template <std::size_t K, int width, class Packed, class Term>
 [[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Packed* all, const Term& term) {
-  using Sum = Lanes<typename Packed::Number, width>;
+  using Sum = LanesOf<typename Packed::Number, width>;
   std::array<Sum, K> total;
 #pragma GCC unroll 64
   for (std::size_t k = 0; k < K; ++k) total[k] = Sum{};

@@ -58,9 +58,9 @@ struct alignas(16) Packed : Place<Number_> {
 };
 
 /// One particle per lane.
-template <class Packed, int width = lanes<typename Packed::Number>>
+template <class Packed, int width = lanes_of<typename Packed::Number>>
 struct Row {
-  using Real = Lanes<typename Packed::Number, width>;
+  using Real = LanesOf<typename Packed::Number, width>;
   const Packed* all;
   const int* which;
 

@@ -84,7 +84,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     sums[At::acceleration + 1] = acceleration.y;
     const Real per_r = ij.mass * ij.specific_volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
     if constexpr (Found::correction) {
-      const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
+      const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - NumberIn<Real>(greatest_fluid_eigenvalue)));
       sums[At::weights] = -per_r;
       sums[At::half_of_ghosts] = -half * (ij.vx * x + ij.vy * y);
       const Real vx = ij.vx - half * ij.vx, vy = ij.vy - half * ij.vy;
@@ -102,7 +102,8 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       sums[At::moments + 2] = -y * ij.y;
     }
     if constexpr (Found::shifting) {
-      const Real weight = parts.shifting.template concentration_weight<Kernel>(Real(ij.r * Number<Real>(per_h)), per_h);
+      const Real weight =
+          parts.shifting.template concentration_weight<Kernel>(Real(ij.r * NumberIn<Real>(per_h)), per_h);
       sums[At::concentration_gradient] = weight * x;
       sums[At::concentration_gradient + 1] = weight * y;
     }
@@ -182,7 +183,7 @@ void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, do
       sums[At::eigenvalue_gradient] = difference * ij.x;
       sums[At::eigenvalue_gradient + 1] = difference * ij.y;
       sums[At::eigenvalue_gradient + 2] =
-          -ij.slope * positive_part(Real(Number<Real>(parts.shifting.surface) - least_eigenvalue_j));
+          -ij.slope * positive_part(Real(NumberIn<Real>(parts.shifting.surface) - least_eigenvalue_j));
     }
     return sums;
   };

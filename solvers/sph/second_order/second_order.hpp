@@ -13,7 +13,7 @@ namespace touchstone::sph {
 
 /// Of vx, vy and pressure.
 template <class Real>
-using FitOfFlow = QuadraticFit<Lanes<Real>, 3>;
+using FitOfFlow = QuadraticFit<LanesOf<Real>, 3>;
 
 /// What a neighbour adds to the sums of a fit, in lengths h.
 template <class Kernel, class Real>
@@ -23,8 +23,8 @@ struct TermsOfFit {
   template <class I, class J>
   auto operator()(const I& i, const J& j) const {
     const auto sides = apart(j, i);
-    const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
-    const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
+    const LanesOf<Real> x = sides[0] * per_h, y = sides[1] * per_h;
+    const LanesOf<Real> w = Kernel::w(square_root(LanesOf<Real>(x * x + y * y)));
     const auto v_i = i.two(&Packed<Real>::vx), v_j = j.two(&Packed<Real>::vx);
     const auto volume_and_p_i = i.two(&Packed<Real>::specific_volume),
                volume_and_p_j = j.two(&Packed<Real>::specific_volume);
@@ -136,7 +136,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
   /// The equations of motion of a Newtonian fluid, and how particles will drift, of the sums of their fits.
   struct MotionOfFit {
-    using Number = Lanes<Real>;
+    using Number = LanesOf<Real>;
     const FluidLaw& fluid;
     double h, spread, of_rho, of_v;  // m, m/s  from where particles are dense, 1/s, 1/s
 
