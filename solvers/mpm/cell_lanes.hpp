@@ -77,11 +77,11 @@ Real joined(const PartOf& part_of) {
 
 /// What a comparison of two `Real` yields, and-able with `&`.
 template <class Real>
-using Truth = decltype(std::declval<Real>() < std::declval<Real>());
+using Mask = decltype(std::declval<Real>() < std::declval<Real>());
 
 /// Whether numbers lie between two others, both of them included; false for what is not a number.
 template <class Real>
-Truth<Real> between(double low, const Real& number, double high) {
+Mask<Real> between(double low, const Real& number, double high) {
   return (fill<Real>(low) <= number) & (number <= fill<Real>(high));
 }
 
@@ -91,14 +91,14 @@ static_assert(lanes_of<float> <= 16);
 
 /// Those of the lanes that say so. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
 template <class Real>
-LaneBits lanes_with(Truth<Real> truth) {
+LaneBits lanes_with(Mask<Real> truth) {
   unsigned bits = 0;
   for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (truth[lane] ? 1u : 0u) << lane;
   return static_cast<LaneBits>(bits);
 }
 /// True if every lane says so.
 template <class Real>
-bool all(const Truth<Real>& truth) {
+bool all(const Mask<Real>& truth) {
   return lanes_with<Real>(truth) == (1u << lanes_of<NumberIn<Real>>)-1;
 }
 

@@ -15,7 +15,7 @@ void share_out_rows(const CellOrder<width>& order, int threads, const Work& work
 
 /// Writes the lanes that hold a particle, and zero to the others.
 struct IfPresent {
-  Truth<Lanes> present;
+  Mask<Lanes> present;
 
   Lanes operator()(const Lanes& value, double* to) const {
     const Lanes kept = present ? value : Lanes{};
@@ -49,6 +49,6 @@ void for_blocks(const Particles& particles, const Nodes& nodes, int threads, std
   for_blocks(particles, nodes, threads,
              [&](Eigen::Index i, const auto& block, int node) { calm[i] = lanes_with<Lanes>(work(block, node)); });
 }
-inline const Truth<Lanes> calm_so_far = Lanes{} == Lanes{};
+inline const Mask<Lanes> calm_so_far = Lanes{} == Lanes{};
 
 }  // namespace touchstone::mpm

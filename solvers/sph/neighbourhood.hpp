@@ -13,7 +13,7 @@ namespace touchstone::sph {
 
 /// How far the lists reach [m]: the kernel, the push of a wall (0 where there is none), and a skin beyond both, which
 /// is chosen anew with the lists.
-struct Reach {
+struct ListReach {
   double kernel, wall, skin;
   double least_skin = skin, greatest_skin = skin;
 };
@@ -56,7 +56,7 @@ class Neighbourhood {
   /// Fluid on a lattice, set going as the scene says. Throws std::invalid_argument for a kernel that reaches once
   /// around the domain, and for fluid on a wall.
   template <class SceneOfRun>
-  Neighbourhood(const SceneOfRun& scene, double spacing, const Reach& reach, BoundaryLayout layout, int threads = 1)
+  Neighbourhood(const SceneOfRun& scene, double spacing, const ListReach& reach, BoundaryLayout layout, int threads = 1)
       : boundary(std::move(layout)),
         domain_(scene.domain),
         density_(scene.fluid.density),
@@ -302,7 +302,7 @@ class Neighbourhood {
   Domain domain_;
   double density_;                   // kg/m³  at rest
   std::vector<Wall> walls_, gates_;  // gates are those with an extent
-  Reach reach_;
+  ListReach reach_;
   int threads_;
   Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made
 };

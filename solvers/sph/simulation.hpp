@@ -41,7 +41,7 @@ class Simulation : public Clock {
  protected:
   /// Throws std::invalid_argument for settings that are not positive, and as `Neighbourhood` does. `carried` fields of
   /// the method go with the fluid.
-  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried, const Reach& reach,
+  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried, const ListReach& reach,
              BoundaryLayout layout)
       : Clock("sph", settings.time_step),
         scene_(scene),

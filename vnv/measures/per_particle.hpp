@@ -6,7 +6,7 @@
 namespace touchstone::vnv {
 
 /// A field at each particle, in the order of the particles, weighted by the particle's volume [m²].
-inline Measure per_particle(Field field) {
+inline Measure per_particle(ParticleField field) {
   return [field = std::move(field)](const Samples& samples) {
     const Scalars volumes = samples.volumes();
     Profile profile;

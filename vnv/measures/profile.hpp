@@ -16,11 +16,11 @@ struct Profile {
 };
 
 /// One number of one particle.
-using Field = std::function<double(const Samples&, Eigen::Index particle)>;
+using ParticleField = std::function<double(const Samples&, Eigen::Index particle)>;
 
 /// Its mean over the particles at chosen places; not a number where there are none.
 template <class Chosen>
-double mean_where(const Samples& samples, const Field& field, const Chosen& chosen) {
+double mean_where(const Samples& samples, const ParticleField& field, const Chosen& chosen) {
   double sum = 0, count = 0;
   for (Eigen::Index p = 0; p < samples.size(); ++p)
     if (chosen(Vec2(samples.x.col(p)))) {

@@ -192,23 +192,15 @@ class GimpAlong {
   Lanes below_, above_;  // 1/cells  over the side, or 0 at an edge
 };
 
-template <class Shape>
-class ShapeInLanes;
-
 template <int degree>
-class ShapeInLanes<BSpline<degree>> : public ByWeights<BSplineAlong<degree>> {
+BSplineAlong<degree> in_lanes_along(BSpline<degree>);
+BSplineAlong<1> in_lanes_along(LinearHat);
+GimpAlong in_lanes_along(Gimp);
+
+template <class Shape>
+class ShapeInLanes : public ByWeights<decltype(in_lanes_along(Shape{}))> {
  public:
-  using ByWeights<BSplineAlong<degree>>::ByWeights;
-};
-template <>
-class ShapeInLanes<LinearHat> : public ByWeights<BSplineAlong<1>> {
- public:
-  using ByWeights<BSplineAlong<1>>::ByWeights;
-};
-template <>
-class ShapeInLanes<Gimp> : public ByWeights<GimpAlong> {
- public:
-  using ByWeights<GimpAlong>::ByWeights;
+  using ShapeInLanes::ByWeights::ByWeights;
 };
 
 /// Quadratic B-splines are polynomials in each cell, whole ones everywhere: what is cut off at edges is handled at the

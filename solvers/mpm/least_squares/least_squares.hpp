@@ -265,7 +265,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   /// The fastest strain of any node.
   void note_strain() {
     double fastest = 0;
-    for (const FittedNodes::Fitted field : {FittedNodes::v_x, FittedNodes::v_y})
+    for (const FittedNodes::FittedField field : {FittedNodes::v_x, FittedNodes::v_y})
       for (const int axis : {0, 1})
         for (int row = 0; row < cells_.rows; ++row)
           fastest = std::max(
@@ -301,7 +301,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
           const auto work = of_block(node);
           for_particles_of(block, [&](int slot, const auto& write) {
             const Monomials X = all_.place(0, slot), Y = all_.place(1, slot);
-            const Between x = nodes_.between(0, block.column, X.X), y = nodes_.between(1, block.row, Y.X);
+            const HatsAlong x = nodes_.hats_at(0, block.column, X.X), y = nodes_.hats_at(1, block.row, Y.X);
             work(slot, write, X, Y, std::array{joined(fits[0], x, y), joined(fits[1], x, y), joined(fits[2], x, y)});
           });
         });

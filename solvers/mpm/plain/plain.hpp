@@ -37,8 +37,8 @@ class PlainNodes {
   /// For square particles of a side [m] along each axis.
   PlainNodes(const Grid& grid, const Vec2& side)
       : grid_(grid),
-        along_{AlongAxis<Shape>(Axis{grid.columns, grid.periodic_x, side.x() / grid.cell.x() / 2}),
-               AlongAxis<Shape>(Axis{grid.rows, grid.periodic_y, side.y() / grid.cell.y() / 2})} {}
+        along_{AlongAxis<Shape>(GridAxis{grid.columns, grid.periodic_x, side.x() / grid.cell.x() / 2}),
+               AlongAxis<Shape>(GridAxis{grid.rows, grid.periodic_y, side.y() / grid.cell.y() / 2})} {}
 
   int columns() const { return along_[0].nodes(); }
   int rows() const { return along_[1].nodes(); }

@@ -50,7 +50,7 @@ auto sum_over(const Block& block, const TermsAt& terms_at) {
 // Each of these has a loop of its own, so that its sums stay in registers.
 
 template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
-CellMass<Real> mass_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+CellMass<Real> mass_of(const PrintedParticles<FluidLaw, Number>& particles, const Block& block) {
   auto sums = sum_over<Number>(block, [&](int slot) -> CellMass<Real> {
     const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]), XY = X * Y;
     return {{{Real{}, Y, Y * Y}, {X, XY, XY * Y}, {X * X, X * XY, XY * XY}}};
@@ -61,7 +61,7 @@ CellMass<Real> mass_of(const Particles<FluidLaw, Number>& particles, const Block
 
 /// Per mass of a particle [m/s].
 template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
-VectorMoments<Real> momentum_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+VectorMoments<Real> momentum_of(const PrintedParticles<FluidLaw, Number>& particles, const Block& block) {
   return sum_over<Number>(block, [&](int slot) -> VectorMoments<Real> {
     const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
     return {moments(load<Real>(&particles.vx[slot]), X, Y), moments(load<Real>(&particles.vy[slot]), X, Y)};
@@ -70,7 +70,7 @@ VectorMoments<Real> momentum_of(const Particles<FluidLaw, Number>& particles, co
 
 /// Only what there is: a pressure acts along its own axis.
 template <class Number, class FluidLaw, class Block, class Real = LanesOf<Number>>
-StressMoments<Real> stress_of(const Particles<FluidLaw, Number>& particles, const Block& block) {
+StressMoments<Real> stress_of(const PrintedParticles<FluidLaw, Number>& particles, const Block& block) {
   return sum_over<Number>(block, [&](int slot) {
     const std::array<Real, 2> across{load<Real>(&particles.Y[slot]), load<Real>(&particles.X[slot])};
     StressMoments<Real> terms{};

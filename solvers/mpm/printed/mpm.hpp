@@ -16,9 +16,9 @@ namespace touchstone::mpm {
 /// One simulation of a scene, with linear shape functions (hats). `Number` is what particles are stored and reckoned
 /// in; nodes are in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
 template <class Number, class FluidLaw, class Force>
-class Mpm
-    : public SimulationInCells<Mpm<Number, FluidLaw, Force>, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force> {
-  using Base = SimulationInCells<Mpm, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force>;
+class Mpm : public SimulationInCells<Mpm<Number, FluidLaw, Force>, PrintedParticles<FluidLaw, Number>, CornerNodes,
+                                     FluidLaw, Force> {
+  using Base = SimulationInCells<Mpm, PrintedParticles<FluidLaw, Number>, CornerNodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:

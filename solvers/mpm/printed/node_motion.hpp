@@ -6,11 +6,11 @@
 namespace touchstone::mpm {
 
 /// Velocity (10), acceleration (11) with a body force `b` [m/s²] that all nodes feel alike, and how far they move (14).
-inline void accelerate(Nodes& nodes, const Vec2& b, const Vec2& cell, double dt, int threads) {
+inline void accelerate(CornerNodes& nodes, const Vec2& b, const Vec2& cell, double dt, int threads) {
   const Vec2 cells_per_velocity = dt * cell.cwiseInverse();
   for_near(nodes.near(), threads, [&](int node) {
     const Lanes m = nodes.sum(mass, node);
-    const auto moves = m > fill<Lanes>(Nodes::least_mass);
+    const auto moves = m > fill<Lanes>(CornerNodes::least_mass);
     const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
     store(per_mass, &nodes.per_mass[node]);
     const auto along = [&](Given momentum, Given given_force, double everywhere, double scale, Field<double>& velocity,
@@ -27,7 +27,7 @@ inline void accelerate(Nodes& nodes, const Vec2& b, const Vec2& cell, double dt,
 }
 
 /// Velocity (17), from (10) and what the particles change by (16).
-inline void remap_velocity(Nodes& nodes, int threads) {
+inline void remap_velocity(CornerNodes& nodes, int threads) {
   for_near(nodes.near(), threads, [&](int node) {
     const Lanes per_mass = load<Lanes>(&nodes.per_mass[node]);
     for (auto [momentum, velocity] :

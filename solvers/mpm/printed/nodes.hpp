@@ -37,15 +37,16 @@ struct NodeVectors {
   }
 };
 
-/// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic boundary the first
-/// column stands again behind the last cell, or the first row above it, and both images hold the same.
+/// Nodes at the corners of cells, row by row, rows as long as whole blocks of cells and one column more. Across a
+/// periodic boundary the first column stands again behind the last cell, or the first row above it, and both images
+/// hold the same.
 ///
 /// A node is given its sums in two halves, by the row of cells above it and by the row below, so that rows of cells can
 /// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
 /// sums of all others are zero.
-class Nodes {
+class CornerNodes {
  public:
-  Nodes(const Grid& grid, int block_width)
+  CornerNodes(const Grid& grid, int block_width)
       : stride((grid.columns / block_width + 1) * block_width),
         from_above(halves(places(grid))),
         from_below(halves(places(grid))),

@@ -6,7 +6,7 @@ namespace touchstone::mpm {
 
 /// The state of all particles of the printed method.
 template <class FluidLaw, class Number = double>
-struct Particles : ParticlesInCells<Number> {
+struct PrintedParticles : ParticlesInCells<Number> {
   Field<Number> vx, vy;  // m/s
   Stress<FluidLaw, Number> stress;
 

@@ -23,7 +23,7 @@ namespace touchstone::mpm {
 template <Given first, Given last>
 class GivenByRow {
  public:
-  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
+  GivenByRow(CornerNodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
 
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
@@ -61,7 +61,7 @@ class GivenByRow {
   struct Waiting {
     Lanes low{}, high{};
   };
-  Nodes& nodes_;
+  CornerNodes& nodes_;
   int low_, high_;  // the first nodes below and above the row
   bool crosses_ = false;
   std::array<Waiting, last - first + 1> waiting_;
@@ -79,7 +79,7 @@ void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
 
 /// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the periodic boundaries.
 template <Given first, Given last, int width, class Give>
-void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
+void scatter_rows(const CellOrder<width>& order, int threads, CornerNodes& nodes, const Give& give) {
   const auto scatter_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
     const int row = block_at(begin).row;
     const bool at_boundary = nodes.at_periodic_boundary(block_at(end - 1).column + width);
@@ -98,8 +98,8 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
 
 /// Sums over the particles of the cells of a block of a body force (13) [m/s²].
 template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
-VectorMoments<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
-                                  const Force& force, double time) {
+VectorMoments<Real> body_force_of(const PrintedParticles<FluidLaw, Number>& particles, const Block& block,
+                                  const Grid& grid, const Force& force, double time) {
   VectorMoments<Real> sums{};
   for (int lane = 0; lane < lanes_of<Number>; ++lane) {
     VectorMoments<Number> of_cell{};
@@ -116,7 +116,7 @@ VectorMoments<Real> body_force_of(const Particles<FluidLaw, Number>& particles, 
   return sums;
 }
 template <class Number, class FluidLaw, class Block>
-NoForce body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const NoForce&, double) {
+NoForce body_force_of(const PrintedParticles<FluidLaw, Number>&, const Block&, const Grid&, const NoForce&, double) {
   return {};
 }
 
@@ -142,8 +142,8 @@ void give(int column, const Mass& m, const Velocity& v, const Stress& stress, co
 
 /// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
 template <class FluidLaw, class Number, class Force>
-void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
-             int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
+void scatter(const PrintedParticles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
+             int threads, std::vector<CellMass<Lanes>>& masses, CornerNodes& nodes) {
   constexpr int parts = lanes_of<Number> / lanes;
   masses.resize(particles.order.blocks().size() * parts);
   const Vec2 per_cell = grid.cell.cwiseInverse();
@@ -188,8 +188,8 @@ Real at(const Real& X, const Real& Y, const Within& q) {
 /// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its part of M_ij.
 /// The only particle of a cell gives its own change.
 template <class FluidLaw, class Number>
-void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
-                     int threads, Nodes& nodes) {
+void scatter_changes(const PrintedParticles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
+                     int threads, CornerNodes& nodes) {
   using Real = LanesOf<Number>;
   constexpr int parts = lanes_of<Number> / lanes;
   const auto give_part = [&]<class Block>(int i, const Block& block, auto part, auto& to) {
@@ -244,24 +244,24 @@ struct Everywhere {
   void operator()(const Real& value, NumberIn<Real>* to) const {
     store(value, to);
   }
-  template <class Truth>
-  Truth unless_absent(const Truth& truth) const {
-    return truth;
+  template <class Mask>
+  Mask unless_absent(const Mask& mask) const {
+    return mask;
   }
 };
 /// Writes the lanes that hold a particle.
 template <class Real>
 struct WherePresent {
-  Truth<Real> present;
+  Mask<Real> present;
 
   void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
-  Truth<Real> unless_absent(const Truth<Real>& truth) const { return truth | ~present; }
+  Mask<Real> unless_absent(const Mask<Real>& truth) const { return truth | ~present; }
 };
 
 /// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
 template <class Real, class Number, class FluidLaw, class Velocity, class Write>
-Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell, double dt,
-                   const FluidLaw& fluid, const Write& write) {
+Mask<Real> strain(PrintedParticles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell,
+                  double dt, const FluidLaw& fluid, const Write& write) {
   const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
   const Real along_x = fill<Real>(per_cell.x()), along_y = fill<Real>(per_cell.y());
   const Slopes<Real> of_v{.xx = along_x * (v.x.qX + Y * v.x.qXY),
@@ -277,7 +277,7 @@ Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Veloc
 
 /// Sets a particle going, with the stress of its density and its velocity's slopes.
 template <class FluidLaw, class Number>
-void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
+void begin(PrintedParticles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
            const Vec2& /*cell*/, double /*dt*/) {
   using Real = LanesOf<Number>;
   particles.vx[slot] = static_cast<Number>(fluid_there.v.x());
@@ -291,8 +291,8 @@ void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fl
 
 /// Place (15) and velocity (16); true if the particles are still in their cells.
 template <class Real, class Number, class FluidLaw, class Vectors, class Write>
-Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors& displacement, const Vectors& change,
-                 const Write& write) {
+Mask<Real> move(PrintedParticles<FluidLaw, Number>& particles, int slot, const Vectors& displacement,
+                const Vectors& change, const Write& write) {
   const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
   write(load<Real>(&particles.vx[slot]) + at(X, Y, change.x), &particles.vx[slot]);
   write(load<Real>(&particles.vy[slot]) + at(X, Y, change.y), &particles.vy[slot]);
@@ -307,7 +307,7 @@ Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors
 template <class Real, class Block, class Body>
 LaneBits for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
-  Truth<Real> each = Real{} == Real{};
+  Mask<Real> each = Real{} == Real{};
   for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
   const Real count = converted<Real>(block.count.data());
   for (int k = block.least(); k < block.most(); ++k)
@@ -318,8 +318,8 @@ LaneBits for_all(const Block& block, const Body& body) {
 /// Everything that the particles take from the nodes. `calm` tells of each block in which cells all particles are
 /// still there, and of a plausible density; not a number is neither.
 template <class FluidLaw, class Number>
-void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
-            Particles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {
+void gather(const CornerNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
+            PrintedParticles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {
   using Real = LanesOf<Number>;
   using Fields = FieldPair<Real>;
   calm.resize(particles.order.blocks().size());

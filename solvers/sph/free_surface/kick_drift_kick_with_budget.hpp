@@ -8,7 +8,7 @@
 namespace touchstone::sph {
 
 /// `KickDriftKick`, bit by bit, of a method for free surfaces with Tait's law and gravity, that keeps an energy
-/// budget. Its parts are a `WithBudget` of those of the method.
+/// budget. Its parts are a `PartsWithBudget` of those of the method.
 class KickDriftKickWithBudget {
   enum Past { viscous_x, viscous_y, diffused };
 
@@ -107,7 +107,7 @@ class KickDriftKickWithBudget {
 
 /// Parts of a method that tell `KickDriftKickWithBudget` what their diffusion does.
 template <class PartsOfMethod>
-struct WithBudget : PartsOfMethod {
+struct PartsWithBudget : PartsOfMethod {
   static constexpr std::size_t records_diffusion_in = KickDriftKickWithBudget::records_diffusion_in;
 };
 

@@ -136,28 +136,28 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
   /// The equations of motion of a Newtonian fluid, and how particles will drift, of the sums of their fits.
   struct MotionOfFit {
-    using Number = LanesOf<Real>;
+    using Numbers = LanesOf<Real>;
     const FluidLaw& fluid;
     double h, spread, of_rho, of_v;  // m, m/s  from where particles are dense, 1/s, 1/s
 
-    [[gnu::flatten]] std::array<Number, made> operator()(const Row<Packed<Real>>& i,
-                                                         const typename FitOfFlow<Real>::Sums& sums) const {
+    [[gnu::flatten]] std::array<Numbers, made> operator()(const ParticleLanes<Packed<Real>>& i,
+                                                          const typename FitOfFlow<Real>::Sums& sums) const {
       enum Factor { rest, along_x, along_y, xx, xy, yy };
       const auto [vx, vy, p] = FitOfFlow<Real>::through_zero(sums);
-      const Number rho = i.two(&Packed<Real>::rho)[0], specific_volume = i.two(&Packed<Real>::specific_volume)[0];
-      const Number per_c2 = 1 / each_lane(rho, [&](const auto& density) { return fluid.pressure_slope(density); });
+      const Numbers rho = i.two(&Packed<Real>::rho)[0], specific_volume = i.two(&Packed<Real>::specific_volume)[0];
+      const Numbers per_c2 = 1 / each_lane(rho, [&](const auto& density) { return fluid.pressure_slope(density); });
       const auto real = [](double number) { return static_cast<Real>(number); };
       const Real per_h = real(1 / h);
-      std::array<Number, made> all;
+      std::array<Numbers, made> all;
       all[rate_of_rho] = real(of_rho) * per_c2 * p[rest] - per_h * rho * (vx[along_x] + vy[along_y]);
       all[rate_of_vx] = real(of_v) * vx[rest] - per_h * specific_volume * p[along_x];
       all[rate_of_vy] = real(of_v) * vy[rest] - per_h * specific_volume * p[along_y];
       if constexpr (Viscous<FluidLaw>) {  // a factor of x² or y² is half of a second derivative
-        const Number nu = real(fluid.viscosity / (h * h)) * specific_volume;
-        all[rate_of_vx] += nu * (2 * (vx[xx] + vx[yy]) + real(1. / 3) * (2 * vx[xx] + vy[xy]));
-        all[rate_of_vy] += nu * (2 * (vy[xx] + vy[yy]) + real(1. / 3) * (vx[xy] + 2 * vy[yy]));
+        const Numbers nu_per_h2 = real(fluid.viscosity / (h * h)) * specific_volume;
+        all[rate_of_vx] += nu_per_h2 * (2 * (vx[xx] + vx[yy]) + real(1. / 3) * (2 * vx[xx] + vy[xy]));
+        all[rate_of_vy] += nu_per_h2 * (2 * (vy[xx] + vy[yy]) + real(1. / 3) * (vx[xy] + 2 * vy[yy]));
       }
-      const Number away = real(-spread) / sums[0];
+      const Numbers away = real(-spread) / sums[0];
       all[carried + drift_x] = away * sums[1];
       all[carried + drift_y] = away * sums[2];
       all[carried + vx_along_x] = per_h * vx[along_x];
