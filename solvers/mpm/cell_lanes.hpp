@@ -8,7 +8,7 @@
 
 namespace touchstone::mpm {
 
-/// What nodes are reckoned with, whatever the particles are.
+/// Nodes are computed in double precision, whatever the particles are stored in.
 using Lanes = LanesOf<double>;
 inline constexpr int lanes = lanes_of<double>;
 
@@ -62,7 +62,7 @@ Lanes widened(const Real& a) {
     });
 }
 
-/// Lanes of which `part_of(first lane)` gives as many at a time as are doubles in a register.
+/// Lanes put together from registers of doubles: part_of(lane) is the one that begins with that lane.
 template <class Real, class PartOf>
 Real joined(const PartOf& part_of) {
   if constexpr (parts_of<Real> == 1) {
@@ -75,7 +75,7 @@ Real joined(const PartOf& part_of) {
   }
 }
 
-/// What a comparison of two `Real` yields, and-able with `&`.
+/// The result of comparing two `Real`, lane by lane; masks are combined with `&`.
 template <class Real>
 using Mask = decltype(std::declval<Real>() < std::declval<Real>());
 
@@ -89,17 +89,17 @@ Mask<Real> between(double low, const Real& number, double high) {
 using LaneBits = unsigned short;
 static_assert(lanes_of<float> <= 16);
 
-/// Those of the lanes that say so. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
+/// The lanes where the mask is true. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
 template <class Real>
-LaneBits lanes_with(Mask<Real> truth) {
+LaneBits lanes_with(Mask<Real> mask) {
   unsigned bits = 0;
-  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (truth[lane] ? 1u : 0u) << lane;
+  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (mask[lane] ? 1u : 0u) << lane;
   return static_cast<LaneBits>(bits);
 }
-/// True if every lane says so.
+/// Whether it is true in all lanes.
 template <class Real>
-bool all(const Mask<Real>& truth) {
-  return lanes_with<Real>(truth) == (1u << lanes_of<NumberIn<Real>>)-1;
+bool all(const Mask<Real>& mask) {
+  return lanes_with<Real>(mask) == (1u << lanes_of<NumberIn<Real>>)-1;
 }
 
 }  // namespace touchstone::mpm

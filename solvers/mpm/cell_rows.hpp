@@ -24,7 +24,7 @@ struct IfPresent {
   }
 };
 
-/// Calls work(slot, write) for the k-th particles of all cells of a block at once, for every k.
+/// Calls work(slot, write) for all particles of a block, one of each cell at a time.
 template <class Block, class Work>
 void for_particles_of(const Block& block, const Work& work) {
   const Lanes count = converted<Lanes>(block.count.data());
@@ -41,7 +41,7 @@ void for_blocks(const Particles& particles, const Nodes& nodes, int threads, con
     for (Eigen::Index i = begin; i < end; ++i) work(i, blocks[i], nodes.stride * blocks[i].row + blocks[i].column);
   });
 }
-/// The same of a work(block, node) that tells where all is calm.
+/// The same; work(block, node) returns where all particles of a cell are still in it, with plausible densities.
 template <class Particles, class Nodes, class Work>
 void for_blocks(const Particles& particles, const Nodes& nodes, int threads, std::vector<LaneBits>& calm,
                 const Work& work) {

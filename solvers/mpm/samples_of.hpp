@@ -8,8 +8,7 @@ namespace touchstone::mpm {
 /// The particles at a time [s], in the order in which they were seeded.
 template <class Particles, class FluidLaw>
 Samples samples_of(const Particles& particles, const Grid& grid, const FluidLaw& fluid, double time) {
-  const Eigen::Index n = particles.count;
-  Samples s{time, Vectors(2, n), Vectors(2, n), Scalars::Constant(n, particles.mass), Scalars(n), Scalars(n)};
+  Samples s = Samples::of_equal(time, particles.count, particles.mass);
   particles.order.for_each([&](int cell, int slot) {
     const int p = particles.number[slot];
     s.x.col(p) = grid.place(cell, particles.X[slot], particles.Y[slot]);

@@ -32,7 +32,7 @@ class Stress {
  public:
   explicit Stress(int slots) : pressure_(slots) {}
 
-  /// Of the force along an axis, what acts along another [m²/s²].
+  /// The component on `axis` that acts along `along` [m²/s²].
   template <class Real>
   Real of(int /*axis*/, int /*along*/, int slot) const {
     return -load<Real>(&pressure_[slot]);

@@ -142,12 +142,7 @@ class Neighbourhood {
   /// The fluid in the order of its numbers, with the pressure of its density.
   template <class FluidLaw>
   Samples samples(double time, const FluidLaw& fluid) const {
-    Samples s{time,
-              Vectors(2, all.fluid),
-              Vectors(2, all.fluid),
-              Scalars::Constant(all.fluid, all.mass),
-              Scalars(all.fluid),
-              Scalars(all.fluid)};
+    Samples s = Samples::of_equal(time, all.fluid, all.mass);
     for (Index i = 0; i < all.fluid; ++i) {
       const int n = all.number[i];
       s.x.col(n) = Vec2(domain_.wrapped(0, all.x[i]), domain_.wrapped(1, all.y[i]));

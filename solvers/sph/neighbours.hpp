@@ -66,17 +66,17 @@ class BlockWriter {
   std::array<std::size_t, width> count_{};
 };
 
-/// Leaves whoever was found near a particle.
-struct AllOfThem {
+/// Keeps all neighbours that were found.
+struct KeepAll {
   std::size_t operator()(int, std::vector<int>&, std::size_t found) const { return found; }
 };
 
-/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m], but for those that
-/// left(particle, list, count) takes off the list, which returns how many it leaves. Particles without any have no
-/// list, unless `all_of_them` shall have one.
-template <int width, class Left = AllOfThem>
+/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m]; left(particle, list,
+/// count) may take some off the list, and returns how many it leaves. Particles without neighbours have no list, unless
+/// `empty_too`.
+template <int width, class Left = KeepAll>
 void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells, Index begin, Index end, double reach,
-          bool all_of_them, int threads, const Left& left = {}) {
+          bool empty_too, int threads, const Left& left = {}) {
   lists.parts.resize(threads);
   share_out(threads, threads, [&](Index first, Index last) {
     for (Index part = first; part < last; ++part) {
@@ -86,7 +86,7 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
         const int self = static_cast<int>(i);
         std::vector<int>& list = writer.next();
         const std::size_t found = left(self, list, cells.near(Vec2(all.x[i], all.y[i]), reach, self, list));
-        if (found > 0 || all_of_them) writer.take(self, found);
+        if (found > 0 || empty_too) writer.take(self, found);
       }
       writer.flush();
     }

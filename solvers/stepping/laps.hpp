@@ -17,7 +17,7 @@ enum class SubStep {
   rates,       // particle by particle: pressure, force
   boundaries,  // ghosts, images, walls
   motion,      // particle by particle: forward in time
-  sorting,     // who is in which cell, who is near whom
+  sorting,     // particles into cells, lists of neighbours
 };
 inline constexpr std::array<std::string_view, 9> names_of_sub_steps{
     "scatter", "grid", "remap", "gather", "pairs", "rates", "boundaries", "motion", "sorting"};

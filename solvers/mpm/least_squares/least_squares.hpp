@@ -65,10 +65,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   Index particles() const { return seats_.cols(); }
   /// The particles in the order in which they were seeded. Throws Diverged.
   Samples samples() const {
-    const Index n = particles();
-    Samples s{this->time(),  Vectors(2, n),
-              Vectors(2, n), Scalars::Constant(n, scene_.fluid.density * lattice_.volume()),
-              Scalars(n),    Scalars(n)};
+    Samples s = Samples::of_equal(this->time(), particles(), scene_.fluid.density * lattice_.volume());
     all_.order.for_each([&](int, int slot) {
       for (const int axis : {0, 1})
         if (!is_inside(slot, axis)) refuse(slot, axis);

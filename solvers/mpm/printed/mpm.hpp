@@ -13,8 +13,9 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene, with linear shape functions (hats). `Number` is what particles are stored and reckoned
-/// in; nodes are in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
+/// One simulation of a scene, with linear shape functions (hats). Particles are stored and
+/// computed in `Number`, nodes in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force
+/// out.
 template <class Number, class FluidLaw, class Force>
 class Mpm : public SimulationInCells<Mpm<Number, FluidLaw, Force>, PrintedParticles<FluidLaw, Number>, CornerNodes,
                                      FluidLaw, Force> {

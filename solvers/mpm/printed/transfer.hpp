@@ -255,7 +255,7 @@ struct WherePresent {
   Mask<Real> present;
 
   void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
-  Mask<Real> unless_absent(const Mask<Real>& truth) const { return truth | ~present; }
+  Mask<Real> unless_absent(const Mask<Real>& mask) const { return mask | ~present; }
 };
 
 /// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
@@ -302,8 +302,8 @@ Mask<Real> move(PrintedParticles<FluidLaw, Number>& particles, int slot, const V
   return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
 }
 
-/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k. Returns the cells for
-/// all of whose particles it returned true.
+/// Calls body(slot, write) for all particles of a block, one of each cell at a time. Returns a bit for each cell, set
+/// if body was true for all its particles.
 template <class Real, class Block, class Body>
 LaneBits for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
@@ -315,8 +315,8 @@ LaneBits for_all(const Block& block, const Body& body) {
   return lanes_with<Real>(each);
 }
 
-/// Everything that the particles take from the nodes. `calm` tells of each block in which cells all particles are
-/// still there, and of a plausible density; not a number is neither.
+/// Grid to particles. A bit of `calm` is set for each cell whose particles are all still in it, with plausible
+/// densities; one that is not a number is not.
 template <class FluidLaw, class Number>
 void gather(const CornerNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
             PrintedParticles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {

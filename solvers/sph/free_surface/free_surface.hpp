@@ -52,7 +52,7 @@ using PackedOfSurface =
     std::conditional_t<Finds<PartsOfMethod>::correction, SurroundingsWithGhosts<Real>,
                        std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>>;
 
-/// The first pass: all that neither the new density nor the pressure has a part in. Writes the rate of density, by
+/// The first pass: all that depends on neither the new density nor the pressure. Writes the rate of density, by
 /// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the gradient of density that the last second
 /// pass has found; the accelerations by the terms; and surroundings.
 ///

@@ -59,7 +59,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
  protected:
   using Base::near_;
 
-  /// Puts particles back that are too near to a wall. Mostly none is, which one look at all of them tells.
+  /// Puts particles back that are too near to a wall. Mostly none is: the maximum of all tells.
   void keep_off(const Wall& wall, Index begin, Index end) {
     Particles& all = near_.all;
     Scalars& along = wall.axis == 0 ? all.x : all.y;
