@@ -1,16 +1,29 @@
 #pragma once
 /// Several neighbouring cells in one register, a particle of each: the vector details of this solver, all of them.
 
+#include "solvers/fields.hpp"
 #include "solvers/indices.hpp"
 #include "solvers/lanes.hpp"
 
+#include <array>
 #include <cstring>
+#include <vector>
 
 namespace touchstone::mpm {
 
 /// Nodes are computed in double precision, whatever the particles are stored in.
 using Lanes = LanesOf<double>;
 inline constexpr int lanes = lanes_of<double>;
+
+/// One number per slot or per node, aligned as registers like it.
+template <class Number>
+using Field = std::vector<Number, Eigen::aligned_allocator<Number>>;
+
+/// One number for each column of nodes near a cell, and for each row; or for each function of X, and for each of Y.
+template <class Real, int count>
+using Square = std::array<std::array<Real, count>, count>;
+template <class Real>
+using ThreeByThree = Square<Real, 3>;
 
 template <class Real>
 using InMemory = typename Register<NumberIn<Real>, lanes_of<NumberIn<Real>>>::in_memory;

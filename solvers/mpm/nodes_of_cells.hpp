@@ -1,8 +1,8 @@
 #pragma once
 /// Nodes of which every cell touches as many along each axis, and how cells give to them.
 
+#include "solvers/mpm/cell_lanes.hpp"
 #include "solvers/mpm/cell_rows.hpp"
-#include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/grid.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 /// is kept per density [m²/s²], as the nodes want it.
 
 #include "solvers/fluids/newtonian.hpp"
-#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/cell_lanes.hpp"
 
 namespace touchstone::mpm {
 

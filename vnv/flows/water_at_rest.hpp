@@ -7,7 +7,7 @@
 #include "vnv/flows/flow.hpp"
 #include "vnv/measures/decay.hpp"
 #include "vnv/measures/norms_of.hpp"
-#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/profile.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
 
 namespace touchstone::vnv::water_at_rest {

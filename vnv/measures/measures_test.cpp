@@ -1,5 +1,5 @@
 #include "vnv/measures/front.hpp"
-#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/profile.hpp"
 #include "vnv/measures/row_means.hpp"
 
 #include <gtest/gtest.h>

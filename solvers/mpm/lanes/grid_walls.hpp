@@ -3,7 +3,6 @@
 
 #include "solvers/mpm/lanes/grid_update.hpp"
 #include "solvers/mpm/walls/held_nodes.hpp"
-#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {

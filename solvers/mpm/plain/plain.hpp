@@ -4,12 +4,11 @@
 
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/parts.hpp"
-#include "solvers/mpm/sorting.hpp"
 #include "solvers/mpm/shapes/along_axis.hpp"
 #include "solvers/mpm/simulation.hpp"
+#include "solvers/mpm/sorting.hpp"
 #include "solvers/mpm/walls/contact.hpp"
 #include "solvers/mpm/walls/held_nodes.hpp"
-#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {

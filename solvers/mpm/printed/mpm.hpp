@@ -3,7 +3,7 @@
 /// last with the momentum remapped from the particles (MUSL, Sulsky, Zhou & Schreyer 1995), particle velocities updated
 /// by increments (FLIP). All weights of a step are those of the places at its start.
 
-#include "solvers/mpm/printed/node_motion.hpp"
+#include "solvers/mpm/printed/nodes.hpp"
 #include "solvers/mpm/printed/transfer.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"

@@ -4,7 +4,6 @@
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/free_surface/gradients/plain.hpp"
 #include "solvers/sph/free_surface/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
 #include "solvers/sph/simulation.hpp"
