@@ -54,8 +54,8 @@ Mask<Lanes> moved(Particles& particles, int slot, const Lanes& cells_x, const La
   const Lanes to_x = load<Lanes>(&particles.X[slot]) + cells_x, to_y = load<Lanes>(&particles.Y[slot]) + cells_y;
   write(to_x, &particles.X[slot]);
   write(to_y, &particles.Y[slot]);
-  return (between(0, to_x, 1) & between(0, to_y, 1) & between(1 / most_density, 1 + expansion, 1 / least_density)) |
-         ~write.present;
+  return write.unless_absent(between(0, to_x, 1) & between(0, to_y, 1) &
+                             between(1 / most_density, 1 + expansion, 1 / least_density));
 }
 /// Density, stress (32), (33) and place (15).
 template <class Particles, class Step, class Write>

@@ -2,7 +2,7 @@
 /// What the nodes of the background grid hold during a step.
 
 #include "solvers/mpm/cell_lanes.hpp"
-#include "solvers/mpm/cell_order.hpp"
+#include "solvers/mpm/cell_rows.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/threads.hpp"
 
@@ -90,11 +90,8 @@ class CornerNodes {
     std::vector<int> below;  // the nodes below occupied cells
     for (std::size_t row = 0; row + 1 < order.rows().size(); ++row)
       add_row(&order.blocks()[order.rows()[row]], &order.blocks()[order.rows()[row + 1]], below);
-    std::vector<int> above(below);
-    for (int& node : above) node += stride;
-    near_.clear();
-    std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(near_));
-    if (periodic_y_) add_images_of_rows();
+    near_ = with_next_row(below, stride);
+    if (periodic_y_) add_images_of_rows(near_, stride, top_);
     first_of_rows_.clear();
     if (periodic_x_)
       std::copy_if(near_.begin(), near_.end(), std::back_inserter(first_of_rows_),
@@ -158,16 +155,6 @@ class CornerNodes {
       const int next = block->column + width;
       if (last && next < stride && !last_column_is_alone_at(next)) nodes.push_back(first + next);
     }
-  }
-
-  void add_images_of_rows() {
-    const std::vector<int> nodes = near_;
-    for (const int node : nodes) {
-      if (node < stride) near_.push_back(node + top_);
-      if (node >= top_) near_.push_back(node - top_);
-    }
-    std::sort(near_.begin(), near_.end());
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   }
 
   int columns_;

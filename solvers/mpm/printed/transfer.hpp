@@ -249,14 +249,6 @@ struct Everywhere {
     return mask;
   }
 };
-/// Writes the lanes that hold a particle.
-template <class Real>
-struct WherePresent {
-  Mask<Real> present;
-
-  void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
-  Mask<Real> unless_absent(const Mask<Real>& mask) const { return mask | ~present; }
-};
 
 /// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
 template <class Real, class Number, class FluidLaw, class Velocity, class Write>
@@ -311,7 +303,7 @@ LaneBits for_all(const Block& block, const Body& body) {
   for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
   const Real count = converted<Real>(block.count.data());
   for (int k = block.least(); k < block.most(); ++k)
-    each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
+    each &= body(block.first + k * width, IfPresent<Real>{fill<Real>(k) < count});
   return lanes_with<Real>(each);
 }
 
