@@ -54,7 +54,7 @@ inline Monitor monitored_axes() {
           .evaluate =
               [](const Samples& s) {
                 const auto axes = half_axes(s);
-                return std::vector{axes[0], axes[1]};
+                return std::vector{axes.longer, axes.shorter};
               },
           .quantities = {{"longer half-axis", "m"}, {"shorter half-axis", "m"}}};
 }

@@ -44,8 +44,13 @@ inline Monitor monitored(double side) {
             const auto axes = half_axes(s);
             const Vec2 momentum = s.v * s.mass.matrix();
             const double L_z = vnv::angular_momentum(s);
-            return {
-                momentum.x(), momentum.y(), L_z, kinetic_energy(s), axes[0], axes[1], pressure_in_the_middle(s, side)};
+            return {momentum.x(),
+                    momentum.y(),
+                    L_z,
+                    kinetic_energy(s),
+                    axes.longer,
+                    axes.shorter,
+                    pressure_in_the_middle(s, side)};
           },
           .quantities = {{"momentum along x", "kg/s"},
                          {"momentum along y", "kg/s"},
