@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -239,7 +238,8 @@ void find_hole(const RowsByCell& rows, const Region& region, double spacing, Cov
     if (radius >= 0) circles.push_back({radius, centre});
   }
   const auto end = circles.begin() + static_cast<std::ptrdiff_t>(std::min(most_refined, circles.size()));
-  std::ranges::partial_sort(circles, end, std::greater{}, &Circle::radius);
+  const auto wider = [](const Circle& a, const Circle& b) { return a.radius > b.radius; };
+  std::partial_sort(circles.begin(), end, circles.end(), wider);
   std::size_t count_of_wide = 0;
   for (auto one = circles.begin(); one != end; ++one) {
     if (one->radius > wide * rows.side() && ++count_of_wide > most_wide) continue;
