@@ -90,14 +90,14 @@ TEST(QuadraticFit, ThroughZeroLeavesTheWeightedMeanOfWhatItMisses) {
 }
 
 TEST(QuadraticFit, IsTheSameInEveryLane) {
-  using Lanes = sph::Lanes<double>;
+  using Lanes = LanesOf<double>;
   const auto neighbours = scattered(9);
   const auto wide = QuadraticFit<Lanes, 1>::through_zero(
       sums_of<Lanes, 1>(neighbours, [](double x, double y) { return std::array{Lanes{} + at(one, x, y)}; }));
   const auto single = QuadraticFit<double, 1>::through_zero(
       sums_of<double, 1>(neighbours, [](double x, double y) { return std::array{at(one, x, y)}; }));
   for (std::size_t k = 0; k < 6; ++k)
-    for (int lane = 0; lane < sph::lanes<double>; ++lane) EXPECT_NEAR(wide[0][k][lane], single[0][k], 1e-12);
+    for (int lane = 0; lane < lanes_of<double>; ++lane) EXPECT_NEAR(wide[0][k][lane], single[0][k], 1e-12);
 }
 
 }  // namespace

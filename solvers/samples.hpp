@@ -14,6 +14,11 @@ struct Samples {
   Scalars density{};   // kg/m³
   Scalars pressure{};  // Pa
 
+  /// Of so many particles of the same mass, the rest to be written.
+  static Samples of_equal(double time, Index n, double mass) {
+    return {time, Vectors(2, n), Vectors(2, n), Scalars::Constant(n, mass), Scalars(n), Scalars(n)};
+  }
+
   Eigen::Index size() const { return x.cols(); }
   Scalars volumes() const { return mass / density; }  // m² per particle
 };

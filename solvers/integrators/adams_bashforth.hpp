@@ -11,7 +11,7 @@ class AdamsBashforth {
  public:
   static constexpr std::size_t past_fields = 6;
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     flow.find_rates(time, lap);
     FluidState& all = flow.state();

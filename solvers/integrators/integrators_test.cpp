@@ -23,15 +23,15 @@ class SoundWave {
   }
   FluidState& state() { return all_; }
   int threads() const { return 1; }
-  void find_density_rate(double, NoLaps) {
+  void find_density_rate(double, const Laps&) {
     all_.drho = -all_.vx;
     ++evaluations_;
   }
-  void find_accelerations(double time, NoLaps) {
+  void find_accelerations(double time, const Laps&) {
     all_.ax = all_.rho + growth_ * time;
     ++evaluations_;
   }
-  void find_rates(double time, NoLaps) {
+  void find_rates(double time, const Laps&) {
     all_.drho = -all_.vx;
     all_.ax = all_.rho + growth_ * time;
     ++evaluations_;
@@ -48,7 +48,7 @@ template <class Integrator>
 SoundWave after(double end, int steps, double growth_of_force = 0) {
   SoundWave wave(growth_of_force);
   Integrator integrator;
-  for (int k = 0; k < steps; ++k) integrator.step(wave, k * end / steps, end / steps, NoLaps{});
+  for (int k = 0; k < steps; ++k) integrator.step(wave, k * end / steps, end / steps, no_laps);
   return wave;
 }
 
@@ -93,7 +93,7 @@ double error_with_another_step(int steps, double ratio) {
   double time = 0;
   for (const auto& [count, dt] :
        {std::pair{steps, 1.0 / steps}, std::pair{static_cast<int>(steps / ratio), ratio / steps}})
-    for (int k = 0; k < count; ++k, time += dt) integrator.step(wave, time, dt, NoLaps{});
+    for (int k = 0; k < count; ++k, time += dt) integrator.step(wave, time, dt, no_laps);
   return std::abs(wave.state().rho[0] - std::cos(2)) + std::abs(wave.state().vx[0] - std::sin(2));
 }
 

@@ -3,6 +3,8 @@
 #include "solvers/stepping/laps.hpp"
 #include "solvers/threads.hpp"
 
+#include <initializer_list>
+
 namespace touchstone {
 
 /// Half a kick, all of the drift, density by the velocity that drifted, half a kick (Adami, Hu & Adams 2013, section
@@ -12,43 +14,33 @@ class KickDriftKick {
  public:
   static constexpr std::size_t past_fields = 0;
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     FluidState& all = flow.state();
     const int threads = flow.threads();
     if (!started_) flow.find_rates(time, lap);
     started_ = true;
-    kick(all, threads, dt / 2);
+    add(all, threads, dt / 2, {{&all.vx, &all.ax}, {&all.vy, &all.ay}});
     if constexpr (requires { flow.before_drift(time, dt); }) flow.before_drift(time, dt);
-    drift(all, threads, dt);
+    add(all, threads, dt, {{&all.x, &all.vx}, {&all.y, &all.vy}});
     lap(SubStep::motion);
     flow.find_density_rate(time + dt, lap);
-    change_density(all, threads, dt);
+    add(all, threads, dt, {{&all.rho, &all.drho}});
     lap(SubStep::motion);
     flow.find_accelerations(time + dt, lap);
-    kick(all, threads, dt / 2);
+    add(all, threads, dt / 2, {{&all.vx, &all.ax}, {&all.vy, &all.ay}});
     lap(SubStep::motion);
   }
 
  private:
-  static void drift(FluidState& all, int threads, double dt) {
+  struct Change {
+    Scalars* field;
+    const Scalars* rate;
+  };
+  static void add(const FluidState& all, int threads, double dt, std::initializer_list<Change> changes) {
     share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
       const auto part = Eigen::seqN(begin, end - begin);
-      all.x(part) += dt * all.vx(part);
-      all.y(part) += dt * all.vy(part);
-    });
-  }
-  static void change_density(FluidState& all, int threads, double dt) {
-    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.rho(part) += dt * all.drho(part);
-    });
-  }
-  static void kick(FluidState& all, int threads, double dt) {
-    share_out_fields(threads, all.fluid, [&](Index begin, Index end) {
-      const auto part = Eigen::seqN(begin, end - begin);
-      all.vx(part) += dt * all.ax(part);
-      all.vy(part) += dt * all.ay(part);
+      for (const auto& [field, rate] : changes) (*field)(part) += dt * (*rate)(part);
     });
   }
 

@@ -14,13 +14,13 @@ class PredictorCorrector {
  public:
   static constexpr std::size_t past_fields = 0;
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     flow.find_rates(time, lap);
     from_rates_at_start(flow, time, dt, lap);
   }
   /// The same where the rates at the start are known.
-  template <class Flow, class Laps>
+  template <class Flow>
   static void from_rates_at_start(Flow& flow, double time, double dt, const Laps& lap) {
     remember_start(flow);
     advance(flow, dt / 2);  // predict the midpoint

@@ -1,6 +1,6 @@
 #pragma once
+#include "solvers/fields.hpp"
 #include "solvers/forces/none.hpp"
-#include "solvers/forces/on_moving.hpp"
 #include "solvers/forces/uniform.hpp"
 
 #include <concepts>
@@ -20,6 +20,15 @@ const Force& local(const Force& force) requires Local<Force> {
 template <class Force>
 NoForce local(const Force&) {
   return {};
+}
+
+/// Per mass [m/s²], at a place [m] and a time [s].
+template <class Force>
+Vec2 force_on_moving(const Force& force, const Vec2& x, double time, const Vec2& v) {
+  if constexpr (requires { force(x, time, v); })
+    return force(x, time, v);
+  else
+    return force(x, time);
 }
 
 /// The acceleration that is the same everywhere [m/s²].

@@ -1,60 +1,40 @@
 #pragma once
 /// Several neighbouring cells in one register, a particle of each: the vector details of this solver, all of them.
-/// Vector extensions of GCC and Clang, for any processor; arithmetic and comparison are lane by lane, so a result never
-/// depends on what lies in the lanes beside it.
 
+#include "solvers/fields.hpp"
 #include "solvers/indices.hpp"
+#include "solvers/lanes.hpp"
 
+#include <array>
 #include <cstring>
-#include <type_traits>
-#include <utility>
+#include <vector>
 
 namespace touchstone::mpm {
 
-#if defined(__AVX512F__)
-inline constexpr int register_bytes = 64;
-#elif defined(__AVX__)
-inline constexpr int register_bytes = 32;
-#else
-inline constexpr int register_bytes = 16;
-#endif
-
-/// How many numbers a register holds.
-template <class Number>
-inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(Number));
-
-/// A register of numbers, and the same where its address need not be aligned.
-template <class Number>
-struct Register;
-template <>
-struct Register<double> {
-  using type [[gnu::vector_size(register_bytes)]] = double;
-  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(double))]] = double;
-};
-template <>
-struct Register<float> {
-  using type [[gnu::vector_size(register_bytes)]] = float;
-  using in_memory [[gnu::vector_size(register_bytes), gnu::aligned(alignof(float))]] = float;
-};
-template <class Number>
-using LanesOf = typename Register<Number>::type;
-
-/// What nodes are reckoned with, whatever the particles are.
+/// Nodes are computed in double precision, whatever the particles are stored in.
 using Lanes = LanesOf<double>;
 inline constexpr int lanes = lanes_of<double>;
 
-/// The type of the numbers in lanes.
-template <class Real>
-using NumberIn = std::remove_cvref_t<decltype(std::declval<Real>()[0])>;
+/// One number per slot or per node, aligned as registers like it.
+template <class Number>
+using Field = std::vector<Number, Eigen::aligned_allocator<Number>>;
 
+/// One number for each column of nodes near a cell, and for each row; or for each function of X, and for each of Y.
+template <class Real, int count>
+using Square = std::array<std::array<Real, count>, count>;
+template <class Real>
+using ThreeByThree = Square<Real, 3>;
+
+template <class Real>
+using InMemory = typename Register<NumberIn<Real>, lanes_of<NumberIn<Real>>>::in_memory;
 /// The numbers from an address on.
 template <class Real>
 Real load(const NumberIn<Real>* from) {
-  return *reinterpret_cast<const typename Register<NumberIn<Real>>::in_memory*>(from);
+  return *reinterpret_cast<const InMemory<Real>*>(from);
 }
 template <class Real>
 void store(const Real& value, NumberIn<Real>* to) {
-  *reinterpret_cast<typename Register<NumberIn<Real>>::in_memory*>(to) = value;
+  *reinterpret_cast<InMemory<Real>*>(to) = value;
 }
 
 /// The same number in every lane.
@@ -95,7 +75,7 @@ Lanes widened(const Real& a) {
     });
 }
 
-/// Lanes of which `part_of(first lane)` gives as many at a time as are doubles in a register.
+/// Lanes put together from registers of doubles: part_of(lane) is the one that begins with that lane.
 template <class Real, class PartOf>
 Real joined(const PartOf& part_of) {
   if constexpr (parts_of<Real> == 1) {
@@ -108,13 +88,13 @@ Real joined(const PartOf& part_of) {
   }
 }
 
-/// What a comparison of two `Real` yields, and-able with `&`.
+/// The result of comparing two `Real`, lane by lane; masks are combined with `&`.
 template <class Real>
-using Truth = decltype(std::declval<Real>() < std::declval<Real>());
+using Mask = decltype(std::declval<Real>() < std::declval<Real>());
 
 /// Whether numbers lie between two others, both of them included; false for what is not a number.
 template <class Real>
-Truth<Real> between(double low, const Real& number, double high) {
+Mask<Real> between(double low, const Real& number, double high) {
   return (fill<Real>(low) <= number) & (number <= fill<Real>(high));
 }
 
@@ -122,17 +102,17 @@ Truth<Real> between(double low, const Real& number, double high) {
 using LaneBits = unsigned short;
 static_assert(lanes_of<float> <= 16);
 
-/// Those of the lanes that say so. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
+/// The lanes where the mask is true. By value: GCC 12 that checks bounds takes a wrong lane through a reference.
 template <class Real>
-LaneBits lanes_with(Truth<Real> truth) {
+LaneBits lanes_with(Mask<Real> mask) {
   unsigned bits = 0;
-  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (truth[lane] ? 1u : 0u) << lane;
+  for (int lane = 0; lane < lanes_of<NumberIn<Real>>; ++lane) bits |= (mask[lane] ? 1u : 0u) << lane;
   return static_cast<LaneBits>(bits);
 }
-/// True if every lane says so.
+/// Whether it is true in all lanes.
 template <class Real>
-bool all(const Truth<Real>& truth) {
-  return lanes_with<Real>(truth) == (1u << lanes_of<NumberIn<Real>>)-1;
+bool all(const Mask<Real>& mask) {
+  return lanes_with<Real>(mask) == (1u << lanes_of<NumberIn<Real>>)-1;
 }
 
 }  // namespace touchstone::mpm

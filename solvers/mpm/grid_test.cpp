@@ -1,9 +1,8 @@
-#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/sorting.hpp"
 
 #include "solvers/fluids/newtonian.hpp"
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/printed/particles.hpp"
-#include "solvers/mpm/seed.hpp"
 #include "solvers/walls/free_slip.hpp"
 
 #include <gtest/gtest.h>
@@ -96,11 +95,11 @@ TEST(Scenes, NameTheParticleThatStartsOutsideTheDomain) {
 /// A box of 4 x 3 cells of 0.1 m with one particle in the middle of each.
 struct Pool {
   Grid grid;
-  Particles<Tait> particles;
+  PrintedParticles<Tait> particles;
 
   explicit Pool(bool periodic_x)
       : grid({.box = {.high = {0.4, 0.3}}, .periodic_x = periodic_x}, 0.1),
-        particles(at_rest<Particles<Tait>>(Scene<Tait>{.domain = {.box = grid.box}, .fluid = water, .filled = grid.box},
+        particles(at_rest<PrintedParticles<Tait>>(Scene<Tait>{.domain = {.box = grid.box}, .fluid = water, .filled = grid.box},
                                            0.1, grid)) {}
 
   int slot(int cell) const { return particles.order.slot(cell, 0); }

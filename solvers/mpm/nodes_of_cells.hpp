@@ -1,8 +1,8 @@
 #pragma once
 /// Nodes of which every cell touches as many along each axis, and how cells give to them.
 
+#include "solvers/mpm/cell_lanes.hpp"
 #include "solvers/mpm/cell_rows.hpp"
-#include "solvers/mpm/fields.hpp"
 #include "solvers/mpm/grid.hpp"
 
 #include <algorithm>
@@ -11,12 +11,6 @@
 #include <limits>
 
 namespace touchstone::mpm {
-
-/// One number for each column of nodes near a cell, and for each row; or for each function of X, and for each of Y.
-template <class Real, int touched>
-using Square = std::array<std::array<Real, touched>, touched>;
-template <class Real>
-using ThreeByThree = Square<Real, 3>;
 
 /// Nodes row by row: the cell (column, row) touches the nodes (column, row) to (column + touched - 1, row + touched -
 /// 1). Rows are as long as whole blocks of cells, and as the registers more in which the last of these have nodes.
@@ -83,21 +77,11 @@ class NodesOfCells {
     }
     if (periodic_x_) add_images_of_columns(below);
     near_ = below;
-    for (int row = 1; row < touched; ++row) near_ = with_next_row(near_);
-    if (periodic_y_) add_images_of_rows();
+    for (int row = 1; row < touched; ++row) near_ = with_next_row(near_, stride);
+    if (periodic_y_) add_images_of_rows(near_, (touched - 1) * stride, (rows - (touched - 1)) * stride);
   }
 
  private:
-  std::vector<int> with_next_row(const std::vector<int>& nodes) const {
-    std::vector<int> next(nodes), both;
-    for (int& node : next) node += stride;
-    std::set_union(nodes.begin(), nodes.end(), next.begin(), next.end(), std::back_inserter(both));
-    return both;
-  }
-  static void sort(std::vector<int>& nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  }
   /// The nodes at both ends of a row, which are the same.
   void add_images_of_columns(std::vector<int>& nodes) const {
     for (std::size_t k = 0, count = nodes.size(); k < count; ++k) {
@@ -105,17 +89,7 @@ class NodesOfCells {
       for (int column = 0; column < touched - 1; ++column)
         for (int image : {column, column + columns - (touched - 1)}) nodes.push_back(first + image / lanes * lanes);
     }
-    sort(nodes);
-  }
-  /// The first and the last rows of nodes, which are the same.
-  void add_images_of_rows() {
-    const std::vector<int> nodes = near_;
-    const int cells = (rows - (touched - 1)) * stride;
-    for (const int node : nodes) {
-      if (node < (touched - 1) * stride) near_.push_back(node + cells);
-      if (node >= cells) near_.push_back(node - cells);
-    }
-    sort(near_);
+    sort_unique(nodes);
   }
 
   bool periodic_x_, periodic_y_;

@@ -1,6 +1,6 @@
 #pragma once
+#include "solvers/mpm/cell_lanes.hpp"
 #include "solvers/mpm/cell_order.hpp"
-#include "solvers/mpm/fields.hpp"
 
 namespace touchstone::mpm {
 

@@ -58,9 +58,7 @@ struct CarriedDensity {};
 /// pressure at the floor and at the surface: 2.5 % (means over cells) to 6.7 % (over nodes) after 2 s with APIC.
 ///
 /// Where fluid does not fill its domain a node expands by `most_expansion` at most: what is rarer has come apart, bears
-/// no more tension and forgets how far it was torn. Without, lone particles of a jet or a splash, which nothing holds
-/// together, expand without bound until their run diverges. At 0.01 the tension that is left throws one off a wall at
-/// 66 m/s; 0.001 cuts into the pressures of an elliptic drop, whose fluid is whole (README.md).
+/// no more tension and forgets how far it was torn (README.md).
 struct AffineDensity {
   static constexpr double most_expansion = 0.003;
 };

@@ -5,14 +5,22 @@
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/body_force.hpp"
 #include "solvers/mpm/grid.hpp"
-#include "solvers/mpm/samples_of.hpp"
-#include "solvers/mpm/seed.hpp"
-#include "solvers/mpm/settings.hpp"
-#include "solvers/mpm/settle.hpp"
+#include "solvers/mpm/sorting.hpp"
+#include "solvers/samples.hpp"
 #include "solvers/stepping/clock.hpp"
+#include "solvers/stepping/extremes.hpp"
 #include "solvers/stepping/laps.hpp"
 
 namespace touchstone::mpm {
+
+/// How the method resolves a scene. The cell and the spacing are adjusted to fit the domain and the filled box, see
+/// `Grid` and `lattice`.
+struct Settings {
+  double cell;       // m  side of a cell of the background grid
+  double spacing;    // m  between particles at the start
+  double time_step;  // s
+  int threads = 1;   // the results are the same bits for any number
+};
 
 template <class FluidLaw, class Force>
 class Simulation : public Clock {
@@ -42,14 +50,38 @@ class Simulation : public Clock {
   Grid grid_;
 };
 
+/// The particles at a time [s], in the order in which they were seeded.
+template <class Particles, class FluidLaw>
+Samples samples_of(const Particles& particles, const Grid& grid, const FluidLaw& fluid, double time) {
+  Samples s = Samples::of_equal(time, particles.count, particles.mass);
+  particles.order.for_each([&](int cell, int slot) {
+    const int p = particles.number[slot];
+    s.x.col(p) = grid.place(cell, particles.X[slot], particles.Y[slot]);
+    s.v.col(p) = particles.velocity(slot);
+    s.density[p] = fluid.density / (1 + static_cast<double>(particles.expansion[slot]));
+    s.pressure[p] = fluid.pressure(s.density[p]);
+  });
+  return s;
+}
+
+/// Of the particles; a slot without one is at rest with the density of rest.
+template <class Particles, class FluidLaw>
+Extremes extremes_of(const Particles& particles, const FluidLaw& fluid) {
+  double square = 0, expansion = 0;
+  for (int slot = 0; slot < particles.order.slots(); ++slot) {
+    square = std::max(square, particles.velocity(slot).squaredNorm());
+    expansion = std::min(expansion, static_cast<double>(particles.expansion[slot]));
+  }
+  return {std::sqrt(square), fluid.density / (1 + expansion)};
+}
+
 /// The same of methods that sum over particles, which they keep in the order of the cells. One derives from it as
 /// `Method` and offers the parts of its step, and list_near(), called when other blocks hold particles than before.
 template <class Method, class Particles, class Nodes, class FluidLaw, class Force>
 class SimulationInCells : public Simulation<FluidLaw, Force> {
  public:
   /// One step, explicit Euler, lumped mass; all weights are those of the places at its start. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     method().scatter();  // m_i, (m v)_i, (12), (13)
     lap(SubStep::scatter);
     method().accelerate();  // (10), (11), (14), as walls have it

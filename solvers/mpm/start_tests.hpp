@@ -3,7 +3,7 @@
 /// has solver(scene, settings) and left_by_damping(k_cell, steps), what its own damping leaves in so many steps of a
 /// wave whose number is `k_cell` per cell.
 
-#include "solvers/mpm/settings.hpp"
+#include "solvers/mpm/simulation.hpp"
 #include "solvers/testing.hpp"
 
 namespace touchstone::mpm {

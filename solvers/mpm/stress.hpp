@@ -3,10 +3,7 @@
 /// is kept per density [m²/s²], as the nodes want it.
 
 #include "solvers/fluids/newtonian.hpp"
-#include "solvers/mpm/fields.hpp"
-#include "solvers/mpm/shapes/linear_hat.hpp"
-
-#include <array>
+#include "solvers/mpm/cell_lanes.hpp"
 
 namespace touchstone::mpm {
 
@@ -29,64 +26,13 @@ Real pressure_of(const Tait& fluid, const Real& expansion) {
   return fill<Real>(fluid.bulk_modulus) * d * sum;
 }
 
-/// Sums over the particles of a cell, of q and of q times a coordinate.
-template <class Real>
-struct Sum {
-  Real one{}, moment{};
-
-  static Sum of(const Real& q, const Real& coordinate) { return {q, coordinate * q}; }
-  Sum& operator+=(const Sum& other) {
-    one += other.one;
-    moment += other.moment;
-    return *this;
-  }
-};
-template <int part, class Real>
-Sum<Lanes> widened(const Sum<Real>& sum) {
-  return {widened<part>(sum.one), widened<part>(sum.moment)};
-}
-
-/// Forces on the four corners of a cell.
-template <class Real>
-struct CornerForces {
-  std::array<Real, 4> x, y;
-};
-
 /// The stress of an inviscid fluid is its pressure.
 template <class FluidLaw, class Number>
 class Stress {
  public:
   explicit Stress(int slots) : pressure_(slots) {}
 
-  /// Sums over the particles of a cell, as the nodes of the cell need them.
-  template <class Real>
-  struct Sums {
-    Sum<Real> along_x, along_y;  // of the pressure, with Y and with X
-
-    Sums& operator+=(const Sums& other) {
-      along_x += other.along_x;
-      along_y += other.along_y;
-      return *this;
-    }
-    template <int part>
-    Sums<Lanes> as_doubles() const {
-      return {widened<part>(along_x), widened<part>(along_y)};
-    }
-
-    /// Internal forces on the corners of the cell (12); `per_cell` [1/m] is 1 / its size.
-    CornerForces<Real> forces(const Vec2& per_cell) const {
-      return {LinearHat::slopes_along_X<Real>(per_cell.x() * along_x.one, per_cell.x() * along_x.moment),
-              LinearHat::slopes_along_Y<Real>(per_cell.y() * along_y.one, per_cell.y() * along_y.moment)};
-    }
-  };
-
-  template <class Real>
-  Sums<Real> terms_at(int slot, const Real& X, const Real& Y) const {
-    const Real p = load<Real>(&pressure_[slot]);
-    return {Sum<Real>::of(p, Y), Sum<Real>::of(p, X)};
-  }
-
-  /// Of the force along an axis, what acts along another [m²/s²].
+  /// The component on `axis` that acts along `along` [m²/s²].
   template <class Real>
   Real of(int /*axis*/, int /*along*/, int slot) const {
     return -load<Real>(&pressure_[slot]);
@@ -123,40 +69,6 @@ class Stress<FluidLaw, Number> {
   explicit Stress(int slots) : xx_(slots), xy_(slots), yy_(slots) {}
 
   template <class Real>
-  struct Sums {
-    Sum<Real> xx, xy_Y, xy_X, yy;  // those along x with Y, those along y with X
-
-    Sums& operator+=(const Sums& other) {
-      xx += other.xx;
-      xy_Y += other.xy_Y;
-      xy_X += other.xy_X;
-      yy += other.yy;
-      return *this;
-    }
-    template <int part>
-    Sums<Lanes> as_doubles() const {
-      return {widened<part>(xx), widened<part>(xy_Y), widened<part>(xy_X), widened<part>(yy)};
-    }
-
-    CornerForces<Real> forces(const Vec2& per_cell) const {
-      const auto along = [&](const Sum<Real>& x, const Sum<Real>& y) {
-        auto force = LinearHat::slopes_along_X<Real>(-per_cell.x() * x.one, -per_cell.x() * x.moment);
-        const auto along_y = LinearHat::slopes_along_Y<Real>(-per_cell.y() * y.one, -per_cell.y() * y.moment);
-        for (int corner = 0; corner < 4; ++corner) force[corner] += along_y[corner];
-        return force;
-      };
-      return {along(xx, xy_X), along(xy_Y, yy)};
-    }
-  };
-
-  template <class Real>
-  Sums<Real> terms_at(int slot, const Real& X, const Real& Y) const {
-    const Real xy = load<Real>(&xy_[slot]);
-    return {Sum<Real>::of(load<Real>(&xx_[slot]), Y), Sum<Real>::of(xy, Y), Sum<Real>::of(xy, X),
-            Sum<Real>::of(load<Real>(&yy_[slot]), X)};
-  }
-
-  template <class Real>
   Real of(int axis, int along, int slot) const {
     return load<Real>(&(axis != along ? xy_ : axis == 0 ? xx_ : yy_)[slot]);
   }
@@ -173,16 +85,16 @@ class Stress<FluidLaw, Number> {
     return {.xx = load<Real>(&xx_[slot]), .yx = Real{}, .xy = load<Real>(&xy_[slot]), .yy = load<Real>(&yy_[slot])};
   }
 
-  /// (32) and (33): 2 mu eps - (2/3) mu tr(eps) I - P I.
+  /// (32) and (33), per density: 2 mu eps - (2/3) mu tr(eps) I - P I.
   template <class Real, class Store>
   void update(int slot, const FluidLaw& fluid, const Real& expansion, const Slopes<Real>& of_v, const Store& write) {
     const Real specific_volume = fill<Real>(1 / fluid.density) * (1 + expansion);
-    const Real mu = fill<Real>(fluid.viscosity) * specific_volume;
+    const Real nu = fill<Real>(fluid.viscosity) * specific_volume;  // m²/s
     const Real isotropic =
-        fill<Real>(-2.0 / 3) * mu * of_v.divergence() - specific_volume * pressure_of<Real>(fluid, expansion);
-    write(2 * mu * of_v.xx + isotropic, &xx_[slot]);
-    write(mu * (of_v.xy + of_v.yx), &xy_[slot]);
-    write(2 * mu * of_v.yy + isotropic, &yy_[slot]);
+        fill<Real>(-2.0 / 3) * nu * of_v.divergence() - specific_volume * pressure_of<Real>(fluid, expansion);
+    write(2 * nu * of_v.xx + isotropic, &xx_[slot]);
+    write(nu * (of_v.xy + of_v.yx), &xy_[slot]);
+    write(2 * nu * of_v.yy + isotropic, &yy_[slot]);
   }
 
   template <class F>

@@ -12,7 +12,7 @@ namespace touchstone::sph {
 /// How far the lists of a method reach whose walls push as far as `wall` [m]: with a skin of a tenth of a spacing, or
 /// up to so many times that where particles are fast. Throws std::invalid_argument for settings that are not positive.
 template <class Kernel>
-Reach reach_of(const Settings& s, double wall = 0, double times = 3) {
+ListReach reach_of(const Settings& s, double wall = 0, double times = 3) {
   constexpr double skin = 0.1;  // spacings; lists last a hundred steps in a channel, a few in a splash
   return {.kernel = Kernel::support * checked(s).smoothing_length,
           .wall = wall,

@@ -43,11 +43,11 @@ struct Slope {
 
   template <class Real>
   Real operator()(const Real& r, const Real& per_r) const {
-    return Kernel::dw(Real(r * Number<Real>(per_h))) * Number<Real>(per_h3) * per_r;
+    return Kernel::dw(Real(r * NumberIn<Real>(per_h))) * NumberIn<Real>(per_h3) * per_r;
   }
   template <class Real>
   requires(!needs_reciprocal) Real operator()(const Real& r) const {
-    return Kernel::dw_per_q(Real(r * Number<Real>(per_h))) * Number<Real>(per_h4);
+    return Kernel::dw_per_q(Real(r * NumberIn<Real>(per_h))) * NumberIn<Real>(per_h4);
   }
 
   double per_h, per_h3, per_h4;  // 1/m, 1/m³, 1/m⁴  once for all pairs
@@ -117,7 +117,7 @@ auto pair_of(const I& i, const J& j, double mass) {
   const auto volume_and_p_i = i.two(&Packed::specific_volume), volume_and_p_j = j.two(&Packed::specific_volume);
   ij.specific_volume_i = volume_and_p_i[0], ij.p_i = volume_and_p_i[1];
   ij.specific_volume_j = volume_and_p_j[0], ij.p_j = volume_and_p_j[1];
-  ij.mass = static_cast<Number<Real>>(mass);
+  ij.mass = static_cast<NumberIn<Real>>(mass);
   return ij;
 }
 

@@ -13,7 +13,7 @@ namespace touchstone::sph {
 
 /// How far the lists reach [m]: the kernel, the push of a wall (0 where there is none), and a skin beyond both, which
 /// is chosen anew with the lists.
-struct Reach {
+struct ListReach {
   double kernel, wall, skin;
   double least_skin = skin, greatest_skin = skin;
 };
@@ -42,7 +42,7 @@ template <class Packed_>
 class Neighbourhood {
  public:
   using Packed = Packed_;
-  static constexpr int width = lanes<typename Packed::Number>;
+  static constexpr int width = lanes_of<typename Packed::Number>;
   using Lists = NeighbourLists<width>;
 
   Particles all;
@@ -56,7 +56,7 @@ class Neighbourhood {
   /// Fluid on a lattice, set going as the scene says. Throws std::invalid_argument for a kernel that reaches once
   /// around the domain, and for fluid on a wall.
   template <class SceneOfRun>
-  Neighbourhood(const SceneOfRun& scene, double spacing, const Reach& reach, BoundaryLayout layout, int threads = 1)
+  Neighbourhood(const SceneOfRun& scene, double spacing, const ListReach& reach, BoundaryLayout layout, int threads = 1)
       : boundary(std::move(layout)),
         domain_(scene.domain),
         density_(scene.fluid.density),
@@ -142,12 +142,7 @@ class Neighbourhood {
   /// The fluid in the order of its numbers, with the pressure of its density.
   template <class FluidLaw>
   Samples samples(double time, const FluidLaw& fluid) const {
-    Samples s{time,
-              Vectors(2, all.fluid),
-              Vectors(2, all.fluid),
-              Scalars::Constant(all.fluid, all.mass),
-              Scalars(all.fluid),
-              Scalars(all.fluid)};
+    Samples s = Samples::of_equal(time, all.fluid, all.mass);
     for (Index i = 0; i < all.fluid; ++i) {
       const int n = all.number[i];
       s.x.col(n) = Vec2(domain_.wrapped(0, all.x[i]), domain_.wrapped(1, all.y[i]));
@@ -302,7 +297,7 @@ class Neighbourhood {
   Domain domain_;
   double density_;                   // kg/m³  at rest
   std::vector<Wall> walls_, gates_;  // gates are those with an extent
-  Reach reach_;
+  ListReach reach_;
   int threads_;
   Scalars listed_x_, listed_y_;  // m   where the fluid was when the lists were made
 };

@@ -14,29 +14,29 @@ namespace touchstone::sph {
 /// particle. The neighbours of a particle keep their order, whatever the width.
 template <int width>
 struct NeighbourLists {
-  struct Block {
+  struct ListBlock {
     Index first_row;
     int particles, rows;
   };
   /// What one thread lists and sums for.
-  struct Part {
-    std::vector<Block> blocks;
+  struct ThreadLists {
+    std::vector<ListBlock> blocks;
     std::vector<int> rows;  // [row][lane]
 
-    std::span<const int> rows_of(const Block& block) const {
+    std::span<const int> rows_of(const ListBlock& block) const {
       return {rows.data() + block.first_row * width, static_cast<std::size_t>(block.rows) * width};
     }
   };
-  std::vector<Part> parts{1};
+  std::vector<ThreadLists> parts{1};
 };
 
 /// Collects particles with their neighbours into blocks.
 template <int width>
 class BlockWriter {
  public:
-  using Part = typename NeighbourLists<width>::Part;
+  using ThreadLists = typename NeighbourLists<width>::ThreadLists;
 
-  BlockWriter(Part& part, int nobody) : part_(part), nobody_(nobody) {
+  BlockWriter(ThreadLists& part, int nobody) : part_(part), nobody_(nobody) {
     part_.blocks.clear();
     part_.rows.clear();
   }
@@ -59,24 +59,24 @@ class BlockWriter {
   }
 
  private:
-  Part& part_;
+  ThreadLists& part_;
   int nobody_, used_ = 0;
   std::array<std::vector<int>, width> near_;
   std::array<int, width> particle_{};
   std::array<std::size_t, width> count_{};
 };
 
-/// Leaves whoever was found near a particle.
-struct AllOfThem {
+/// Keeps all neighbours that were found.
+struct KeepAll {
   std::size_t operator()(int, std::vector<int>&, std::size_t found) const { return found; }
 };
 
-/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m], but for those that
-/// left(particle, list, count) takes off the list, which returns how many it leaves. Particles without any have no
-/// list, unless `all_of_them` shall have one.
-template <int width, class Left = AllOfThem>
+/// Lists, for the particles [begin, end), those in `cells` that are closer than `reach` [m]; left(particle, list,
+/// count) may take some off the list, and returns how many it leaves. Particles without neighbours have no list, unless
+/// `empty_too`.
+template <int width, class Left = KeepAll>
 void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells, Index begin, Index end, double reach,
-          bool all_of_them, int threads, const Left& left = {}) {
+          bool empty_too, int threads, const Left& left = {}) {
   lists.parts.resize(threads);
   share_out(threads, threads, [&](Index first, Index last) {
     for (Index part = first; part < last; ++part) {
@@ -86,7 +86,7 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
         const int self = static_cast<int>(i);
         std::vector<int>& list = writer.next();
         const std::size_t found = left(self, list, cells.near(Vec2(all.x[i], all.y[i]), reach, self, list));
-        if (found > 0 || all_of_them) writer.take(self, found);
+        if (found > 0 || empty_too) writer.take(self, found);
       }
       writer.flush();
     }
@@ -96,13 +96,13 @@ void fill(NeighbourLists<width>& lists, const Particles& all, const Cells& cells
 /// The sums of one block. Everything is inlined here, or vectors would travel through memory.
 template <std::size_t K, int width, class Packed, class Term>
 [[gnu::flatten]] inline auto sum_of_block(std::span<const int> rows, const Packed* all, const Term& term) {
-  using Sum = Lanes<typename Packed::Number, width>;
+  using Sum = LanesOf<typename Packed::Number, width>;
   std::array<Sum, K> total;
 #pragma GCC unroll 64
   for (std::size_t k = 0; k < K; ++k) total[k] = Sum{};
-  const Row<Packed, width> i{all, rows.data()};
+  const ParticleLanes<Packed, width> i{all, rows.data()};
   for (const int *row = rows.data() + width, *end = rows.data() + rows.size(); row != end; row += width) {
-    const auto added = term(i, Row<Packed, width>{all, row});
+    const auto added = term(i, ParticleLanes<Packed, width>{all, row});
 #pragma GCC unroll 64
     for (std::size_t k = 0; k < K; ++k) total[k] += added[k];
   }
@@ -120,8 +120,8 @@ void sum_over_neighbours(const NeighbourLists<width>& lists, const std::vector<P
     for (Index p = first; p < last; ++p) {
       for (const auto& block : lists.parts[p].blocks) {
         const std::span<const int> rows = lists.parts[p].rows_of(block);
-        const auto made =
-            finish(Row<Packed, width>{all.data(), rows.data()}, sum_of_block<K, width>(rows, all.data(), term));
+        const auto made = finish(ParticleLanes<Packed, width>{all.data(), rows.data()},
+                                 sum_of_block<K, width>(rows, all.data(), term));
         for (int lane = 0; lane < block.particles; ++lane) {
           std::array<double, std::tuple_size_v<std::remove_cvref_t<decltype(made)>>> of_particle;
           for (std::size_t k = 0; k < of_particle.size(); ++k) of_particle[k] = made[k][lane];

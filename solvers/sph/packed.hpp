@@ -9,7 +9,7 @@ namespace touchstone::sph {
 
 /// Where a particle stands.
 template <class Number>
-struct Place {
+struct PackedPlace {
   Number x = 0, y = 0;  // m
 
   void stand_at(double at_x, double at_y) {
@@ -21,7 +21,7 @@ struct Place {
 /// Single precision keeps its digits for the distance between neighbours: what rounding takes off a place is kept
 /// beside it.
 template <>
-struct Place<float> {
+struct PackedPlace<float> {
   float x = 0, y = 0;            // m
   float rest_x = 0, rest_y = 0;  // m
 
@@ -38,7 +38,7 @@ struct Place<float> {
 /// by is divided by here, once per particle. No field is ever undefined: lanes without a neighbour read the particle
 /// that is nowhere, and no weight of 0 removes what is not a number.
 template <class Number_>
-struct alignas(16) Packed : Place<Number_> {
+struct alignas(16) Packed : PackedPlace<Number_> {
   using Number = Number_;
   Number vx = 0, vy = 0;              // m/s
   Number rho = 0, p_over_rho2 = 0;    // kg/m³; Pa m⁶/kg²  p / rho²
@@ -58,9 +58,9 @@ struct alignas(16) Packed : Place<Number_> {
 };
 
 /// One particle per lane.
-template <class Packed, int width = lanes<typename Packed::Number>>
-struct Row {
-  using Real = Lanes<typename Packed::Number, width>;
+template <class Packed, int width = lanes_of<typename Packed::Number>>
+struct ParticleLanes {
+  using Real = LanesOf<typename Packed::Number, width>;
   const Packed* all;
   const int* which;
 

@@ -17,7 +17,7 @@ struct Pair {
   Real p_i, p_j;      // Pa
   Real specific_volume_i, specific_volume_j;  // m³/kg 1 / rho
   Real p_over_rho2_i, p_over_rho2_j;          // Pa m⁶/kg²  p / rho²
-  Number<Real> mass;                          // kg/m  of each
+  NumberIn<Real> mass;                        // kg/m  of each
 
   Real v_dot_r() const { return x * vx + y * vy; }              // m²/s  v_ij · r_ij, negative when closing in
   Real continuity() const { return mass * slope * v_dot_r(); }  // kg/m³ s  what j adds to the rate of rho_i (23)

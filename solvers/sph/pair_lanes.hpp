@@ -7,49 +7,15 @@
 #include <immintrin.h>
 #endif
 
+#include "solvers/indices.hpp"
+#include "solvers/lanes.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <type_traits>
-#include <utility>
 
 namespace touchstone::sph {
-
-/// Bytes of a vector register. Wider blocks than the processor's own do not stay in registers: eight doubles on a
-/// processor with four took 3.5 times as long.
-#if defined(__AVX512F__)
-inline constexpr std::size_t vector_bytes = 64;
-#elif defined(__AVX__)
-inline constexpr std::size_t vector_bytes = 32;
-#else
-inline constexpr std::size_t vector_bytes = 16;
-#endif
-
-/// Particles that are summed for side by side, one per lane of a vector instruction.
-template <class Real>
-inline constexpr int lanes = static_cast<int>(vector_bytes / sizeof(Real));
-
-template <class Real, int width>
-struct Vector {
-  typedef Real type __attribute__((vector_size(width * sizeof(Real))));
-};
-/// Arithmetic and comparison are lane by lane (a vector extension of GCC and Clang, for any processor).
-template <class Real, int width = lanes<Real>>
-using Lanes = typename Vector<Real, width>::type;
-
-/// What a lane holds; a constant has to be cast to it before it meets lanes.
-template <class Real>
-struct NumberIn {
-  using type = std::remove_cvref_t<decltype(std::declval<Real&>()[0])>;
-};
-template <class Real>
-requires std::is_floating_point_v<Real>
-struct NumberIn<Real> {
-  using type = Real;
-};
-template <class Real>
-using Number = typename NumberIn<Real>::type;
 
 // GCC vectorises a loop over lanes, and a selection, as wide as the processor prefers that it tunes for. Where it
 // mistook one and preferred half of the register, both halves went through memory, and sums over pairs took 1.6 times
@@ -57,12 +23,14 @@ using Number = typename NumberIn<Real>::type;
 namespace detail {
 
 #if defined(__AVX512F__)
-inline Lanes<double, 8> root_of(const Lanes<double, 8>& a) { return _mm512_sqrt_pd(a); }
-inline Lanes<float, 16> root_of(const Lanes<float, 16>& a) { return _mm512_sqrt_ps(a); }
-inline Lanes<double, 8> greater_of(const Lanes<double, 8>& a, const Lanes<double, 8>& b) { return _mm512_max_pd(a, b); }
-inline Lanes<float, 16> greater_of(const Lanes<float, 16>& a, const Lanes<float, 16>& b) { return _mm512_max_ps(a, b); }
-inline Lanes<double, 8> less_of(const Lanes<double, 8>& a, const Lanes<double, 8>& b) { return _mm512_min_pd(a, b); }
-inline Lanes<float, 16> less_of(const Lanes<float, 16>& a, const Lanes<float, 16>& b) { return _mm512_min_ps(a, b); }
+using Doubles = LanesOf<double>;
+using Floats = LanesOf<float>;
+inline Doubles root_of(const Doubles& a) { return _mm512_sqrt_pd(a); }
+inline Floats root_of(const Floats& a) { return _mm512_sqrt_ps(a); }
+inline Doubles greater_of(const Doubles& a, const Doubles& b) { return _mm512_max_pd(a, b); }
+inline Floats greater_of(const Floats& a, const Floats& b) { return _mm512_max_ps(a, b); }
+inline Doubles less_of(const Doubles& a, const Doubles& b) { return _mm512_min_pd(a, b); }
+inline Floats less_of(const Floats& a, const Floats& b) { return _mm512_min_ps(a, b); }
 #else
 struct NoLanes {};
 void root_of(NoLanes);
@@ -80,7 +48,7 @@ Real square_root(const Real& a) {
     return detail::root_of(a);
   } else {
     Real root;
-    for (std::size_t lane = 0; lane < sizeof(Real) / sizeof(Number<Real>); ++lane) root[lane] = std::sqrt(a[lane]);
+    for (std::size_t lane = 0; lane < sizeof(Real) / sizeof(NumberIn<Real>); ++lane) root[lane] = std::sqrt(a[lane]);
     return root;
   }
 }
@@ -88,12 +56,12 @@ Real square_root(const Real& a) {
 /// f of doubles, at once where lanes hold doubles, else one by one.
 template <class Real, class F>
 Real each_lane(const Real& a, const F& f) {
-  if constexpr (std::is_same_v<Number<Real>, double>) {
+  if constexpr (std::is_same_v<NumberIn<Real>, double>) {
     return f(a);
   } else {
     Real all;
-    for (std::size_t lane = 0; lane < sizeof(Real) / sizeof(Number<Real>); ++lane)
-      all[lane] = static_cast<Number<Real>>(f(static_cast<double>(a[lane])));
+    for (std::size_t lane = 0; lane < sizeof(Real) / sizeof(NumberIn<Real>); ++lane)
+      all[lane] = static_cast<NumberIn<Real>>(f(static_cast<double>(a[lane])));
     return all;
   }
 }
@@ -117,17 +85,11 @@ constexpr Real negative_part(const Real& a) {
 
 namespace detail {
 
-template <class Real, std::size_t... lane>
-auto joined(const Lanes<Real, sizeof...(lane) / 2>& a, const Lanes<Real, sizeof...(lane) / 2>& b,
-            std::index_sequence<lane...>) {
-  return __builtin_shufflevector(a, b, lane...);
-}
-
 /// The numbers that fill 16 bytes at each of several places, as many as make `width` numbers, one after the other.
 template <class Real, int width, class At>
-Lanes<Real, width> loaded(const At& at) {
+LanesOf<Real, width> loaded(const At& at) {
   constexpr int each = 16 / sizeof(Real);
-  Lanes<Real, width> all;
+  LanesOf<Real, width> all;
   if constexpr (width == each) {
     std::memcpy(&all, at(0), sizeof all);
 #if defined(__AVX512DQ__)
@@ -138,27 +100,30 @@ Lanes<Real, width> loaded(const At& at) {
     std::memcpy(&all, &whole, sizeof all);
 #endif
   } else {
-    all = joined<Real>(loaded<Real, width / 2>(at),
-                       loaded<Real, width / 2>([&](int k) { return at(k + width / 2 / each); }),
-                       std::make_index_sequence<width>());
+    const auto low = loaded<Real, width / 2>(at),
+               high = loaded<Real, width / 2>([&](int k) { return at(k + width / 2 / each); });
+    all = with_indices<width>(
+        [&](auto... lane) -> LanesOf<Real, width> { return __builtin_shufflevector(low, high, lane.value...); });
   }
   return all;
 }
 
 /// Of lanes 0, 2, 4 ... and of lanes 1, 3, 5 ... two numbers each: the first ones of all, and the second ones.
-template <int width, std::size_t... lane>
-std::array<Lanes<double, width>, 2> unzipped(const Lanes<double, width>& even, const Lanes<double, width>& odd,
-                                             std::index_sequence<lane...>) {
-  return {__builtin_shufflevector(even, odd, (lane % 2 * width + lane / 2 * 2)...),
-          __builtin_shufflevector(even, odd, (lane % 2 * width + lane / 2 * 2 + 1)...)};
+template <int width>
+std::array<LanesOf<double, width>, 2> unzipped(const LanesOf<double, width>& even, const LanesOf<double, width>& odd) {
+  return with_indices<width>([&](auto... lane) -> std::array<LanesOf<double, width>, 2> {
+    return {__builtin_shufflevector(even, odd, (lane.value % 2 * width + lane.value / 2 * 2)...),
+            __builtin_shufflevector(even, odd, (lane.value % 2 * width + lane.value / 2 * 2 + 1)...)};
+  });
 }
 
 /// The numbers of two rows of fours in turn: those in the first half of each four, and those in the second.
-template <int width, std::size_t... lane>
-std::array<Lanes<float, width>, 2> zipped(const Lanes<float, width>& a, const Lanes<float, width>& b,
-                                          std::index_sequence<lane...>) {
-  return {__builtin_shufflevector(a, b, (lane / 4 * 4 + lane % 4 / 2 + lane % 2 * width)...),
-          __builtin_shufflevector(a, b, (lane / 4 * 4 + lane % 4 / 2 + lane % 2 * width + 2)...)};
+template <int width>
+std::array<LanesOf<float, width>, 2> zipped(const LanesOf<float, width>& a, const LanesOf<float, width>& b) {
+  return with_indices<width>([&](auto... lane) -> std::array<LanesOf<float, width>, 2> {
+    return {__builtin_shufflevector(a, b, (lane.value / 4 * 4 + lane.value % 4 / 2 + lane.value % 2 * width)...),
+            __builtin_shufflevector(a, b, (lane.value / 4 * 4 + lane.value % 4 / 2 + lane.value % 2 * width + 2)...)};
+  });
 }
 
 }  // namespace detail
@@ -166,21 +131,19 @@ std::array<Lanes<float, width>, 2> zipped(const Lanes<float, width>& a, const La
 /// Two doubles that stand side by side in memory at each of `width` places: at(lane) points at the first of a lane's
 /// two. One load brings both.
 template <int width, class At>
-std::array<Lanes<double, width>, 2> gather_two(const At& at) {
+std::array<LanesOf<double, width>, 2> gather_two(const At& at) {
   const auto half = [&](int parity) {
     return detail::loaded<double, width>([&](int k) { return at(2 * k + parity); });
   };
-  return detail::unzipped<width>(half(0), half(1), std::make_index_sequence<width>());
+  return detail::unzipped<width>(half(0), half(1));
 }
 
 /// Four floats, likewise.
 template <int width, class At>
-std::array<Lanes<float, width>, 4> gather_four(const At& at) {
-  constexpr std::make_index_sequence<width> all;
+std::array<LanesOf<float, width>, 4> gather_four(const At& at) {
   const auto fourth = [&](int first) { return detail::loaded<float, width>([&](int k) { return at(4 * k + first); }); };
-  const auto even = detail::zipped<width>(fourth(0), fourth(2), all),
-             odd = detail::zipped<width>(fourth(1), fourth(3), all), low = detail::zipped<width>(even[0], odd[0], all),
-             high = detail::zipped<width>(even[1], odd[1], all);
+  const auto even = detail::zipped<width>(fourth(0), fourth(2)), odd = detail::zipped<width>(fourth(1), fourth(3)),
+             low = detail::zipped<width>(even[0], odd[0]), high = detail::zipped<width>(even[1], odd[1]);
   return {low[0], low[1], high[0], high[1]};
 }
 

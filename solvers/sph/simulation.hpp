@@ -16,8 +16,7 @@ template <class Method, class Kernel, class Integrator, class Packed, class Flui
 class Simulation : public Clock {
  public:
   /// One step. `lap` is called at the end of each sub-step. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     method().spread_particles();
     lap(SubStep::motion);
     near_.follow(steps(), time(), time_step());
@@ -42,7 +41,7 @@ class Simulation : public Clock {
  protected:
   /// Throws std::invalid_argument for settings that are not positive, and as `Neighbourhood` does. `carried` fields of
   /// the method go with the fluid.
-  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried, const Reach& reach,
+  Simulation(const Scene<FluidLaw, Force>& scene, const Settings& settings, std::size_t carried, const ListReach& reach,
              BoundaryLayout layout)
       : Clock("sph", settings.time_step),
         scene_(scene),
@@ -61,14 +60,12 @@ class Simulation : public Clock {
   static void correct_density() {}
 
   /// Fluid, mirrored ghosts and images as the last motion left them.
-  template <class Laps>
   void see_fluid_and_ghosts(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);
     mirror_to_ghosts<Kernel>(near_, scene_.walls, smoothing_length(), scene_.fluid.density, time);
     lap(SubStep::boundaries);
   }
-  template <class Laps>
   void add_body_force(double time, const Laps& lap) {
     if constexpr (is_present<Force>) add_force(scene_.body_force, near_.all, time, threads());
     lap(SubStep::rates);
@@ -87,15 +84,12 @@ class Simulation : public Clock {
 
   Method& method() { return static_cast<Method&>(*this); }
   Particles& state() { return near_.all; }
-  template <class Laps>
   void find_rates(double time, const Laps& lap) {
     method().template find<true, true>(time, lap);
   }
-  template <class Laps>
   void find_density_rate(double time, const Laps& lap) {
     method().template find<true, false>(time, lap);
   }
-  template <class Laps>
   void find_accelerations(double time, const Laps& lap) {
     method().template find<false, true>(time, lap);
   }

@@ -544,7 +544,7 @@ void expect_lanes_to_hold_fields() {
   }
   std::array<int, width> which;
   for (int lane = 0; lane < width; ++lane) which[lane] = (5 * lane + 3) % (2 * width);
-  const Row<Packed, width> row{seen.data(), which.data()};
+  const ParticleLanes<Packed, width> row{seen.data(), which.data()};
   const auto places = row.two(&Packed::x);
   for (int lane = 0; lane < width; ++lane) {
     EXPECT_EQ(places[0][lane], seen[which[lane]].x) << "lane " << lane << " of " << width;

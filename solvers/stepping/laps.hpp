@@ -2,6 +2,7 @@
 /// Where the time of a step goes, for a caller who wants to know.
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 namespace touchstone {
@@ -16,15 +17,13 @@ enum class SubStep {
   rates,       // particle by particle: pressure, force
   boundaries,  // ghosts, images, walls
   motion,      // particle by particle: forward in time
-  sorting,     // who is in which cell, who is near whom
+  sorting,     // particles into cells, lists of neighbours
 };
 inline constexpr std::array<std::string_view, 9> names_of_sub_steps{
     "scatter", "grid", "remap", "gather", "pairs", "rates", "boundaries", "motion", "sorting"};
 
-/// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part. This one
-/// hears nothing and costs nothing.
-struct NoLaps {
-  void operator()(SubStep) const {}
-};
+/// A solver's step(lap) calls lap(part) at the end of each part: what came since the last call was that part.
+using Laps = std::function<void(SubStep)>;
+inline const Laps no_laps = [](SubStep) {};
 
 }  // namespace touchstone

@@ -5,6 +5,7 @@
 
 #include "solvers/fields.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace touchstone {
@@ -23,6 +24,8 @@ struct NearWall {
 /// A stretch of a line [m].
 struct Range {
   double low, high;
+
+  double length() const { return std::max(0.0, high - low); }
 };
 
 /// Velocity of the fluid at the wall [m/s].

@@ -75,7 +75,7 @@ Flow elliptic_drop(Settings& set) {
                          .evaluate =
                              [](const Samples& s) {
                                const auto axes = half_axes(s);
-                               return std::vector{axes[0], axes[1]};
+                               return std::vector{axes.longer, axes.shorter};
                              },
                          .quantities = {{"longer half-axis", "m"}, {"shorter half-axis", "m"}}};
   flow.aside = {has_its_pressure()};

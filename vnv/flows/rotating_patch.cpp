@@ -100,7 +100,7 @@ Flow rotating_patch(Settings& set) {
                            const auto axes = half_axes(s);
                            const Vec2 momentum = s.v * s.mass.matrix();
                            return {momentum.x(),      momentum.y(), vnv::angular_momentum(s),
-                                   kinetic_energy(s), axes[0],      axes[1],
+                                   kinetic_energy(s), axes.longer, axes.shorter,
                                    pressure_in_the_middle(s, L)};
                          },
                          .quantities = {{"momentum along x", "kg/s"},

@@ -4,7 +4,7 @@
 #include "reference/hydrostatic.hpp"
 #include "vnv/flows/by_all_methods.hpp"
 #include "vnv/measures/norms_of.hpp"
-#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/profile.hpp"
 
 namespace touchstone::vnv::water_at_rest {
 

@@ -14,8 +14,6 @@ namespace touchstone::vnv {
 
 namespace {
 
-using Monomials = Eigen::Vector<double, 6>;
-
 /// How much the middle of a fit leans on few rows, by the squares of its weights: 1 for the mean of all of them, 2 to 4
 /// for a fit on a lattice, infinite for rows that do not tell six factors apart. Takes the sum over the rows of weight
 /// times the products of two monomials.
@@ -26,13 +24,13 @@ double leaning_of(const Eigen::Matrix<double, 6, 6>& moments) {
   return all * (of.eigenvectors().row(0).transpose().array().square() / of.eigenvalues().array()).sum();
 }
 
-struct Fitted {
+struct LocalFit {
   double value;
   bool is_sound;
 };
 
 /// By the rows in the upright ellipse with these half axes [m].
-Fitted fitted_within(const Samples& samples, const Field& field, const Vec2& place, const Vec2& reach) {
+LocalFit fitted_within(const Samples& samples, const ParticleField& field, const Vec2& place, const Vec2& reach) {
   using Fit = QuadraticFit<double, 1>;
   Fit::Sums sums{};
   Eigen::Matrix<double, 6, 6> moments = Eigen::Matrix<double, 6, 6>::Zero();
@@ -42,7 +40,7 @@ Fitted fitted_within(const Samples& samples, const Field& field, const Vec2& pla
     if (left <= 0) continue;
     const Fit::Sums terms = Fit::terms(left * left, way.x(), way.y(), {field(samples, p)});
     for (std::size_t s = 0; s < Fit::count; ++s) sums[s] += terms[s];
-    const Monomials at{1, way.x(), way.y(), way.x() * way.x(), way.x() * way.y(), way.y() * way.y()};
+    const Eigen::Vector<double, 6> at{1, way.x(), way.y(), way.x() * way.x(), way.x() * way.y(), way.y() * way.y()};
     moments += left * left * at * at.transpose();
   }
   constexpr double most = 100;  // particles that mix lean by up to 20 or so
@@ -67,12 +65,12 @@ Vec2 gaps_at(const Samples& samples, const Vec2& place) {
 
 }  // namespace
 
-double fitted_at(const Samples& samples, const Field& field, const Vec2& place, double reach) {
-  const Fitted round = fitted_within(samples, field, place, Vec2::Constant(reach));
+double fitted_at(const Samples& samples, const ParticleField& field, const Vec2& place, double reach) {
+  const LocalFit round = fitted_within(samples, field, place, Vec2::Constant(reach));
   if (round.is_sound) return round.value;
   const Vec2 gaps = gaps_at(samples, place);
   for (const double many : {2.5, 3.0, 3.5, 4.0, 5.0, 6.0}) {
-    const Fitted stretched = fitted_within(samples, field, place, many * gaps);
+    const LocalFit stretched = fitted_within(samples, field, place, many * gaps);
     if (stretched.is_sound) return stretched.value;
   }
   return not_a_number;

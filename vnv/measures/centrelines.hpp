@@ -15,7 +15,7 @@ namespace touchstone::vnv {
 /// best, weighted by (1 - r² / reach²)². Where these do not settle a polynomial, as on flat or graded cells, the
 /// particles in an ellipse that reaches from two and a half to six of the local gaps along x and along y take their place. Not a
 /// number where those do not settle one either.
-double fitted_at(const Samples& samples, const Field& field, const Vec2& place, double reach);
+double fitted_at(const Samples& samples, const ParticleField& field, const Vec2& place, double reach);
 
 /// The velocity across a centreline of a cavity, as it was published; equally long lists.
 struct Centreline {

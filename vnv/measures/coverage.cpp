@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 namespace touchstone::vnv {
@@ -100,11 +99,14 @@ class RowsByCell {
     return {std::clamp(cell(at - reach), -most, count_[axis] - 1 + most),
             std::clamp(cell(at + reach), -most, count_[axis] - 1 + most)};
   }
-  /// A cell, and by how much [m] its rows are moved to where it is an image of it.
-  std::pair<long, double> image(long i, int axis) const {
-    if (i >= 0 && i < count_[axis]) return {i, 0.0};
+  struct Image {
+    long cell;     // whose image it is
+    double shift;  // m  by which its rows are moved
+  };
+  Image image(long i, int axis) const {
+    if (i >= 0 && i < count_[axis]) return {i, 0};
     const double period = domain_.box.high[axis] - domain_.box.low[axis];
-    return i < 0 ? std::pair(i + count_[axis], -period) : std::pair(i - count_[axis], period);
+    return i < 0 ? Image{i + count_[axis], -period} : Image{i - count_[axis], period};
   }
   std::size_t cell_of(const Vec2& place) const {
     const auto along = [&](int axis) {
@@ -136,25 +138,29 @@ double free_radius(const RowsByCell& rows, const Region& region, double spacing,
   return depth < 0 ? -1 : std::min(rows.distance_to(place), depth + spacing / 2);
 }
 
-/// The wider circle to which a place of the region can be moved uphill.
-std::pair<double, Vec2> widest_near(const RowsByCell& rows, const Region& region, double spacing, Vec2 place,
-                                    double radius) {
+struct Circle {
+  double radius;  // m
+  Vec2 centre;    // m
+};
+
+/// The wider circle to which one in the region can be moved uphill.
+Circle widest_near(const RowsByCell& rows, const Region& region, double spacing, Circle circle) {
   constexpr double slope = std::numbers::sqrt2 / 2;
   const std::array<Vec2, 8> ways{Vec2(1, 0),         Vec2(-1, 0),         Vec2(0, 1),          Vec2(0, -1),
                                  Vec2(slope, slope), Vec2(-slope, slope), Vec2(slope, -slope), Vec2(-slope, -slope)};
   for (double step = rows.side() / 2; step > rows.side() / 500;) {
     bool is_better = false;
     for (const Vec2& way : ways) {
-      Vec2 other = place + step * way;
+      Vec2 other = circle.centre + step * way;
       for (const int axis : {0, 1}) other[axis] = region.domain.wrapped(axis, other[axis]);
-      if (const double there = free_radius(rows, region, spacing, other); there > radius) {
-        place = other, radius = there, is_better = true;
+      if (const double there = free_radius(rows, region, spacing, other); there > circle.radius) {
+        circle = {there, other}, is_better = true;
         break;
       }
     }
     if (!is_better) step /= 2;
   }
-  return {radius, place};
+  return circle;
 }
 
 /// How many cells it is from each cell, along an axis or a diagonal, to one with a row.
@@ -220,7 +226,7 @@ void find_hole(const RowsByCell& rows, const Region& region, double spacing, Cov
   constexpr long near = 2, wide = 8;  // cells
   constexpr std::size_t most_refined = 64, most_wide = 4;
   const std::vector<unsigned short> cells = cells_to_a_row(rows, region.domain);
-  std::vector<std::pair<double, Vec2>> places;
+  std::vector<Circle> circles;
   const long all = rows.columns() * rows.lines(), every = std::max(1L, all / 256);
   for (long k = 0; k < all; ++k) {
     const long apart = cells[static_cast<std::size_t>(k)];
@@ -229,39 +235,39 @@ void find_hole(const RowsByCell& rows, const Region& region, double spacing, Cov
     const double radius = apart <= near ? free_radius(rows, region, spacing, centre)
                                         : std::min((static_cast<double>(apart) - 0.5) * rows.side(),
                                                    depth_in(region, centre) + spacing / 2);
-    if (radius >= 0) places.emplace_back(radius, centre);
+    if (radius >= 0) circles.push_back({radius, centre});
   }
-  const auto end = places.begin() + static_cast<std::ptrdiff_t>(std::min(most_refined, places.size()));
-  std::partial_sort(places.begin(), end, places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto end = circles.begin() + static_cast<std::ptrdiff_t>(std::min(most_refined, circles.size()));
+  const auto wider = [](const Circle& a, const Circle& b) { return a.radius > b.radius; };
+  std::partial_sort(circles.begin(), end, circles.end(), wider);
   std::size_t count_of_wide = 0;
-  for (auto one = places.begin(); one != end; ++one) {
-    if (one->first > wide * rows.side() && ++count_of_wide > most_wide) continue;
-    double radius = free_radius(rows, region, spacing, one->second);
-    Vec2 place = one->second;
-    if (radius <= wide * rows.side()) std::tie(radius, place) = widest_near(rows, region, spacing, place, radius);
-    double hole = 2 * radius / spacing;
+  for (auto one = circles.begin(); one != end; ++one) {
+    if (one->radius > wide * rows.side() && ++count_of_wide > most_wide) continue;
+    Circle circle{free_radius(rows, region, spacing, one->centre), one->centre};
+    if (circle.radius <= wide * rows.side()) circle = widest_near(rows, region, spacing, circle);
+    double hole = 2 * circle.radius / spacing;
     if (hole <= found.hole) continue;
-    hole *= apart_about(rows, spacing, place, radius) / as_sound;
-    if (!(hole <= found.hole)) found.hole = hole, found.hole_at = place;
+    hole *= apart_about(rows, spacing, circle.centre, circle.radius) / as_sound;
+    if (!(hole <= found.hole)) found.hole = hole, found.hole_at = circle.centre;
   }
 }
 
 /// The gaps [m] between the coordinates of rows along an axis, and between the last of them and a wall, that are wider
-/// than `least`: where each begins, and where it ends.
-std::vector<std::array<double, 2>> gaps_along(const Vectors& x, const Region& region, int axis, double least) {
+/// than `least`.
+std::vector<Range> gaps_along(const Vectors& x, const Region& region, int axis, double least) {
   const bool is_periodic = region.domain.periodic(axis);
   const Box& box = is_periodic ? region.domain.box : region.box;
   const double low = box.low[axis], high = box.high[axis];
   const auto parts = std::clamp(static_cast<long>((high - low) / least), 1L, 4L * static_cast<long>(x.cols()) + 64);
-  std::vector<std::array<double, 2>> ends(static_cast<std::size_t>(parts), {INFINITY, -INFINITY});  // of rows in a part
+  std::vector<Range> ends(static_cast<std::size_t>(parts), {INFINITY, -INFINITY});  // of rows in a part
   for (const double at : x.row(axis)) {
     const double part = (at - low) / (high - low) * static_cast<double>(parts);
     auto& [first, last] = ends[static_cast<std::size_t>(std::clamp(static_cast<long>(part), 0L, parts - 1))];
     first = std::min(first, at), last = std::max(last, at);
   }
-  std::erase_if(ends, [](const auto& part) { return part[0] > part[1]; });
-  std::vector<std::array<double, 2>> gaps;
-  double before = is_periodic ? ends.back()[1] - (high - low) : low;
+  std::erase_if(ends, [](const Range& part) { return part.low > part.high; });
+  std::vector<Range> gaps;
+  double before = is_periodic ? ends.back().high - (high - low) : low;
   for (const auto& [first, last] : ends) {
     if (first - before > least) gaps.push_back({before, first});
     before = last;
@@ -352,11 +358,17 @@ std::vector<double> lines_along(const Vectors& x, int axis, const Box& box) {
   return lines;
 }
 
-/// The widest gap between lines, or between the last of them and a wall, over the wider one beside it, and where.
-std::pair<double, double> widest_gap(const std::vector<double>& lines, const Domain& domain, const Box& box, int axis) {
-  std::pair<double, double> widest{0, 0};
+/// A gap between lines.
+struct Gap {
+  double ratio = 0;  // of its width to that of the wider one beside it
+  double at = 0;     // m  its middle
+};
+
+/// The widest one between lines, or between the last of them and a wall.
+Gap widest_gap(const std::vector<double>& lines, const Domain& domain, const Box& box, int axis) {
+  Gap widest;
   const auto take = [&](double gap, double beside, double at) {
-    if (beside > 0 && gap / beside > widest.first) widest = {gap / beside, at};
+    if (beside > 0 && gap / beside > widest.ratio) widest = {gap / beside, at};
   };
   const std::size_t n = lines.size();
   if (n < 2) return widest;

@@ -11,7 +11,7 @@ namespace touchstone::vnv {
 
 DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const std::vector<double>& values,
                                          double omega_near) {
-  struct Monitored {
+  struct DecayingWave {
     Eigen::Map<const Eigen::ArrayXd> t, value;
 
     struct Fitted {
@@ -31,15 +31,14 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
     }
   };
   const auto count = static_cast<Eigen::Index>(values.size());
-  const Monitored monitored{{times.data(), count}, {values.data(), count}};
-  if (count < 6 || !monitored.value.allFinite()) return {};
+  const DecayingWave wave{{times.data(), count}, {values.data(), count}};
+  if (count < 6 || !wave.value.allFinite()) return {};
 
-  gsl_multimin_function misfit{[](const gsl_vector* at, void* data) {
-                                 return static_cast<const Monitored*>(data)
-                                     ->fitted(gsl_vector_get(at, 0), gsl_vector_get(at, 1))
-                                     .misfit;
-                               },
-                               2, const_cast<Monitored*>(&monitored)};
+  gsl_multimin_function misfit{
+      [](const gsl_vector* at, void* data) {
+        return static_cast<const DecayingWave*>(data)->fitted(gsl_vector_get(at, 0), gsl_vector_get(at, 1)).misfit;
+      },
+      2, const_cast<DecayingWave*>(&wave)};
   const std::unique_ptr<gsl_vector, decltype(&gsl_vector_free)> start(gsl_vector_calloc(2), gsl_vector_free),
       size(gsl_vector_alloc(2), gsl_vector_free);
   gsl_vector_set(start.get(), 0, omega_near);
@@ -52,7 +51,7 @@ DampedOscillation fit_damped_oscillation(const std::vector<double>& times, const
     if (gsl_multimin_fminimizer_iterate(search.get()) != GSL_SUCCESS) return {};
     if (gsl_multimin_fminimizer_size(search.get()) < 1e-7 * omega_near) {
       const double omega = gsl_vector_get(search->x, 0), decay = gsl_vector_get(search->x, 1);
-      return {.omega = omega, .decay = decay, .at_start = monitored.fitted(omega, decay).factors[0]};
+      return {.omega = omega, .decay = decay, .at_start = wave.fitted(omega, decay).factors[0]};
     }
   }
   return {};

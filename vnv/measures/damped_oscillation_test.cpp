@@ -52,8 +52,8 @@ TEST(HalfAxes, AreThoseOfAnEllipseHoweverItIsTurned) {
   s.x.conservativeResize(2, inside);
   s.mass = Scalars::Constant(inside, 2);
   const auto axes = half_axes(s);
-  EXPECT_NEAR(axes[0], 3, 3e-3);
-  EXPECT_NEAR(axes[1], 0.5, 5e-4);
+  EXPECT_NEAR(axes.longer, 3, 3e-3);
+  EXPECT_NEAR(axes.shorter, 0.5, 5e-4);
 }
 
 }  // namespace

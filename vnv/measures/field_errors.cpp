@@ -30,6 +30,31 @@ double relative_linf_of_velocity(const Samples& samples, const VelocityTruth& tr
   return error / scale;
 }
 
+namespace {
+
+Scalars exact_at(const Samples& s, const PressureTruth& truth) {
+  Scalars exact(s.size());
+  for (Eigen::Index p = 0; p < s.size(); ++p) exact[p] = truth(s.x.col(p), s.time);
+  return exact;
+}
+
+double volume_mean(const Samples& s, const Scalars& field) {
+  const Scalars volumes = s.volumes();
+  return (volumes * field).sum() / volumes.sum();
+}
+
+/// A quantity at every time of a run.
+template <class ValueOf>
+Measurement at_every_time(const Quantity& quantity, ValueOf value) {
+  return [=](const Level& level, const Run& run) {
+    std::vector<Value> found;
+    for (const Samples& s : run.samples) found.push_back({level.name, level.spacing, s.time, quantity, value(s)});
+    return found;
+  };
+}
+
+}  // namespace
+
 Measurement velocity_errors(VelocityTruth truth) {
   return [truth = std::move(truth)](const Level& level, const Run& run) {
     std::vector<Value> errors;
@@ -42,53 +67,29 @@ Measurement velocity_errors(VelocityTruth truth) {
 }
 
 Measurement pressure_errors(PressureTruth truth) {
-  return [truth = std::move(truth)](const Level& level, const Run& run) {
-    std::vector<Value> errors;
-    for (const Samples& s : run.samples) {
-      const Scalars volumes = s.volumes();
-      Scalars exact(s.size());
-      for (Eigen::Index p = 0; p < s.size(); ++p) exact[p] = truth(s.x.col(p), s.time);
-      const auto less_mean = [&](const Scalars& field) -> Scalars {
-        return field - (field * volumes).sum() / volumes.sum();
-      };
-      const Scalars n = less_mean(s.pressure), e = less_mean(exact);
-      const auto values = [](const Scalars& field) {
-        return Values(field.data(), static_cast<std::size_t>(field.size()));
-      };
-      errors.push_back(
-          {level.name, level.spacing, s.time, l2_pressure, 100 * relative_l2(values(n), values(e), values(volumes))});
-    }
-    return errors;
-  };
+  return at_every_time(l2_pressure, [truth = std::move(truth)](const Samples& s) {
+    const Scalars exact = exact_at(s, truth), n = s.pressure - volume_mean(s, s.pressure),
+                  e = exact - volume_mean(s, exact), volumes = s.volumes();
+    const auto values = [](const Scalars& field) {
+      return Values(field.data(), static_cast<std::size_t>(field.size()));
+    };
+    return 100 * relative_l2(values(n), values(e), values(volumes));
+  });
 }
 
 Measurement part_of_exact_pressure(PressureTruth truth, bool less_mean) {
-  return [truth = std::move(truth), less_mean](const Level& level, const Run& run) {
-    std::vector<Value> found;
-    for (const Samples& s : run.samples) {
-      const Scalars volumes = s.volumes();
-      Scalars exact(s.size());
-      for (Eigen::Index p = 0; p < s.size(); ++p) exact[p] = truth(s.x.col(p), s.time);
-      if (less_mean) exact -= (exact * volumes).sum() / volumes.sum();
-      const double scale = (volumes * exact.square()).sum();
-      norms::require_scale("part_of_exact_pressure", scale);
-      found.push_back(
-          {level.name, level.spacing, s.time, part_of_pressure, (volumes * s.pressure * exact).sum() / scale});
-    }
-    return found;
-  };
+  return at_every_time(part_of_pressure, [truth = std::move(truth), less_mean](const Samples& s) {
+    const Scalars volumes = s.volumes();
+    Scalars exact = exact_at(s, truth);
+    if (less_mean) exact -= volume_mean(s, exact);
+    const double scale = (volumes * exact.square()).sum();
+    norms::require_scale("part_of_exact_pressure", scale);
+    return (volumes * s.pressure * exact).sum() / scale;
+  });
 }
 
 Measurement mean_pressure(const Quantity& quantity, double unit) {
-  return [=](const Level& level, const Run& run) {
-    std::vector<Value> found;
-    for (const Samples& s : run.samples) {
-      const Scalars volumes = s.volumes();
-      found.push_back(
-          {level.name, level.spacing, s.time, quantity, (volumes * s.pressure).sum() / volumes.sum() / unit});
-    }
-    return found;
-  };
+  return at_every_time(quantity, [unit](const Samples& s) { return volume_mean(s, s.pressure) / unit; });
 }
 
 }  // namespace touchstone::vnv

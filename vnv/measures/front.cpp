@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <queue>
 #include <stdexcept>
@@ -65,9 +66,13 @@ double percentile_front(const Samples& samples) {
   int here = 0;
   double behind = 0;
   while (here < slices - 1 && behind + volume_in[here] < expected) behind += volume_in[here++];
-  std::vector<std::pair<double, double>> in_order;
+  struct PlacedVolume {
+    double x, volume;
+    auto operator<=>(const PlacedVolume&) const = default;
+  };
+  std::vector<PlacedVolume> in_order;
   for (Eigen::Index p = 0; p < x.size(); ++p)
-    if (slice(p) == here) in_order.emplace_back(x(p), volumes(p));
+    if (slice(p) == here) in_order.push_back({x(p), volumes(p)});
   std::ranges::sort(in_order);
   for (const auto& [place, volume] : in_order)
     if ((behind += volume) >= expected) return place;

@@ -4,7 +4,7 @@
 
 namespace touchstone::vnv {
 
-std::array<double, 2> half_axes(const Samples& samples) {
+HalfAxes half_axes(const Samples& samples) {
   const double mass = samples.mass.sum();
   const Vec2 centre = samples.x * samples.mass.matrix() / mass;
   const Vectors from = samples.x.colwise() - centre;

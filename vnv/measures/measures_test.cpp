@@ -1,6 +1,7 @@
 #include "vnv/measures/front.hpp"
-#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/profile.hpp"
 #include "vnv/measures/row_means.hpp"
+#include "vnv/record/quantity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "solvers/samples.hpp"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace touchstone::vnv {
@@ -16,11 +17,11 @@ struct Profile {
 };
 
 /// One number of one particle.
-using Field = std::function<double(const Samples&, Eigen::Index particle)>;
+using ParticleField = std::function<double(const Samples&, Eigen::Index particle)>;
 
 /// Its mean over the particles at chosen places; not a number where there are none.
 template <class Chosen>
-double mean_where(const Samples& samples, const Field& field, const Chosen& chosen) {
+double mean_where(const Samples& samples, const ParticleField& field, const Chosen& chosen) {
   double sum = 0, count = 0;
   for (Eigen::Index p = 0; p < samples.size(); ++p)
     if (chosen(Vec2(samples.x.col(p)))) {
@@ -32,6 +33,20 @@ double mean_where(const Samples& samples, const Field& field, const Chosen& chos
 
 /// A profile from samples.
 using Measure = std::function<Profile(const Samples&)>;
+
+/// A field at each particle, in the order of the particles, weighted by the particle's volume [m²].
+inline Measure per_particle(ParticleField field) {
+  return [field = std::move(field)](const Samples& samples) {
+    const Scalars volumes = samples.volumes();
+    Profile profile;
+    for (Eigen::Index p = 0; p < samples.size(); ++p) {
+      profile.at.push_back(samples.x(1, p));
+      profile.value.push_back(field(samples, p));
+      profile.weight.push_back(volumes(p));
+    }
+    return profile;
+  };
+}
 
 inline double velocity_x(const Samples& samples, Eigen::Index particle) { return samples.v(0, particle); }    // m/s
 inline double velocity_y(const Samples& samples, Eigen::Index particle) { return samples.v(1, particle); }    // m/s

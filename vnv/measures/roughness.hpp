@@ -19,7 +19,7 @@ namespace touchstone::vnv {
 /// The root mean square over all particles of how far a field at each is from the plane of least squares through those
 /// within `radius` [m] of it, itself among them; in the unit of the field. Zero for a field that is linear in place.
 /// Particles whose neighbours, fewer than six or in a line, bear no plane are left out; not a number if all are.
-inline double roughness(const Samples& samples, const Field& field, double radius) {
+inline double roughness(const Samples& samples, const ParticleField& field, double radius) {
   struct Binned {
     long column, row;
     Eigen::Index p;
@@ -58,7 +58,7 @@ inline double roughness(const Samples& samples, const Field& field, double radiu
 
 /// "NAME roughness over SCALE_NAME [%]", with neighbours within 2.5 spacings, at those times [s] of a run, or at
 /// all.
-inline Measurement roughness_of(std::string name, Field field, std::string scale_name, double scale,
+inline Measurement roughness_of(std::string name, ParticleField field, std::string scale_name, double scale,
                                 std::vector<double> times = {}) {
   return [=](const Level& level, const Run& run) {
     std::vector<Value> errors;

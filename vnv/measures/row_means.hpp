@@ -24,7 +24,7 @@ struct Below {
 using Rows = std::map<double, Row, Below>;
 
 /// The particles with k height <= y < (k + 1) height [m] are row k.
-inline Rows parted(const Field& field, double height, const Samples& samples) {
+inline Rows parted(const ParticleField& field, double height, const Samples& samples) {
   Rows rows;
   for (Eigen::Index p = 0; p < samples.size(); ++p) {
     const double y = samples.x(1, p);
@@ -58,7 +58,7 @@ inline Profile means(const Rows& rows) {
 ///
 /// A value that is not a number makes the mean of its row not a number; particles at such a y are a row at no number.
 /// Throws std::invalid_argument for a height that is not positive and finite.
-inline Measure row_means(Field field, double row_height) {
+inline Measure row_means(ParticleField field, double row_height) {
   if (!(row_height > 0 && std::isfinite(row_height)))
     throw std::invalid_argument(
         fmt::format("row_means: row height = {} m, expected a positive finite height", row_height));
@@ -69,7 +69,7 @@ inline Measure row_means(Field field, double row_height) {
 
 /// As row_means; but where lines of equal y hold two particles or more, as those of a mesh, each line is a row: heights
 /// that are no multiple of the distance of lines would part them unevenly.
-inline Measure means_of_lines(Field field, double row_height) {
+inline Measure means_of_lines(ParticleField field, double row_height) {
   constexpr double as_equal = 1e-6;  // row heights
   return [field, of_rows = row_means(field, row_height), row_height](const Samples& samples) {
     const rows::Rows lines = rows::parted(field, as_equal * row_height, samples);

@@ -24,19 +24,19 @@ struct Wetting {
   double middle = 0;    // m  of the wet part
 };
 
-Extent strip_at(const WallSensor& sensor, double spacing) {
+Range strip_at(const WallSensor& sensor, double spacing) {
   return {sensor.wall - reach_into_fluid * spacing, std::numeric_limits<double>::infinity()};
 }
 
-Extent face_of(const WallSensor& sensor, double across) {
+Range face_of(const WallSensor& sensor, double across) {
   return {std::max(0.0, sensor.height - across / 2), sensor.height + across / 2};
 }
 
 /// Gaps of up to half a spacing are between particles.
-Wetting wetting_of(const Samples& samples, const WallSensor& sensor, const Extent& face, double spacing) {
+Wetting wetting_of(const Samples& samples, const WallSensor& sensor, const Range& face, double spacing) {
   double length = 0, moment = 0;
-  for (const Extent& wet : wet_extents(samples, strip_at(sensor, spacing), spacing / 2)) {
-    const Extent here = common(wet, face);
+  for (const Range& wet : wet_extents(samples, strip_at(sensor, spacing), spacing / 2)) {
+    const Range here = common(wet, face);
     length += here.length();
     moment += here.length() * (here.low + here.high) / 2;
   }
@@ -75,9 +75,9 @@ double affine_fit(const Samples& samples, const Vec2& around, double reach, cons
 double mean_wall_pressure(const Samples& samples, const WallSensor& sensor, double spacing) {
   require(sensor, spacing);
   if (!fronts::known(samples)) return not_a_number;
-  const Extent face = face_of(sensor, std::max(sensor.diameter, reach_into_fluid * spacing));
+  const Range face = face_of(sensor, std::max(sensor.diameter, reach_into_fluid * spacing));
   double force = 0, area = 0;
-  each_inside(samples, strip_at(sensor, spacing), [&](Eigen::Index p, const Extent& across, const Extent& all) {
+  each_inside(samples, strip_at(sensor, spacing), [&](Eigen::Index p, const Range& across, const Range& all) {
     const double part = across.length() * common(all, face).length();
     if (part == 0) return;
     force += part * samples.pressure(p);
@@ -89,7 +89,7 @@ double mean_wall_pressure(const Samples& samples, const WallSensor& sensor, doub
 double fitted_wall_pressure(const Samples& samples, const WallSensor& sensor, double spacing) {
   require(sensor, spacing);
   if (!fronts::known(samples)) return not_a_number;
-  const Extent face = face_of(sensor, sensor.diameter);
+  const Range face = face_of(sensor, sensor.diameter);
   const Wetting wetting = wetting_of(samples, sensor, face, spacing);
   if (wetting.fraction == 0) return 0;
   const double reach = sensor.diameter / 2 + 2.5 * spacing;

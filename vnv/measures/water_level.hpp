@@ -26,11 +26,11 @@ inline WaterLevel water_level(const Samples& samples, double x, double half_widt
     throw std::invalid_argument(
         fmt::format("water level: half width {} m, spacing {} m, expected positive lengths", half_width, spacing));
   if (!fronts::known(samples)) return {};
-  const Extent strip{x - half_width, x + half_width};
-  const std::vector<Extent> wet = wet_extents(samples, strip, gap * spacing);
+  const Range strip{x - half_width, x + half_width};
+  const std::vector<Range> wet = wet_extents(samples, strip, gap * spacing);
   if (wet.empty()) return {0, 0, 0};
   double volume = 0;
-  each_inside(samples, strip, [&](Eigen::Index, const Extent& across, const Extent& upright) {
+  each_inside(samples, strip, [&](Eigen::Index, const Range& across, const Range& upright) {
     volume += across.length() * upright.length();
   });
   return {wet.front().low > gap * spacing ? 0 : wet.front().high, wet.back().high, volume / strip.length()};

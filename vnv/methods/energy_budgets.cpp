@@ -41,7 +41,7 @@ Method with_budget(Method method, const Make& make) {
 template <class Of>
 Method sph_with_budget(const Method& method, const Scene<Tait, Uniform>& scene) {
   return with_budget(method, [=](const Level& level, double time_step) {
-    auto solver = sph_solver<Of, sph::KickDriftKickWithBudget, sph::WithBudget>(scene, level, time_step, {});
+    auto solver = sph_solver<Of, sph::KickDriftKickWithBudget, sph::PartsWithBudget>(scene, level, time_step, {});
     const std::shared_ptr<const EnergyBudget> budget = solver.integrator().budget;
     return std::pair(std::move(solver), budget);
   });

@@ -11,8 +11,7 @@ namespace {
 struct Waiting {
   int steps = 0;
 
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     ++steps;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     lap(SubStep::scatter);

@@ -34,7 +34,7 @@ class Simulation {
  public:
   template <class Solver>
   requires(!std::same_as<Solver, Simulation>) Simulation(Solver solver)  // implicit: a solver is a simulation
-      : solver_(std::make_unique<Of<Solver>>(std::move(solver))) {}
+      : solver_(std::make_unique<SolverOf<Solver>>(std::move(solver))) {}
 
   void step() { solver_->step(); }  // throws Diverged
   double time() const { return solver_->time(); }
@@ -54,8 +54,8 @@ class Simulation {
   void change_time_step(double time_step) { solver_->change_time_step(time_step); }
 
  private:
-  struct Any {
-    virtual ~Any() = default;
+  struct AnySolver {
+    virtual ~AnySolver() = default;
     virtual void step() = 0;
     virtual double time() const = 0;
     virtual double time_step() const = 0;
@@ -70,8 +70,8 @@ class Simulation {
     virtual void change_time_step(double time_step) = 0;
   };
   template <class Solver>
-  struct Of final : Any {
-    explicit Of(Solver s) : solver(std::move(s)) {}
+  struct SolverOf final : AnySolver {
+    explicit SolverOf(Solver s) : solver(std::move(s)) {}
     void step() override { solver.step(); }
     double time() const override { return solver.time(); }
     double time_step() const override { return solver.time_step(); }
@@ -98,7 +98,7 @@ class Simulation {
     Solver solver;
   };
 
-  std::unique_ptr<Any> solver_;
+  std::unique_ptr<AnySolver> solver_;
 };
 
 /// Makes the same simulation each time it is called, bit by bit.

@@ -43,7 +43,7 @@ OnLattice of_channel(const std::string& name, const std::string& words, double c
 struct HalfOfArtificialViscosity : sph::ArtificialViscosity {
   template <class Real>
   sph::Acceleration<Real> acceleration(const sph::Pair<Real>& ij, const Real& per_divisor) const {
-    const Real c = ij.mass * ij.slope * sph::Number<Real>(alpha * sound_speed * h) * ij.v_dot_r() * per_divisor;
+    const Real c = ij.mass * ij.slope * NumberIn<Real>(alpha * sound_speed * h) * ij.v_dot_r() * per_divisor;
     return {c * ij.x, c * ij.y};
   }
   template <class Real>

@@ -2,8 +2,8 @@
 /// The material point method made of parts that are chosen by type: what `plain` does, equal but for rounding, over
 /// particles in the order of their cells, as many side by side as a vector register holds.
 
-#include "solvers/mpm/lanes/mirrors.hpp"
-#include "solvers/mpm/lanes/mls.hpp"
+#include "solvers/mpm/lanes/grid_mirrors.hpp"
+#include "solvers/mpm/lanes/grid_to_particles_of_mls.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/contact.hpp"
 

@@ -1,4 +1,4 @@
-#include "solvers/mpm/lanes/mls.hpp"
+#include "solvers/mpm/lanes/grid_to_particles_of_mls.hpp"
 
 #include "solvers/mpm/lanes/in_lanes.hpp"
 

@@ -1,4 +1,4 @@
-#include "solvers/mpm/lanes/walls.hpp"
+#include "solvers/mpm/lanes/grid_walls.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/walls/free_slip.hpp"
 

@@ -8,23 +8,16 @@
 
 namespace touchstone::mpm {
 
-/// One component of the velocity of all particles, and what a transfer has them hold besides.
-template <class Transfer>
-struct VelocityOf;
-template <>
-struct VelocityOf<Apic> {
+/// One component of the velocity of all particles, and what an affine transfer has them hold besides.
+struct AffineVelocity {
   Field<double> v;                 // m/s
-  Field<double> along_x, along_y;  // m/s  change of the affine velocity over a cell
+  Field<double> along_x, along_y;  // m/s  change over a cell; of `MlsApic` less what the stress gives in a step
 
-  explicit VelocityOf(int slots) : v(slots), along_x(v), along_y(v) {}
+  explicit AffineVelocity(int slots) : v(slots), along_x(v), along_y(v) {}
   const Field<double>& of_place() const { return v; }
   auto fields() { return std::array{&v, &along_x, &along_y}; }
 };
-template <>
-struct VelocityOf<MlsApic> : VelocityOf<Apic> {  // of along_x, along_y the stress has taken what it gives in a step
-  using VelocityOf<Apic>::VelocityOf;
-};
-/// Where particles move with the nodes, and not with what they hold as their velocity.
+/// The same where particles move with the nodes, and not with what they hold as their velocity.
 struct VelocityAndThatOfPlace {
   Field<double> v;      // m/s
   Field<double> place;  // m/s  of the place; before, what a body force that is not the same everywhere gives in a step
@@ -33,14 +26,9 @@ struct VelocityAndThatOfPlace {
   const Field<double>& of_place() const { return place; }
   auto fields() { return std::array{&v, &place}; }
 };
-template <>
-struct VelocityOf<Flip> : VelocityAndThatOfPlace {
-  using VelocityAndThatOfPlace::VelocityAndThatOfPlace;
-};
-template <int m>
-struct VelocityOf<Xpic<m>> : VelocityAndThatOfPlace {
-  using VelocityAndThatOfPlace::VelocityAndThatOfPlace;
-};
+template <class Transfer>
+using VelocityOf = std::conditional_t<std::same_as<Transfer, Apic> || std::same_as<Transfer, MlsApic>, AffineVelocity,
+                                      VelocityAndThatOfPlace>;
 
 /// How the expansion changes over a cell, where a density has particles hold it.
 template <class Density>

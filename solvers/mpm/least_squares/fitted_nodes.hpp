@@ -7,7 +7,7 @@
 namespace touchstone::mpm {
 
 /// Where particles are along an axis, as linear hats have it.
-struct Between {
+struct HatsAlong {
   std::array<Lanes, 3> hat, from;  // of the node before their cell, at it and behind it: weight, and place from there
 };
 
@@ -15,7 +15,7 @@ struct Between {
 using Nine = ThreeByThree<RowsOfCells::Fit::Polynomial>;
 
 /// Those of the corners of a particle's cell, joined by linear hats: exact for the second degree.
-inline Lanes joined(const Nine& nodes, const Between& x, const Between& y) {
+inline Lanes joined(const Nine& nodes, const HatsAlong& x, const HatsAlong& y) {
   Lanes sum{};
   for_three([&](auto b) {
     Lanes along_x{};
@@ -33,7 +33,7 @@ inline Lanes joined(const Nine& nodes, const Between& x, const Between& y) {
 class FittedNodes : public CentreNodes {
  public:
   /// Fields that are fitted: velocity [m/s], and density less that at rest [kg/m³].
-  enum Fitted { v_x, v_y, excess };
+  enum FittedField { v_x, v_y, excess };
   static constexpr int fields = RowsOfCells::fields;
   using Around = std::array<Nine, fields>;
 
@@ -106,7 +106,7 @@ class FittedNodes : public CentreNodes {
 
   /// Of places X from the node in the middle of their cells, from the column or row `cell` on. Past an edge that is not
   /// periodic the last two nodes go on, and the ghost counts for nothing.
-  Between between(int axis, int cell, const Lanes& X) const {
+  HatsAlong hats_at(int axis, int cell, const Lanes& X) const {
     const auto limits = [&](const Field<double>& of) {
       return axis == 0 ? load<Lanes>(&of[cell]) : fill<Lanes>(of[cell]);
     };

@@ -52,8 +52,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   }
 
   /// One step of the integrator, from particles that stand evenly enough. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     if (strained_ > most_strain) remesh();
     lap(SubStep::sorting);
     integrator_.step(*this, this->time(), time_step(), lap);
@@ -66,10 +65,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   Index particles() const { return seats_.cols(); }
   /// The particles in the order in which they were seeded. Throws Diverged.
   Samples samples() const {
-    const Index n = particles();
-    Samples s{this->time(),  Vectors(2, n),
-              Vectors(2, n), Scalars::Constant(n, scene_.fluid.density * lattice_.volume()),
-              Scalars(n),    Scalars(n)};
+    Samples s = Samples::of_equal(this->time(), particles(), scene_.fluid.density * lattice_.volume());
     all_.order.for_each([&](int, int slot) {
       for (const int axis : {0, 1})
         if (!is_inside(slot, axis)) refuse(slot, axis);
@@ -194,7 +190,6 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
     integrator_ = Integrator{};  // past rates were of other places
   }
 
-  template <class Laps>
   void find_rates(double time, const Laps& lap) {
     keep_order();
     lap(SubStep::sorting);
@@ -267,7 +262,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
   /// The fastest strain of any node.
   void note_strain() {
     double fastest = 0;
-    for (const FittedNodes::Fitted field : {FittedNodes::v_x, FittedNodes::v_y})
+    for (const FittedNodes::FittedField field : {FittedNodes::v_x, FittedNodes::v_y})
       for (const int axis : {0, 1})
         for (int row = 0; row < cells_.rows; ++row)
           fastest = std::max(
@@ -303,7 +298,7 @@ class LeastSquares : public Simulation<FluidLaw, Force> {
           const auto work = of_block(node);
           for_particles_of(block, [&](int slot, const auto& write) {
             const Monomials X = all_.place(0, slot), Y = all_.place(1, slot);
-            const Between x = nodes_.between(0, block.column, X.X), y = nodes_.between(1, block.row, Y.X);
+            const HatsAlong x = nodes_.hats_at(0, block.column, X.X), y = nodes_.hats_at(1, block.row, Y.X);
             work(slot, write, X, Y, std::array{joined(fits[0], x, y), joined(fits[1], x, y), joined(fits[2], x, y)});
           });
         });

@@ -3,11 +3,52 @@
 /// nine nodes around it is a product of parabolas, so a cell is summed in powers of X and Y, the place from its own
 /// node, once for all nine. Rows of cells then meet their nodes along x, and rows of nodes meet along y.
 
-#include "solvers/mpm/lanes/within.hpp"
-#include "solvers/mpm/least_squares/particles.hpp"
+#include "solvers/integrators/fluid_state.hpp"
+#include "solvers/mpm/beginning.hpp"
+#include "solvers/mpm/cell_lanes.hpp"
+#include "solvers/mpm/cell_order.hpp"
+#include "solvers/mpm/lanes/quadratic_weights.hpp"
 #include "solvers/quadratic_fit.hpp"
 
 namespace touchstone::mpm {
+
+/// The state in the order of the cells around the nodes, as an integrator moves it. Slots without a particle are zero
+/// throughout, and so are their rates.
+struct FittedParticles : FluidState {
+  Field<double> X, Y;  // cells  from the middle of its cell, where the node is
+  Field<int> number;   // as seeded
+  CellOrder<lanes> order{1, 1, {}};
+
+  /// From the nodes along an axis, of a register of particles.
+  Monomials place(int axis, int slot) const { return Monomials(load<Lanes>(&(axis == 0 ? X : Y)[slot])); }
+
+  template <class F>
+  void for_fields(const F& f) {
+    for (Scalars* field :
+         {&x, &y, &vx, &vy, &rho, &ax, &ay, &drho, &start.x, &start.y, &start.vx, &start.vy, &start.rho})
+      f(*field);
+    for (Scalars& field : past) f(field);
+    f(X), f(Y), f(number);
+  }
+
+  /// Puts particles where they are listed; all else is zero.
+  void lay_out(const Vectors& places, const Grid& grid) {
+    const std::vector<int> cells = cells_of(places, grid);
+    order = {grid.columns, grid.rows, cells};
+    fluid = order.slots();
+    for_fields([&]<class F>(F& field) {
+      field.resize(fluid);
+      std::fill_n(&field[0], fluid, 0);
+    });
+    std::vector<int> taken(grid.cells(), 0);
+    for (int p = 0; p < places.cols(); ++p) {
+      const int slot = order.slot(cells[p], taken[cells[p]]++);
+      number[slot] = p;
+      x[slot] = places(0, p);
+      y[slot] = places(1, p);
+    }
+  }
+};
 
 /// Of sums of q X^i over three cells side by side, sum(-1, i) to sum(1, i), those of q x^k, with x from the node of the
 /// one in the middle, times twice its weights: a factor of all weights changes no fit.
@@ -36,14 +77,14 @@ class RowsOfCells {
 
   explicit RowsOfCells(const Grid& grid)
       : grid_(grid), stride_((grid.columns / lanes + 2) * lanes), cells_(stride_ * all_of_cell) {
-    seen_.fill(std::vector<Seen>(stride_ / lanes));
+    along_x_.fill(std::vector<SumsAlongX>(stride_ / lanes));
   }
 
   /// Sums the particles of a row, or of its image; one past an edge has none. It stands for those three above and
   /// below.
   [[gnu::flatten]] void sum(const FittedParticles& particles, double density, int row) {
-    std::vector<Seen>& to = seen_[(row + 3) % 3];
-    if (!grid_.periodic_y && (row < 0 || row >= grid_.rows)) return std::fill(to.begin(), to.end(), Seen{});
+    std::vector<SumsAlongX>& to = along_x_[(row + 3) % 3];
+    if (!grid_.periodic_y && (row < 0 || row >= grid_.rows)) return std::fill(to.begin(), to.end(), SumsAlongX{});
     row = (row + grid_.rows) % grid_.rows;
     const auto& blocks = particles.order.blocks();
     auto block = std::lower_bound(blocks.begin(), blocks.end(), row, [](const auto& b, int r) { return b.row < r; });
@@ -63,7 +104,8 @@ class RowsOfCells {
 
   /// What the nodes of a row have for their fits, a register of them, when it and both its neighbours are summed.
   Fit::Sums of_nodes(int row, int at) const {
-    const std::array<const Seen*, 3> seen{&seen_[(row + 2) % 3][at], &seen_[row % 3][at], &seen_[(row + 1) % 3][at]};
+    const std::array<const SumsAlongX*, 3> seen{&along_x_[(row + 2) % 3][at], &along_x_[row % 3][at],
+                                                &along_x_[(row + 1) % 3][at]};
     Fit::Sums sums;
     for_indices<fields + 1>([&](auto q) {
       constexpr std::size_t first = q == 0 ? 0 : Fit::moments + (q - 1) * Fit::monomials;
@@ -88,7 +130,7 @@ class RowsOfCells {
   template <int q, int k>
   static constexpr int of_row = q == 0 ? 7 * k : 35 + 15 * (q - 1) + 5 * k;
   static constexpr int all_of_cell = of_cell<fields + 1, 0>;
-  using Seen = std::array<Lanes, of_row<fields + 1, 0>>;
+  using SumsAlongX = std::array<Lanes, of_row<fields + 1, 0>>;
 
   void sum_cells(const FittedParticles& particles, double density, const CellOrder<lanes>::Block& block) {
     const auto value_of = [](const Scalars& field) { return [&field](int slot) { return load<Lanes>(&field[slot]); }; };
@@ -113,7 +155,7 @@ class RowsOfCells {
 
   /// Along x.
   template <int q>
-  void meet_nodes(std::vector<Seen>& to) const {
+  void meet_nodes(std::vector<SumsAlongX>& to) const {
     for_indices<degree<q> + 3>([&](auto j) {
       constexpr int last = std::min(degree<q>, degree<q> + 2 - j);
       const double* const of_j = &cells_[(of_cell<q, 0> + j) * stride_ + 1];
@@ -129,7 +171,7 @@ class RowsOfCells {
   Grid grid_;
   Index stride_;
   Field<double> cells_;                    // of one row: each sum of all cells, between a ghost before and one behind
-  std::array<std::vector<Seen>, 3> seen_;  // by register
+  std::array<std::vector<SumsAlongX>, 3> along_x_;  // by register
 };
 
 }  // namespace touchstone::mpm

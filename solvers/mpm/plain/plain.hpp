@@ -4,12 +4,11 @@
 
 #include "solvers/mpm/beginning.hpp"
 #include "solvers/mpm/parts.hpp"
-#include "solvers/mpm/settle.hpp"
 #include "solvers/mpm/shapes/along_axis.hpp"
 #include "solvers/mpm/simulation.hpp"
+#include "solvers/mpm/sorting.hpp"
 #include "solvers/mpm/walls/contact.hpp"
 #include "solvers/mpm/walls/held_nodes.hpp"
-#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {
@@ -37,8 +36,8 @@ class PlainNodes {
   /// For square particles of a side [m] along each axis.
   PlainNodes(const Grid& grid, const Vec2& side)
       : grid_(grid),
-        along_{AlongAxis<Shape>(Axis{grid.columns, grid.periodic_x, side.x() / grid.cell.x() / 2}),
-               AlongAxis<Shape>(Axis{grid.rows, grid.periodic_y, side.y() / grid.cell.y() / 2})} {}
+        along_{AlongAxis<Shape>(GridAxis{grid.columns, grid.periodic_x, side.x() / grid.cell.x() / 2}),
+               AlongAxis<Shape>(GridAxis{grid.rows, grid.periodic_y, side.y() / grid.cell.y() / 2})} {}
 
   int columns() const { return along_[0].nodes(); }
   int rows() const { return along_[1].nodes(); }
@@ -139,8 +138,7 @@ class Plain : public Simulation<FluidLaw, Force> {
 
   /// One step, in which the stress is found last, by velocities that the particles give to the nodes anew (MUSL;
   /// Sulsky, Zhou & Schreyer 1995): nodes of little mass, at a free surface, strain less. Throws Diverged.
-  template <class Laps = NoLaps>
-  void step(const Laps& lap = {}) {
+  void step(const Laps& lap = no_laps) {
     scatter();  // m_i, (m v)_i, (12), (13)
     lap(SubStep::scatter);
     accelerate();  // (10), (11), (14), as walls have it

@@ -20,8 +20,7 @@ class WithBudget : public Plain<Shape, Transfer, Density, Tait, Uniform> {
     budget->start = budget->now = energy();
   }
 
-  template <class Laps = NoLaps>
-  void step(const Laps& = {}) {
+  void step(const Laps& = no_laps) {
     const Energy before = energy();
     this->scatter();
     budget->transfer += kinetic_of(nodes_.start) - before.kinetic;

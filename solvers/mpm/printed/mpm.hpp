@@ -3,7 +3,7 @@
 /// last with the momentum remapped from the particles (MUSL, Sulsky, Zhou & Schreyer 1995), particle velocities updated
 /// by increments (FLIP). All weights of a step are those of the places at its start.
 
-#include "solvers/mpm/printed/node_motion.hpp"
+#include "solvers/mpm/printed/nodes.hpp"
 #include "solvers/mpm/printed/transfer.hpp"
 #include "solvers/mpm/simulation.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
@@ -13,12 +13,13 @@
 
 namespace touchstone::mpm {
 
-/// One simulation of a scene, with linear shape functions (hats). `Number` is what particles are stored and reckoned
-/// in; nodes are in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force out.
+/// One simulation of a scene, with linear shape functions (hats). Particles are stored and
+/// computed in `Number`, nodes in double. A fluid without viscosity carries a pressure only; `NoForce` leaves the force
+/// out.
 template <class Number, class FluidLaw, class Force>
-class Mpm
-    : public SimulationInCells<Mpm<Number, FluidLaw, Force>, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force> {
-  using Base = SimulationInCells<Mpm, Particles<FluidLaw, Number>, Nodes, FluidLaw, Force>;
+class Mpm : public SimulationInCells<Mpm<Number, FluidLaw, Force>, PrintedParticles<FluidLaw, Number>, CornerNodes,
+                                     FluidLaw, Force> {
+  using Base = SimulationInCells<Mpm, PrintedParticles<FluidLaw, Number>, CornerNodes, FluidLaw, Force>;
   using Base::calm_, Base::grid_, Base::nodes_, Base::particles_, Base::scene_, Base::threads_;
 
  public:

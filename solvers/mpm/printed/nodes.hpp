@@ -1,8 +1,8 @@
 #pragma once
 /// What the nodes of the background grid hold during a step.
 
-#include "solvers/mpm/cell_order.hpp"
-#include "solvers/mpm/fields.hpp"
+#include "solvers/mpm/cell_lanes.hpp"
+#include "solvers/mpm/cell_rows.hpp"
 #include "solvers/mpm/grid.hpp"
 #include "solvers/threads.hpp"
 
@@ -37,15 +37,16 @@ struct NodeVectors {
   }
 };
 
-/// Nodes row by row, rows as long as whole blocks of cells and one column more. Across a periodic boundary the first
-/// column stands again behind the last cell, or the first row above it, and both images hold the same.
+/// Nodes at the corners of cells, row by row, rows as long as whole blocks of cells and one column more. Across a
+/// periodic boundary the first column stands again behind the last cell, or the first row above it, and both images
+/// hold the same.
 ///
 /// A node is given its sums in two halves, by the row of cells above it and by the row below, so that rows of cells can
 /// be worked on at once and every sum has one order. Only nodes near particles are visited, a register at a time; the
 /// sums of all others are zero.
-class Nodes {
+class CornerNodes {
  public:
-  Nodes(const Grid& grid, int block_width)
+  CornerNodes(const Grid& grid, int block_width)
       : stride((grid.columns / block_width + 1) * block_width),
         from_above(halves(places(grid))),
         from_below(halves(places(grid))),
@@ -89,11 +90,8 @@ class Nodes {
     std::vector<int> below;  // the nodes below occupied cells
     for (std::size_t row = 0; row + 1 < order.rows().size(); ++row)
       add_row(&order.blocks()[order.rows()[row]], &order.blocks()[order.rows()[row + 1]], below);
-    std::vector<int> above(below);
-    for (int& node : above) node += stride;
-    near_.clear();
-    std::set_union(below.begin(), below.end(), above.begin(), above.end(), std::back_inserter(near_));
-    if (periodic_y_) add_images_of_rows();
+    near_ = with_next_row(below, stride);
+    if (periodic_y_) add_images_of_rows(near_, stride, top_);
     first_of_rows_.clear();
     if (periodic_x_)
       std::copy_if(near_.begin(), near_.end(), std::back_inserter(first_of_rows_),
@@ -159,20 +157,41 @@ class Nodes {
     }
   }
 
-  void add_images_of_rows() {
-    const std::vector<int> nodes = near_;
-    for (const int node : nodes) {
-      if (node < stride) near_.push_back(node + top_);
-      if (node >= top_) near_.push_back(node - top_);
-    }
-    std::sort(near_.begin(), near_.end());
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-  }
-
   int columns_;
   bool periodic_x_, periodic_y_;
   int top_;  // the first node of the last row
   std::vector<int> near_, first_of_rows_;
 };
+
+/// Velocity (10), acceleration (11) with a body force `b` [m/s²] that all nodes feel alike, and how far they move (14).
+inline void accelerate(CornerNodes& nodes, const Vec2& b, const Vec2& cell, double dt, int threads) {
+  const Vec2 cells_per_velocity = dt * cell.cwiseInverse();
+  for_near(nodes.near(), threads, [&](int node) {
+    const Lanes m = nodes.sum(mass, node);
+    const auto moves = m > fill<Lanes>(CornerNodes::least_mass);
+    const Lanes per_mass = moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{};
+    store(per_mass, &nodes.per_mass[node]);
+    const auto along = [&](Given momentum, Given given_force, double everywhere, double scale, Field<double>& velocity,
+                           Field<double>& change, Field<double>& displacement) {
+      const Lanes v = per_mass * nodes.sum(momentum, node);
+      const Lanes dv = moves ? dt * (per_mass * nodes.sum(given_force, node) + everywhere) : Lanes{};
+      store(v, &velocity[node]);
+      store(dv, &change[node]);
+      store(scale * (v + dv), &displacement[node]);
+    };
+    along(momentum_x, force_x, b.x(), cells_per_velocity.x(), nodes.velocity.x, nodes.change.x, nodes.displacement.x);
+    along(momentum_y, force_y, b.y(), cells_per_velocity.y(), nodes.velocity.y, nodes.change.y, nodes.displacement.y);
+  });
+}
+
+/// Velocity (17), from (10) and what the particles change by (16).
+inline void remap_velocity(CornerNodes& nodes, int threads) {
+  for_near(nodes.near(), threads, [&](int node) {
+    const Lanes per_mass = load<Lanes>(&nodes.per_mass[node]);
+    for (auto [momentum, velocity] :
+         {std::pair(momentum_x, &nodes.velocity.x), std::pair(momentum_y, &nodes.velocity.y)})
+      store(load<Lanes>(&(*velocity)[node]) + per_mass * nodes.sum(momentum, node), &(*velocity)[node]);
+  });
+}
 
 }  // namespace touchstone::mpm

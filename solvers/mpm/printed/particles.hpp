@@ -6,11 +6,11 @@ namespace touchstone::mpm {
 
 /// The state of all particles of the printed method.
 template <class FluidLaw, class Number = double>
-struct Particles : ParticlesInCells<Number> {
+struct PrintedParticles : ParticlesInCells<Number> {
   Field<Number> vx, vy;  // m/s
   Stress<FluidLaw, Number> stress;
 
-  Particles(Eigen::Index n, double mass_of_each, CellOrder<lanes_of<Number>> cells)
+  PrintedParticles(Eigen::Index n, double mass_of_each, CellOrder<lanes_of<Number>> cells)
       : ParticlesInCells<Number>(n, mass_of_each, std::move(cells)),
         vx(this->X),
         vy(this->X),

@@ -23,7 +23,7 @@ namespace touchstone::mpm {
 template <Given first, Given last>
 class GivenByRow {
  public:
-  GivenByRow(Nodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
+  GivenByRow(CornerNodes& nodes, int row) : nodes_(nodes), low_(row * nodes.stride), high_(low_ + nodes.stride) {}
 
   template <Given what>
   void give(int column, const std::array<Lanes, 4>& corners) {
@@ -61,7 +61,7 @@ class GivenByRow {
   struct Waiting {
     Lanes low{}, high{};
   };
-  Nodes& nodes_;
+  CornerNodes& nodes_;
   int low_, high_;  // the first nodes below and above the row
   bool crosses_ = false;
   std::array<Waiting, last - first + 1> waiting_;
@@ -79,7 +79,7 @@ void for_rows(const CellOrder<width>& order, int threads, const Work& work) {
 
 /// Has the blocks of each row give to their nodes, `give(index, block, to)`, and closes the periodic boundaries.
 template <Given first, Given last, int width, class Give>
-void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, const Give& give) {
+void scatter_rows(const CellOrder<width>& order, int threads, CornerNodes& nodes, const Give& give) {
   const auto scatter_row = [&](int begin, int end, const auto& block_at) __attribute__((flatten, noinline)) {
     const int row = block_at(begin).row;
     const bool at_boundary = nodes.at_periodic_boundary(block_at(end - 1).column + width);
@@ -98,60 +98,52 @@ void scatter_rows(const CellOrder<width>& order, int threads, Nodes& nodes, cons
 
 /// Sums over the particles of the cells of a block of a body force (13) [m/s²].
 template <class Number, class FluidLaw, class Block, Local Force, class Real = LanesOf<Number>>
-Momentum<Real> body_force_of(const Particles<FluidLaw, Number>& particles, const Block& block, const Grid& grid,
-                             const Force& force, double time) {
-  Momentum<Real> sums;
+VectorMoments<Real> body_force_of(const PrintedParticles<FluidLaw, Number>& particles, const Block& block,
+                                  const Grid& grid, const Force& force, double time) {
+  VectorMoments<Real> sums{};
   for (int lane = 0; lane < lanes_of<Number>; ++lane) {
-    Moments<Number> x, y;
+    VectorMoments<Number> of_cell{};
     for (int k = 0; k < block.count[lane]; ++k) {
       const int slot = block.slot(lane, k);
       const Number X = particles.X[slot], Y = particles.Y[slot];
       const Vec2 b = force(grid.place(particles.order.cell(block, lane), X, Y), time);
-      x += Moments<Number>::of(static_cast<Number>(b.x()), X, Y, X * Y);
-      y += Moments<Number>::of(static_cast<Number>(b.y()), X, Y, X * Y);
+      for (const int axis : {0, 1}) add_to(of_cell[axis], moments(static_cast<Number>(b[axis]), X, Y));
     }
-    sums.x.set(lane, x);
-    sums.y.set(lane, y);
+    for (const int axis : {0, 1})
+      for (const int i : {0, 1})
+        for (const int j : {0, 1}) sums[axis][i][j][lane] = of_cell[axis][i][j];
   }
   return sums;
 }
 template <class Number, class FluidLaw, class Block>
-NoForce body_force_of(const Particles<FluidLaw, Number>&, const Block&, const Grid&, const NoForce&, double) {
+NoForce body_force_of(const PrintedParticles<FluidLaw, Number>&, const Block&, const Grid&, const NoForce&, double) {
   return {};
 }
 
-inline std::array<Lanes, 4> at_corners(const Moments<Lanes>& q) {
-  return LinearHat::at_corners<Lanes>({q.one, q.X, q.Y, q.XY});
+/// From sums of q, q X, q Y and q XY at least.
+template <std::size_t count>
+std::array<Lanes, 4> at_corners(const std::array<std::array<Lanes, count>, count>& q) {
+  return LinearHat::at_corners(q[0][0], q[1][0], q[0][1], q[1][1]);
 }
-
-template <int part, class Real>
-void add_body_force(const Momentum<Real>& sums, CornerForces<Lanes>& forces) {
-  const auto x = at_corners(widened<part>(sums.x)), y = at_corners(widened<part>(sums.y));
-  for (int corner = 0; corner < 4; ++corner) {
-    forces.x[corner] += x[corner];
-    forces.y[corner] += y[corner];
-  }
-}
-template <int part>
-void add_body_force(const NoForce&, CornerForces<Lanes>&) {}
 
 /// Gives the corners of a part of a block their masses, momenta and forces (12), (13).
-template <int part, class Mass, class Velocity, class StressSums, class BodyForce, class To>
-void give(int column, const Mass& m, const Velocity& v, const StressSums& stress, const BodyForce& body_force,
+template <int part, class FluidLaw, class Mass, class Velocity, class Stress, class BodyForce, class To>
+void give(int column, const Mass& m, const Velocity& v, const Stress& stress, const BodyForce& body_force,
           const Vec2& per_cell, To& to) {
-  to.template give<mass>(column, at_corners(widened<part>(Moments<decltype(m.one)>{m.one, m.X, m.Y, m.XY})));
-  to.template give<momentum_x>(column, at_corners(widened<part>(v.x)));
-  to.template give<momentum_y>(column, at_corners(widened<part>(v.y)));
-  CornerForces<Lanes> forces = stress.template as_doubles<part>().forces(per_cell);
-  add_body_force<part>(body_force, forces);
-  to.template give<force_x>(column, forces.x);
-  to.template give<force_y>(column, forces.y);
+  to.template give<mass>(column, at_corners(widened<part>(m)));
+  to.template give<momentum_x>(column, at_corners(widened<part>(v[0])));
+  to.template give<momentum_y>(column, at_corners(widened<part>(v[1])));
+  CornerForces forces = forces_of<FluidLaw>(widened<part>(stress), per_cell);
+  if constexpr (is_present<BodyForce>)
+    for_indices<2>([&](auto axis) { add_to(forces[axis], at_corners(widened<part>(body_force[axis]))); });
+  to.template give<force_x>(column, forces[0]);
+  to.template give<force_y>(column, forces[1]);
 }
 
 /// Masses, momenta and forces of the nodes; keeps what cells of several particles weigh for `scatter_changes`.
 template <class FluidLaw, class Number, class Force>
-void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
-             int threads, std::vector<CellMass<Lanes>>& masses, Nodes& nodes) {
+void scatter(const PrintedParticles<FluidLaw, Number>& particles, const Grid& grid, const Force& force, double time,
+             int threads, std::vector<CellMass<Lanes>>& masses, CornerNodes& nodes) {
   constexpr int parts = lanes_of<Number> / lanes;
   masses.resize(particles.order.blocks().size() * parts);
   const Vec2 per_cell = grid.cell.cwiseInverse();
@@ -161,7 +153,7 @@ void scatter(const Particles<FluidLaw, Number>& particles, const Grid& grid, con
     const auto stress = stress_of(particles, block);
     const auto b = body_force_of(particles, block, grid, force, time);
     with_indices<parts>(
-        [&](auto... part) { (give<part>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
+        [&](auto... part) { (give<part, FluidLaw>(block.column + part * lanes, m, v, stress, b, per_cell, to), ...); });
     if constexpr (!Block::is_single)
       with_indices<parts>([&](auto... part) { ((masses[i * parts + part] = widened<part>(m)), ...); });
   };
@@ -175,12 +167,16 @@ inline LinearHat::Within<Lanes> laid_out(const Field<double>& field, int node, i
   return {load<Lanes>(low), load<Lanes>(low + 1), load<Lanes>(high), load<Lanes>(high + 1)};
 }
 
-/// Sums over the particles of a cell of q, q X, q Y and q XY, for a field q within the cell.
+/// Moments of a field q within the cell.
 template <class Within>
 Moments<Lanes> moments_of(const Within& q, const CellMass<Lanes>& m) {
-  return {m.one * q.q0 + m.X * q.qX + m.Y * q.qY + m.XY * q.qXY, m.X * q.q0 + m.XX * q.qX + m.XY * q.qY + m.XXY * q.qXY,
-          m.Y * q.q0 + m.XY * q.qX + m.YY * q.qY + m.XYY * q.qXY,
-          m.XY * q.q0 + m.XXY * q.qX + m.XYY * q.qY + m.XXYY * q.qXY};
+  Moments<Lanes> found;
+  for_indices<2>([&](auto i) {
+    for_indices<2>([&](auto j) {
+      found[i][j] = m[i][j] * q.q0 + m[i + 1][j] * q.qX + m[i][j + 1] * q.qY + m[i + 1][j + 1] * q.qXY;
+    });
+  });
+  return found;
 }
 
 template <class Real, class Within>
@@ -192,8 +188,8 @@ Real at(const Real& X, const Real& Y, const Within& q) {
 /// sum_p M_p N_i v_p changes by dt sum_j M_ij a_j with M_ij = sum_p M_p N_i N_j, and each cell knows its part of M_ij.
 /// The only particle of a cell gives its own change.
 template <class FluidLaw, class Number>
-void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
-                     int threads, Nodes& nodes) {
+void scatter_changes(const PrintedParticles<FluidLaw, Number>& particles, const std::vector<CellMass<Lanes>>& masses,
+                     int threads, CornerNodes& nodes) {
   using Real = LanesOf<Number>;
   constexpr int parts = lanes_of<Number> / lanes;
   const auto give_part = [&]<class Block>(int i, const Block& block, auto part, auto& to) {
@@ -202,7 +198,7 @@ void scatter_changes(const Particles<FluidLaw, Number>& particles, const std::ve
       if constexpr (Block::is_single) {
         const Lanes X = widened<part>(load<Real>(&particles.X[block.first])),
                     Y = widened<part>(load<Real>(&particles.Y[block.first]));
-        return Moments<Lanes>::of(at(X, Y, q), X, Y, X * Y);
+        return mpm::moments(at(X, Y, q), X, Y);
       } else {
         return moments_of(q, masses[i * parts + part]);
       }
@@ -248,24 +244,16 @@ struct Everywhere {
   void operator()(const Real& value, NumberIn<Real>* to) const {
     store(value, to);
   }
-  template <class Truth>
-  Truth unless_absent(const Truth& truth) const {
-    return truth;
+  template <class Mask>
+  Mask unless_absent(const Mask& mask) const {
+    return mask;
   }
-};
-/// Writes the lanes that hold a particle.
-template <class Real>
-struct WherePresent {
-  Truth<Real> present;
-
-  void operator()(const Real& value, NumberIn<Real>* to) const { store(present ? value : load<Real>(to), to); }
-  Truth<Real> unless_absent(const Truth<Real>& truth) const { return truth | ~present; }
 };
 
 /// Strain (18), density and stress (19), from the velocity remapped to the nodes; true if the density is plausible.
 template <class Real, class Number, class FluidLaw, class Velocity, class Write>
-Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell, double dt,
-                   const FluidLaw& fluid, const Write& write) {
+Mask<Real> strain(PrintedParticles<FluidLaw, Number>& particles, int slot, const Velocity& v, const Vec2& per_cell,
+                  double dt, const FluidLaw& fluid, const Write& write) {
   const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
   const Real along_x = fill<Real>(per_cell.x()), along_y = fill<Real>(per_cell.y());
   const Slopes<Real> of_v{.xx = along_x * (v.x.qX + Y * v.x.qXY),
@@ -281,7 +269,7 @@ Truth<Real> strain(Particles<FluidLaw, Number>& particles, int slot, const Veloc
 
 /// Sets a particle going, with the stress of its density and its velocity's slopes.
 template <class FluidLaw, class Number>
-void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
+void begin(PrintedParticles<FluidLaw, Number>& particles, int slot, const Beginning& fluid_there, const FluidLaw& fluid,
            const Vec2& /*cell*/, double /*dt*/) {
   using Real = LanesOf<Number>;
   particles.vx[slot] = static_cast<Number>(fluid_there.v.x());
@@ -295,8 +283,8 @@ void begin(Particles<FluidLaw, Number>& particles, int slot, const Beginning& fl
 
 /// Place (15) and velocity (16); true if the particles are still in their cells.
 template <class Real, class Number, class FluidLaw, class Vectors, class Write>
-Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors& displacement, const Vectors& change,
-                 const Write& write) {
+Mask<Real> move(PrintedParticles<FluidLaw, Number>& particles, int slot, const Vectors& displacement,
+                const Vectors& change, const Write& write) {
   const Real X = load<Real>(&particles.X[slot]), Y = load<Real>(&particles.Y[slot]);
   write(load<Real>(&particles.vx[slot]) + at(X, Y, change.x), &particles.vx[slot]);
   write(load<Real>(&particles.vy[slot]) + at(X, Y, change.y), &particles.vy[slot]);
@@ -306,24 +294,24 @@ Truth<Real> move(Particles<FluidLaw, Number>& particles, int slot, const Vectors
   return write.unless_absent(between(0, new_X, 1) & between(0, new_Y, 1));
 }
 
-/// Calls body(slot, write) for the k-th particles of all cells of a block at once, for every k. Returns the cells for
-/// all of whose particles it returned true.
+/// Calls body(slot, write) for all particles of a block, one of each cell at a time. Returns a bit for each cell, set
+/// if body was true for all its particles.
 template <class Real, class Block, class Body>
 LaneBits for_all(const Block& block, const Body& body) {
   constexpr int width = lanes_of<NumberIn<Real>>;
-  Truth<Real> each = Real{} == Real{};
+  Mask<Real> each = Real{} == Real{};
   for (int k = 0; k < block.least(); ++k) each &= body(block.first + k * width, Everywhere{});
   const Real count = converted<Real>(block.count.data());
   for (int k = block.least(); k < block.most(); ++k)
-    each &= body(block.first + k * width, WherePresent<Real>{fill<Real>(k) < count});
+    each &= body(block.first + k * width, IfPresent<Real>{fill<Real>(k) < count});
   return lanes_with<Real>(each);
 }
 
-/// Everything that the particles take from the nodes. `calm` tells of each block in which cells all particles are
-/// still there, and of a plausible density; not a number is neither.
+/// Grid to particles. A bit of `calm` is set for each cell whose particles are all still in it, with plausible
+/// densities; one that is not a number is not.
 template <class FluidLaw, class Number>
-void gather(const Nodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
-            Particles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {
+void gather(const CornerNodes& nodes, const Grid& grid, const FluidLaw& law, double dt, int threads,
+            PrintedParticles<FluidLaw, Number>& particles, std::vector<LaneBits>& calm) {
   using Real = LanesOf<Number>;
   using Fields = FieldPair<Real>;
   calm.resize(particles.order.blocks().size());

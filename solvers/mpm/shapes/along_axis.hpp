@@ -8,7 +8,7 @@
 namespace touchstone::mpm {
 
 /// An axis of the grid as a shape sees it.
-struct Axis {
+struct GridAxis {
   int cells;
   bool periodic;
   double reach;  // cells  half the side of a particle
@@ -45,7 +45,7 @@ constexpr int floor_of(double x) {
 }
 
 /// The cell of a place on an axis: one of its cells, or any where the axis is periodic. Edges belong to the cell above.
-constexpr int cell_at(double x, const Axis& axis) {
+constexpr int cell_at(double x, const GridAxis& axis) {
   const int cell = floor_of(x);
   if (axis.periodic) return cell;
   return cell < 0 ? 0 : cell < axis.cells ? cell : axis.cells - 1;
@@ -58,7 +58,7 @@ class SameInEveryCell {
   static constexpr int width = Shape::nodes;
   static_assert(Shape::place(0) == 0 && Shape::place(width - 1) == width - 1);
 
-  constexpr explicit SameInEveryCell(const Axis& axis) : axis_(axis) {}
+  constexpr explicit SameInEveryCell(const GridAxis& axis) : axis_(axis) {}
 
   constexpr int nodes() const { return axis_.periodic ? axis_.cells : axis_.cells + 1; }
   constexpr double place(int node) const { return node; }  // cells  from the low edge
@@ -75,7 +75,7 @@ class SameInEveryCell {
   }
 
  private:
-  Axis axis_;
+  GridAxis axis_;
 };
 
 /// How a shape lies along an axis: as it says itself, or the same in every cell.
@@ -94,7 +94,7 @@ using AlongAxis = typename LaidAlong<Shape>::type;
 /// Everywhere on an axis, and at edges that are no periodic boundary, where a wall that holds the last node holds the
 /// fluid.
 template <class Shape>
-constexpr ShapeErrors errors_along(const Axis& axis) {
+constexpr ShapeErrors errors_along(const GridAxis& axis) {
   const AlongAxis<Shape> along(axis);
   ShapeErrors errors;
   constexpr int places_per_cell = 16;

@@ -10,7 +10,7 @@
 namespace touchstone::mpm {
 namespace {
 
-constexpr Axis walled{.cells = 7, .periodic = false, .reach = 0.25},
+constexpr GridAxis walled{.cells = 7, .periodic = false, .reach = 0.25},
     endless{.cells = 7, .periodic = true, .reach = 0.25};
 
 template <class Shape>
@@ -29,7 +29,7 @@ std::map<int, double> by_node(const NearNodes<AlongAxis<Shape>::width>& near,
 }
 
 TYPED_TEST(ShapeAlongAxis, KeepsUnityAndLinearFieldsUpToItsWalls) {
-  for (const Axis& axis : {walled, endless}) {
+  for (const GridAxis& axis : {walled, endless}) {
     const ShapeErrors errors = errors_along<TypeParam>(axis);
     for (const double error : {errors.unity, errors.place, errors.slopes, errors.slope_of_place, errors.negative})
       EXPECT_LE(error, 1e-14);
@@ -39,7 +39,7 @@ TYPED_TEST(ShapeAlongAxis, KeepsUnityAndLinearFieldsUpToItsWalls) {
 
 TYPED_TEST(ShapeAlongAxis, HasTheSlopesOfItsWeights) {
   constexpr double d = 1e-5;
-  for (const Axis& axis : {walled, endless}) {
+  for (const GridAxis& axis : {walled, endless}) {
     const AlongAxis<TypeParam> along(axis);
     for (double x = 0.0131; x < axis.cells; x += 0.0517) {
       const auto before = along.near(x - d), here = along.near(x), after = along.near(x + d);
@@ -51,7 +51,7 @@ TYPED_TEST(ShapeAlongAxis, HasTheSlopesOfItsWeights) {
 }
 
 TYPED_TEST(ShapeAlongAxis, HasNoJumpsWhereCellsMeet) {
-  for (const Axis& axis : {walled, endless}) {
+  for (const GridAxis& axis : {walled, endless}) {
     const AlongAxis<TypeParam> along(axis);
     for (double x = 0.25; x < axis.cells; x += 0.25) {  // where GIMP changes its nodes too
       auto below = by_node<TypeParam>(along.near(x - 1e-9), along.near(x - 1e-9).weight),
@@ -75,7 +75,7 @@ TYPED_TEST(ShapeAlongAxis, IsTheSameInEveryCellOfAPeriodicAxis) {
 }
 
 TYPED_TEST(ShapeAlongAxis, KnowsTheAffineSlopeOfALinearField) {
-  for (const Axis& axis : {walled, endless}) {
+  for (const GridAxis& axis : {walled, endless}) {
     const AlongAxis<TypeParam> along(axis);
     for (int k = 0; k <= 16 * axis.cells; ++k) {
       const auto near = along.near(k / 16.0);
@@ -92,7 +92,7 @@ TYPED_TEST(ShapeAlongAxis, KnowsTheAffineSlopeOfALinearField) {
 }
 
 TEST(BSpline, OfFirstDegreeIsTheHat) {
-  for (const Axis& axis : {walled, endless})
+  for (const GridAxis& axis : {walled, endless})
     for (double x = 0; x < axis.cells; x += 0.1) {
       const auto spline = AlongAxis<BSpline<1>>(axis).near(x);
       const auto hat = AlongAxis<LinearHat>(axis).near(x);
@@ -126,7 +126,7 @@ TEST(BSpline, OfThirdDegreeHasTheWeightsOfTheTextbookOnAKnot) {
 
 TEST(Gimp, TendsToTheHatForSmallParticles) {
   for (double reach : {1e-2, 1e-4}) {
-    Axis axis = walled;
+    GridAxis axis = walled;
     axis.reach = reach;
     for (double x = 0.003; x < axis.cells; x += 0.07) {
       auto gimp = by_node<Gimp>(AlongAxis<Gimp>(axis).near(x), AlongAxis<Gimp>(axis).near(x).weight),

@@ -18,7 +18,7 @@ struct BSpline {
    public:
     static constexpr int width = degree + 1;
 
-    constexpr explicit Along(const Axis& axis) : axis_(axis) {}
+    constexpr explicit Along(const GridAxis& axis) : axis_(axis) {}
 
     constexpr int nodes() const { return axis_.periodic ? axis_.cells : axis_.cells + degree; }
     /// Of a node, counted from the low edge [cells].
@@ -66,22 +66,28 @@ struct BSpline {
       return slope;
     }
 
-    Axis axis_;
+    GridAxis axis_;
   };
 };
 
-static_assert(obeys_laws_along<BSpline<1>, Exactly>([] { return Axis{.cells = 3, .periodic = false, .reach = 0}; }));
-static_assert(obeys_laws_along<BSpline<2>, Exactly>([] { return Axis{.cells = 5, .periodic = false, .reach = 0}; }));
-static_assert(obeys_laws_along<BSpline<2>, Exactly>([] { return Axis{.cells = 5, .periodic = true, .reach = 0}; }));
-static_assert(obeys_laws_along<BSpline<2>, Exactly>([] { return Axis{.cells = 1, .periodic = false, .reach = 0}; }));
-static_assert(obeys_laws_along<BSpline<3>, ButForRounding>([] {
-  return Axis{.cells = 6, .periodic = false, .reach = 0};
+static_assert(obeys_laws_along<BSpline<1>, Exactly>([] {
+  return GridAxis{.cells = 3, .periodic = false, .reach = 0};
+}));
+static_assert(obeys_laws_along<BSpline<2>, Exactly>([] {
+  return GridAxis{.cells = 5, .periodic = false, .reach = 0};
+}));
+static_assert(obeys_laws_along<BSpline<2>, Exactly>([] { return GridAxis{.cells = 5, .periodic = true, .reach = 0}; }));
+static_assert(obeys_laws_along<BSpline<2>, Exactly>([] {
+  return GridAxis{.cells = 1, .periodic = false, .reach = 0};
 }));
 static_assert(obeys_laws_along<BSpline<3>, ButForRounding>([] {
-  return Axis{.cells = 6, .periodic = true, .reach = 0};
+  return GridAxis{.cells = 6, .periodic = false, .reach = 0};
 }));
 static_assert(obeys_laws_along<BSpline<3>, ButForRounding>([] {
-  return Axis{.cells = 2, .periodic = false, .reach = 0};
+  return GridAxis{.cells = 6, .periodic = true, .reach = 0};
+}));
+static_assert(obeys_laws_along<BSpline<3>, ButForRounding>([] {
+  return GridAxis{.cells = 2, .periodic = false, .reach = 0};
 }));
 
 }  // namespace touchstone::mpm

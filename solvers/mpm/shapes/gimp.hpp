@@ -20,7 +20,7 @@ struct Gimp {
     static constexpr int width = 3;
 
     /// Throws std::invalid_argument for particles that are points or larger than a cell.
-    constexpr explicit Along(const Axis& axis) : axis_(axis) {
+    constexpr explicit Along(const GridAxis& axis) : axis_(axis) {
       if (!(axis.reach > 0 && axis.reach <= 0.5))
         throw std::invalid_argument(
             fmt::format("mpm: GIMP with particles {:g} cells wide, expected a spacing above 0 and of at most a cell",
@@ -67,16 +67,16 @@ struct Gimp {
       return found;
     }
 
-    Axis axis_;
+    GridAxis axis_;
   };
 };
 
-static_assert(obeys_laws_along<LinearHat, Exactly>([] { return Axis{.cells = 3, .periodic = false, .reach = 0}; }));
-static_assert(obeys_laws_along<Gimp, Exactly>([] { return Axis{.cells = 4, .periodic = false, .reach = 0.25}; }));
-static_assert(obeys_laws_along<Gimp, Exactly>([] { return Axis{.cells = 4, .periodic = true, .reach = 0.25}; }));
-static_assert(obeys_laws_along<Gimp, Exactly>([] { return Axis{.cells = 2, .periodic = false, .reach = 0.5}; }));
+static_assert(obeys_laws_along<LinearHat, Exactly>([] { return GridAxis{.cells = 3, .periodic = false, .reach = 0}; }));
+static_assert(obeys_laws_along<Gimp, Exactly>([] { return GridAxis{.cells = 4, .periodic = false, .reach = 0.25}; }));
+static_assert(obeys_laws_along<Gimp, Exactly>([] { return GridAxis{.cells = 4, .periodic = true, .reach = 0.25}; }));
+static_assert(obeys_laws_along<Gimp, Exactly>([] { return GridAxis{.cells = 2, .periodic = false, .reach = 0.5}; }));
 static_assert(obeys_laws_along<Gimp, ButForRounding>([] {
-  return Axis{.cells = 4, .periodic = true, .reach = 1.0 / 6};
+  return GridAxis{.cells = 4, .periodic = true, .reach = 1.0 / 6};
 }));
 
 }  // namespace touchstone::mpm

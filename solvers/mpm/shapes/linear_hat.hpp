@@ -19,16 +19,10 @@ struct LinearHat {
   template <class Q>
   using Corners = std::array<Q, 4>;
 
-  /// Sums over the particles of a cell of q, q X, q Y and q XY.
+  /// Sums over the particles of a cell of q N_i, for its four corners, from those of q, q X, q Y and q XY.
   template <class Q>
-  struct Moments {
-    Q one, X, Y, XY;
-  };
-
-  /// Sums over the particles of a cell of q N_i, for its four corners.
-  template <class Q>
-  static constexpr Corners<Q> at_corners(const Moments<Q>& q) {
-    return {q.one - q.X - q.Y + q.XY, q.X - q.XY, q.Y - q.XY, q.XY};
+  static constexpr Corners<Q> at_corners(const Q& q, const Q& qX, const Q& qY, const Q& qXY) {
+    return {q - qX - qY + qXY, qX - qXY, qY - qXY, qXY};
   }
 
   /// Sums over the particles of a cell of q dN_i/dX, from those of q and q Y.
@@ -57,7 +51,7 @@ struct LinearHat {
 /// True if sums at the corners and fields within the cell are those of the weights.
 constexpr bool corners_follow_the_weights() {
   constexpr double X = 0.25, Y = 0.625;
-  const auto sums = LinearHat::at_corners<double>({1, X, Y, X * Y});
+  const auto sums = LinearHat::at_corners<double>(1, X, Y, X * Y);
   const auto along_X = LinearHat::slopes_along_X(1.0, Y), along_Y = LinearHat::slopes_along_Y(1.0, X);
   for (int corner = 0; corner < 4; ++corner) {
     const int i = corner % 2, j = corner / 2;

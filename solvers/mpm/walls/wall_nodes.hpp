@@ -12,7 +12,7 @@ namespace touchstone::mpm {
 class WallNodes {
  public:
   /// Throws std::invalid_argument for a wall off the grid.
-  WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const Nodes& nodes,
+  WallNodes(const std::vector<Wall>& walls, const Start& start, const Grid& grid, const CornerNodes& nodes,
             WallTreatment treatment)
       : walls_(walls), treat_(treatment) {
     std::vector<HeldNode> all;
@@ -22,10 +22,10 @@ class WallNodes {
     held_ = HeldNodes(std::move(all));
   }
 
-  void list_near(const Nodes& nodes) { held_.list_near(nodes.near()); }
+  void list_near(const CornerNodes& nodes) { held_.list_near(nodes.near()); }
 
   /// Has the motion of each wall node follow its walls, over the step from `start` [s].
-  void hold(Nodes& nodes, const Grid& grid, double start, double dt) const {
+  void hold(CornerNodes& nodes, const Grid& grid, double start, double dt) const {
     const auto motion = [&](const HeldNode& held) -> NodeAtWall {
       const Vec2 v = nodes.velocity[held.node];
       return {v, v + nodes.change[held.node], start, start + dt, start == 0, held.of_scene};
@@ -38,7 +38,7 @@ class WallNodes {
   }
 
   /// Makes the remapped velocities those of the walls, at a time [s].
-  void hold_remapped(Nodes& nodes, double time) const {
+  void hold_remapped(CornerNodes& nodes, double time) const {
     for (const HeldNode& held : held_)
       if (nodes.moves(held.node))
         nodes.velocity.set(held.node, walls_[held.wall].at_wall(nodes.velocity[held.node], time));

@@ -4,7 +4,6 @@
 /// With `Antuono` it is delta-SPH (Antuono et al. 2010), with shifting too delta-plus-SPH (Sun et al. 2017).
 
 #include "solvers/integrators/kick_drift_kick.hpp"
-#include "solvers/sph/free_surface/gradients/plain.hpp"
 #include "solvers/sph/free_surface/none.hpp"
 #include "solvers/sph/free_surface/surroundings.hpp"
 #include "solvers/sph/simulation.hpp"
@@ -52,7 +51,7 @@ using PackedOfSurface =
     std::conditional_t<Finds<PartsOfMethod>::correction, SurroundingsWithGhosts<Real>,
                        std::conditional_t<Finds<PartsOfMethod>::surroundings, Surroundings<Real>, Packed<Real>>>;
 
-/// The first pass: all that neither the new density nor the pressure has a part in. Writes the rate of density, by
+/// The first pass: all that depends on neither the new density nor the pressure. Writes the rate of density, by
 /// continuity, -rho_i sum_j V_j (v_j - v_i) · grad W, and diffusion, by the gradient of density that the last second
 /// pass has found; the accelerations by the terms; and surroundings.
 ///
@@ -84,7 +83,7 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
     sums[At::acceleration + 1] = acceleration.y;
     const Real per_r = ij.mass * ij.specific_volume_j * ij.slope, x = per_r * ij.x, y = per_r * ij.y;
     if constexpr (Found::correction) {
-      const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - Number<Real>(greatest_fluid_eigenvalue)));
+      const Real half = positive_part(Real(j.two(&Packed::l_yy)[1] - NumberIn<Real>(greatest_fluid_eigenvalue)));
       sums[At::weights] = -per_r;
       sums[At::half_of_ghosts] = -half * (ij.vx * x + ij.vy * y);
       const Real vx = ij.vx - half * ij.vx, vy = ij.vy - half * ij.vy;
@@ -102,7 +101,8 @@ void sum_by_motion(Neighbourhood<Packed>& near, const Terms& terms, const PartsO
       sums[At::moments + 2] = -y * ij.y;
     }
     if constexpr (Found::shifting) {
-      const Real weight = parts.shifting.template concentration_weight<Kernel>(Real(ij.r * Number<Real>(per_h)), per_h);
+      const Real weight =
+          parts.shifting.template concentration_weight<Kernel>(Real(ij.r * NumberIn<Real>(per_h)), per_h);
       sums[At::concentration_gradient] = weight * x;
       sums[At::concentration_gradient + 1] = weight * y;
     }
@@ -182,7 +182,7 @@ void sum_by_pressure(Neighbourhood<Packed>& near, const PartsOfMethod& parts, do
       sums[At::eigenvalue_gradient] = difference * ij.x;
       sums[At::eigenvalue_gradient + 1] = difference * ij.y;
       sums[At::eigenvalue_gradient + 2] =
-          -ij.slope * positive_part(Real(Number<Real>(parts.shifting.surface) - least_eigenvalue_j));
+          -ij.slope * positive_part(Real(NumberIn<Real>(parts.shifting.surface) - least_eigenvalue_j));
     }
     return sums;
   };
@@ -232,7 +232,7 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
 
   /// Rates of density, and of velocity with the pressure that the density has by then. Diffusion reads the gradient
   /// of density of the last second pass: kick-drift-kick begins with both, other integrators begin with none.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     if constexpr (of_density) {
       see_all(time, lap);
@@ -275,7 +275,6 @@ class FreeSurface : public Simulation<FreeSurface<Kernel, Integrator, Real, Flui
   }
 
   /// Fluid, ghosts and images as the last motion left them.
-  template <class Laps>
   void see_all(double time, const Laps& lap) {
     near_.see_fluid(scene_.fluid);
     lap(SubStep::rates);

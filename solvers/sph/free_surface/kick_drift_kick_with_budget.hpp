@@ -8,7 +8,7 @@
 namespace touchstone::sph {
 
 /// `KickDriftKick`, bit by bit, of a method for free surfaces with Tait's law and gravity, that keeps an energy
-/// budget. Its parts are a `WithBudget` of those of the method.
+/// budget. Its parts are a `PartsWithBudget` of those of the method.
 class KickDriftKickWithBudget {
   enum Past { viscous_x, viscous_y, diffused };
 
@@ -17,7 +17,7 @@ class KickDriftKickWithBudget {
 
   std::shared_ptr<EnergyBudget> budget = std::make_shared<EnergyBudget>();
 
-  template <class Flow, class Laps>
+  template <class Flow>
   void step(Flow& flow, double time, double dt, const Laps& lap) {
     auto& all = flow.state();
     const Energy before = energy_in(flow);
@@ -57,7 +57,7 @@ class KickDriftKickWithBudget {
   }
 
   /// The first pass leaves the accelerations by viscosity alone.
-  template <class Flow, class Laps>
+  template <class Flow>
   static void find_density_rate(Flow& flow, double time, const Laps& lap) {
     auto& all = flow.state();
     flow.find_density_rate(time, lap);
@@ -107,7 +107,7 @@ class KickDriftKickWithBudget {
 
 /// Parts of a method that tell `KickDriftKickWithBudget` what their diffusion does.
 template <class PartsOfMethod>
-struct WithBudget : PartsOfMethod {
+struct PartsWithBudget : PartsOfMethod {
   static constexpr std::size_t records_diffusion_in = KickDriftKickWithBudget::records_diffusion_in;
 };
 

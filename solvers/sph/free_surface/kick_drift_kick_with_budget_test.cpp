@@ -40,7 +40,7 @@ auto solver(const auto& parts, double alpha = 0.02) {
 }
 template <class PartsOfMethod>
 EnergyBudget budget_of(const PartsOfMethod& parts, double alpha = 0.02) {
-  auto simulation = solver<KickDriftKickWithBudget>(WithBudget<PartsOfMethod>{parts}, alpha);
+  auto simulation = solver<KickDriftKickWithBudget>(PartsWithBudget<PartsOfMethod>{parts}, alpha);
   for (int k = 0; k < steps; ++k) simulation.step();
   return *simulation.integrator().budget;
 }
@@ -48,7 +48,7 @@ EnergyBudget budget_of(const PartsOfMethod& parts, double alpha = 0.02) {
 template <class PartsOfMethod>
 void expect_the_same_run(const PartsOfMethod& parts) {
   auto plain = solver<KickDriftKick>(parts);
-  auto with_budget = solver<KickDriftKickWithBudget>(WithBudget<PartsOfMethod>{parts});
+  auto with_budget = solver<KickDriftKickWithBudget>(PartsWithBudget<PartsOfMethod>{parts});
   for (int k = 0; k < steps; ++k) plain.step(), with_budget.step();
   const Samples a = plain.samples(), b = with_budget.samples();
   EXPECT_EQ(a.x, b.x);
@@ -97,7 +97,7 @@ double change_in_a_bounce(const PartsOfMethod& parts) {
   scene.start = {.velocity = [](const Vec2&) -> Vec2 { return {-5, 0}; }};
   auto simulation = free_surface<WendlandC2, KickDriftKickWithBudget>(
       scene, {.spacing = spacing, .smoothing_length = h, .time_step = 5e-5},
-      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), WithBudget<PartsOfMethod>{parts});
+      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), PartsWithBudget<PartsOfMethod>{parts});
   double most = 0;
   const EnergyBudget& budget = *simulation.integrator().budget;
   for (int k = 0; k < 2400; ++k) {
@@ -133,7 +133,7 @@ double gain_in_a_collision(const PartsOfMethod& parts, double courant) {
                      }};
   auto simulation = free_surface<WendlandC2, KickDriftKickWithBudget>(
       scene, {.spacing = spacing, .smoothing_length = h, .time_step = courant * spacing / c},
-      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), WithBudget<PartsOfMethod>{parts});
+      momentum(ArtificialViscosity{.alpha = 0, .sound_speed = c, .h = h}), PartsWithBudget<PartsOfMethod>{parts});
   while (simulation.time() < 0.1) simulation.step();
   const Samples after = simulation.samples();
   EXPECT_LT(after.v(0, 0) * after.v(0, 1), 0);

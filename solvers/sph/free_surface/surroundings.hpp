@@ -8,8 +8,8 @@
 
 namespace touchstone::sph {
 
-/// The least eigenvalue that fluid is taken to have at most, and that of a ghost where these are to be told apart. What
-/// a neighbour has beyond that of fluid is a half for ghosts, their share in the mean of two gradients, and else 0.
+/// Least eigenvalues of fluid are cut off at the first; that of a ghost is larger by 1/2, its part in the mean of two
+/// gradients (`sum_by_motion`), by which it is told from fluid.
 inline constexpr double greatest_fluid_eigenvalue = 1.5, ghost_eigenvalue = greatest_fluid_eigenvalue + 0.5;
 
 template <class Number>

@@ -12,12 +12,12 @@ struct CubicSpline {
   template <class Real>
   static constexpr Real w(const Real& q) {
     const Real a = positive_part(Real(2 - q)), b = positive_part(Real(1 - q));
-    return Number<Real>(sigma) * (Number<Real>(0.25) * a * a * a - b * b * b);
+    return NumberIn<Real>(sigma) * (NumberIn<Real>(0.25) * a * a * a - b * b * b);
   }
   template <class Real>
   static constexpr Real dw(const Real& q) {
     const Real a = positive_part(Real(2 - q)), b = positive_part(Real(1 - q));
-    return Number<Real>(-0.75 * sigma) * a * a + Number<Real>(3 * sigma) * b * b;
+    return NumberIn<Real>(-0.75 * sigma) * a * a + NumberIn<Real>(3 * sigma) * b * b;
   }
 };
 static_assert(obeys_kernel_laws<CubicSpline>());

@@ -12,12 +12,12 @@ struct QuinticSpline {
   template <class Real>
   static constexpr Real w(const Real& q) {
     const Real a = positive_part(Real(3 - q)), b = positive_part(Real(2 - q)), c = positive_part(Real(1 - q));
-    return Number<Real>(sigma) * (fifth(a) - 6 * fifth(b) + 15 * fifth(c));
+    return NumberIn<Real>(sigma) * (fifth(a) - 6 * fifth(b) + 15 * fifth(c));
   }
   template <class Real>
   static constexpr Real dw(const Real& q) {
     const Real a = positive_part(Real(3 - q)), b = positive_part(Real(2 - q)), c = positive_part(Real(1 - q));
-    return Number<Real>(-5 * sigma) * (fourth(a) - 6 * fourth(b) + 15 * fourth(c));
+    return NumberIn<Real>(-5 * sigma) * (fourth(a) - 6 * fourth(b) + 15 * fourth(c));
   }
 
  private:

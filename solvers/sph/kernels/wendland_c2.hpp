@@ -12,18 +12,18 @@ struct WendlandC2 {
 
   template <class Real>
   static constexpr Real w(const Real& q) {
-    const Real s = positive_part(Real(1 - Number<Real>(0.5) * q)), s2 = s * s;
-    return Number<Real>(sigma) * s2 * s2 * (1 + 2 * q);
+    const Real s = positive_part(Real(1 - NumberIn<Real>(0.5) * q)), s2 = s * s;
+    return NumberIn<Real>(sigma) * s2 * s2 * (1 + 2 * q);
   }
   template <class Real>
   static constexpr Real dw(const Real& q) {
-    const Real s = positive_part(Real(1 - Number<Real>(0.5) * q));
-    return Number<Real>(-5 * sigma) * q * s * s * s;
+    const Real s = positive_part(Real(1 - NumberIn<Real>(0.5) * q));
+    return NumberIn<Real>(-5 * sigma) * q * s * s * s;
   }
   template <class Real>
   static constexpr Real dw_per_q(const Real& q) {
-    const Real s = positive_part(Real(1 - Number<Real>(0.5) * q));
-    return Number<Real>(-5 * sigma) * s * (s * s);
+    const Real s = positive_part(Real(1 - NumberIn<Real>(0.5) * q));
+    return NumberIn<Real>(-5 * sigma) * s * (s * s);
   }
 };
 static_assert(obeys_kernel_laws<WendlandC2>());

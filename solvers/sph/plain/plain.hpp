@@ -57,14 +57,14 @@ class PlainSimulation : public Clock {
 
   void step() {
     method().spread_particles();
-    integrator_.step(*this, time(), time_step(), NoLaps{});
+    integrator_.step(*this, time(), time_step(), no_laps);
     tick();
     method().correct_density();
   }
   Samples samples() const {
-    const Index n = all_.fluid;
-    Samples s{time(), Vectors(2, n), Vectors(2, n), Scalars::Constant(n, all_.mass), all_.rho, Scalars(n)};
-    for (Index i = 0; i < n; ++i) {
+    Samples s = Samples::of_equal(time(), all_.fluid, all_.mass);
+    s.density = all_.rho;
+    for (Index i = 0; i < s.size(); ++i) {
       s.x.col(i) = Vec2(scene_.domain.wrapped(0, all_.x[i]), scene_.domain.wrapped(1, all_.y[i]));
       s.v.col(i) = Vec2(all_.vx[i], all_.vy[i]);
       s.pressure[i] = scene_.fluid.pressure(all_.rho[i]);
@@ -75,9 +75,9 @@ class PlainSimulation : public Clock {
   // For the integrator.
   Particles& state() { return all_; }
   static int threads() { return 1; }
-  void find_rates(double time, const NoLaps&) { method().template find<true, true>(time); }
-  void find_density_rate(double time, const NoLaps&) { method().template find<true, false>(time); }
-  void find_accelerations(double time, const NoLaps&) { method().template find<false, true>(time); }
+  void find_rates(double time, const Laps&) { method().template find<true, true>(time); }
+  void find_density_rate(double time, const Laps&) { method().template find<true, false>(time); }
+  void find_accelerations(double time, const Laps&) { method().template find<false, true>(time); }
   void before_drift(double time, double dt) { method().meet_walls(time, dt); }
 
  protected:
@@ -140,10 +140,11 @@ class PlainSimulation : public Clock {
     return decltype(value(ghost))(sum(ghost, fluid, [&](Index j) { return decltype(value(j))(kernel(j) * value(j)); }) /
                                   weights);
   }
-  /// Ghosts with the mean velocity of the fluid near them, mirrored at the walls they are behind, and what
-  /// state(ghost, its place) says of density and pressure; at rest without pressure where there is no fluid.
-  template <class Weight, class State>
-  void see_ghosts(double time, const Weight& weight, const State& state) {
+  /// Ghosts whose velocity at_wall(ghost, wall, v) makes of the mean of the fluid near them, at each wall that they are
+  /// behind, with what state(ghost, its place) says of density and pressure; at rest without pressure where there is no
+  /// fluid.
+  template <class Weight, class AtWall, class State>
+  void see_ghosts(const Weight& weight, const AtWall& at_wall, const State& state) {
     for (Index g = all_.fluid; g < originals(); ++g) {
       const auto& [x, behind] = ghosts_[static_cast<std::size_t>(g - all_.fluid)];
       seen_[g].stand_at(x.x(), x.y());
@@ -151,17 +152,22 @@ class PlainSimulation : public Clock {
       seen_[g].set_state(scene_.fluid.density, 0);
       auto v = mean_at(g, weight, [&](Index j) { return Vec2(seen_[j].vx, seen_[j].vy); });
       if (!v) continue;
-      for (const int w : behind) *v = 2 * scene_.walls[w].at_wall(*v, time, -scene_.walls[w].distance(x)) - *v;
+      for (const int w : behind) *v = at_wall(g, scene_.walls[w], *v);
       seen_[g].move(v->x(), v->y());
       const auto [rho, p] = state(g, x);
       seen_[g].set_state(rho, p);
     }
     copy_over_periods();
   }
+  auto mirrored(double time) const {
+    return [this, time](Index g, const Wall& wall, const Vec2& v) -> Vec2 {
+      return 2 * wall.at_wall(v, time, -wall.distance(place(g))) - v;
+    };
+  }
   /// With the mean density and pressure.
   void see_mirrored_ghosts(double time) {
     const auto volume = [&](Index j) { return seen_[j].specific_volume; };
-    see_ghosts(time, volume, [&](Index g, const Vec2&) {
+    see_ghosts(volume, mirrored(time), [&](Index g, const Vec2&) {
       return std::pair(*mean_at(g, volume, [&](Index j) { return seen_[j].rho; }),
                        *mean_at(g, volume, [&](Index j) { return seen_[j].p; }));
     });
@@ -356,7 +362,7 @@ class PlainFreeSurface
   void see(double time) {
     this->see_fluid();
     const auto equal = [](Index) { return 1.0; };
-    this->see_ghosts(time, equal, [&](Index g, const Vec2& x) {
+    this->see_ghosts(equal, this->mirrored(time), [&](Index g, const Vec2& x) {
       double p = *this->mean_at(g, equal, [&](Index j) { return seen_[j].p; });
       if constexpr (is_present<Force>)
         p += scene_.body_force(x, time).dot(
@@ -489,26 +495,19 @@ class PlainSecondOrder : public PlainSimulation<PlainSecondOrder<Kernel, Integra
   /// to its pressure on the way.
   void see_extrapolated_ghosts(double time) {
     const auto equal = [](Index) { return 1.0; };
-    for (Index g = all_.fluid; g < this->originals(); ++g) {
-      const auto& [x, behind] = this->ghosts_[static_cast<std::size_t>(g - all_.fluid)];
-      seen_[g].stand_at(x.x(), x.y());
-      seen_[g].move(0, 0);
-      seen_[g].set_state(scene_.fluid.density, 0);
-      auto v = this->mean_at(g, equal, [&](Index j) { return Vec2(seen_[j].vx, seen_[j].vy); });
-      if (!v) continue;
-      const Vec2 from = *this->mean_at(g, equal, [&](Index j) { return Vec2(seen_[j].x, seen_[j].y); });
+    const auto from = [&](Index g) {
+      return *this->mean_at(g, equal, [&](Index j) { return Vec2(seen_[j].x, seen_[j].y); });
+    };
+    const auto extrapolated = [&](Index g, const Wall& wall, const Vec2& v) -> Vec2 {
+      const double away = std::max(wall.distance(from(g)), 0.4 * spacing_);
+      const Vec2 at_wall = wall.at_wall(v, time, away);
+      return at_wall + wall.distance(this->place(g)) / away * (v - at_wall);
+    };
+    this->see_ghosts(equal, extrapolated, [&](Index g, const Vec2& x) {
       double p = *this->mean_at(g, equal, [&](Index j) { return seen_[j].p; });
-      for (const int w : behind) {
-        const Wall& wall = scene_.walls[w];
-        const double away = std::max(wall.distance(from), 0.4 * spacing_);
-        const Vec2 at_wall = wall.at_wall(*v, time, away);
-        *v = at_wall + wall.distance(x) / away * (*v - at_wall);
-      }
-      if constexpr (is_present<Force>) p -= scene_.fluid.density * scene_.body_force(from, time).dot(from - x);
-      seen_[g].move(v->x(), v->y());
-      seen_[g].set_state(scene_.fluid.density_at(p), p);
-    }
-    this->copy_over_periods();
+      if constexpr (is_present<Force>) p -= scene_.fluid.density * scene_.body_force(from(g), time).dot(from(g) - x);
+      return std::pair(scene_.fluid.density_at(p), p);
+    });
   }
 
   template <bool of_density, bool of_velocity>

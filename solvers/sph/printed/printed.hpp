@@ -1,12 +1,30 @@
 #pragma once
 /// Smoothed particle hydrodynamics as printed by Sun et al., sections 2.2 to 2.5.
 
-#include "solvers/sph/printed/smoothing.hpp"
+#include "solvers/sph/neighbourhood.hpp"
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/walls/repulsion.hpp"
 #include "solvers/sph/without.hpp"
 
 namespace touchstone::sph {
+
+/// Density reinitialised from the mass around, with the kernel normalised over the particles that are there (29), (30):
+/// rho_i = sum_j m_j W_ij / sum_j (m_j / rho_j) W_ij, the particle itself included.
+template <class Kernel, class Packed>
+void reinitialise_density(Neighbourhood<Packed>& near, double h) {
+  Scalars& rho = near.all.rho;
+  sum_over_neighbours<2>(
+      near.fluid_near_fluid, near.seen,
+      [per_h = static_cast<typename Packed::Number>(1 / h)](const auto& i, const auto& j) {
+        const auto r = distance(i, j);
+        using Real = std::remove_cvref_t<decltype(r)>;
+        const Real w = Kernel::w(Real(r * per_h));
+        return std::array<Real, 2>{w, w * j.two(&Packed::specific_volume)[0]};
+      },
+      [&](Index i, const std::array<double, 2>& sums) {
+        rho[i] = (sums[0] + Kernel::w(0.0)) / (sums[1] + Kernel::w(0.0) / rho[i]);
+      });
+}
 
 /// Continuity density, predictor-corrector, density reinitialised every 30 steps, ghosts and soft repulsion at walls.
 template <class Kernel, class Integrator, class Real, class Left, class FluidLaw, class Force, class Terms>
@@ -39,7 +57,7 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
   }
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     this->see_fluid_and_ghosts(time, lap);
     if constexpr (of_velocity)
@@ -53,7 +71,6 @@ class Printed : public Simulation<Printed<Kernel, Integrator, Real, Left, FluidL
     }
   }
 
-  template <class Laps>
   void push_off_walls(const Laps& lap) {
     if constexpr (repels) {
       push_off<0>(near_, scene_.fluid.sound_speed(), settings_.spacing);

@@ -5,15 +5,35 @@
 
 #include "solvers/integrators/adams_bashforth.hpp"
 #include "solvers/quadratic_fit.hpp"
-#include "solvers/sph/second_order/drift.hpp"
+#include "solvers/sph/particles.hpp"
 #include "solvers/sph/simulation.hpp"
 #include "solvers/sph/walls/extrapolated_ghosts.hpp"
+#include "solvers/threads.hpp"
 
 namespace touchstone::sph {
 
+/// What a particle carries from the rates to the next drift, a motion besides that of the fluid: its direction and the
+/// slopes of what changes on the way.
+enum DriftField { drift_x, drift_y, vx_along_x, vx_along_y, vy_along_x, vy_along_y, rho_along_x, rho_along_y };
+inline constexpr std::size_t drift_fields = 8;
+
+/// Moves particles by so many times their drift; velocity and density change as their slopes say.
+inline void drift(Particles& all, double times, Index begin, Index end) {
+  const auto part = Eigen::seqN(begin, end - begin);
+  const Scalars x = times * all.carried[drift_x](part), y = times * all.carried[drift_y](part);
+  const auto change = [&](DriftField slope_x, DriftField slope_y) {
+    return x * all.carried[slope_x](part) + y * all.carried[slope_y](part);
+  };
+  all.x(part) += x;
+  all.y(part) += y;
+  all.vx(part) += change(vx_along_x, vx_along_y);
+  all.vy(part) += change(vy_along_x, vy_along_y);
+  all.rho(part) += change(rho_along_x, rho_along_y);
+}
+
 /// Of vx, vy and pressure.
 template <class Real>
-using FitOfFlow = QuadraticFit<Lanes<Real>, 3>;
+using FitOfFlow = QuadraticFit<LanesOf<Real>, 3>;
 
 /// What a neighbour adds to the sums of a fit, in lengths h.
 template <class Kernel, class Real>
@@ -23,8 +43,8 @@ struct TermsOfFit {
   template <class I, class J>
   auto operator()(const I& i, const J& j) const {
     const auto sides = apart(j, i);
-    const Lanes<Real> x = sides[0] * per_h, y = sides[1] * per_h;
-    const Lanes<Real> w = Kernel::w(square_root(Lanes<Real>(x * x + y * y)));
+    const LanesOf<Real> x = sides[0] * per_h, y = sides[1] * per_h;
+    const LanesOf<Real> w = Kernel::w(square_root(LanesOf<Real>(x * x + y * y)));
     const auto v_i = i.two(&Packed<Real>::vx), v_j = j.two(&Packed<Real>::vx);
     const auto volume_and_p_i = i.two(&Packed<Real>::specific_volume),
                volume_and_p_j = j.two(&Packed<Real>::specific_volume);
@@ -59,7 +79,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
  protected:
   using Base::near_;
 
-  /// Puts particles back that are too near to a wall. Mostly none is, which one look at all of them tells.
+  /// Puts particles back that are too near to a wall. Mostly none is: the maximum of all tells.
   void keep_off(const Wall& wall, Index begin, Index end) {
     Particles& all = near_.all;
     Scalars& along = wall.axis == 0 ? all.x : all.y;
@@ -104,7 +124,7 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
   void correct_density() { near_.all.rho += mean_density_ - near_.all.rho.mean(); }
 
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     static_assert(of_density && of_velocity, "one fit gives both rates: the integrator has to ask for both at once");
     near_.see_fluid(scene_.fluid);
@@ -136,28 +156,28 @@ class SecondOrder : public Simulation<SecondOrder<Kernel, Integrator, Real, Flui
 
   /// The equations of motion of a Newtonian fluid, and how particles will drift, of the sums of their fits.
   struct MotionOfFit {
-    using Number = Lanes<Real>;
+    using Numbers = LanesOf<Real>;
     const FluidLaw& fluid;
     double h, spread, of_rho, of_v;  // m, m/s  from where particles are dense, 1/s, 1/s
 
-    [[gnu::flatten]] std::array<Number, made> operator()(const Row<Packed<Real>>& i,
-                                                         const typename FitOfFlow<Real>::Sums& sums) const {
+    [[gnu::flatten]] std::array<Numbers, made> operator()(const ParticleLanes<Packed<Real>>& i,
+                                                          const typename FitOfFlow<Real>::Sums& sums) const {
       enum Factor { rest, along_x, along_y, xx, xy, yy };
       const auto [vx, vy, p] = FitOfFlow<Real>::through_zero(sums);
-      const Number rho = i.two(&Packed<Real>::rho)[0], specific_volume = i.two(&Packed<Real>::specific_volume)[0];
-      const Number per_c2 = 1 / each_lane(rho, [&](const auto& density) { return fluid.pressure_slope(density); });
+      const Numbers rho = i.two(&Packed<Real>::rho)[0], specific_volume = i.two(&Packed<Real>::specific_volume)[0];
+      const Numbers per_c2 = 1 / each_lane(rho, [&](const auto& density) { return fluid.pressure_slope(density); });
       const auto real = [](double number) { return static_cast<Real>(number); };
       const Real per_h = real(1 / h);
-      std::array<Number, made> all;
+      std::array<Numbers, made> all;
       all[rate_of_rho] = real(of_rho) * per_c2 * p[rest] - per_h * rho * (vx[along_x] + vy[along_y]);
       all[rate_of_vx] = real(of_v) * vx[rest] - per_h * specific_volume * p[along_x];
       all[rate_of_vy] = real(of_v) * vy[rest] - per_h * specific_volume * p[along_y];
       if constexpr (Viscous<FluidLaw>) {  // a factor of x² or y² is half of a second derivative
-        const Number nu = real(fluid.viscosity / (h * h)) * specific_volume;
-        all[rate_of_vx] += nu * (2 * (vx[xx] + vx[yy]) + real(1. / 3) * (2 * vx[xx] + vy[xy]));
-        all[rate_of_vy] += nu * (2 * (vy[xx] + vy[yy]) + real(1. / 3) * (vx[xy] + 2 * vy[yy]));
+        const Numbers nu_per_h2 = real(fluid.viscosity / (h * h)) * specific_volume;
+        all[rate_of_vx] += nu_per_h2 * (2 * (vx[xx] + vx[yy]) + real(1. / 3) * (2 * vx[xx] + vy[xy]));
+        all[rate_of_vy] += nu_per_h2 * (2 * (vy[xx] + vy[yy]) + real(1. / 3) * (vx[xy] + 2 * vy[yy]));
       }
-      const Number away = real(-spread) / sums[0];
+      const Numbers away = real(-spread) / sums[0];
       all[carried + drift_x] = away * sums[1];
       all[carried + drift_y] = away * sums[2];
       all[carried + vx_along_x] = per_h * vx[along_x];

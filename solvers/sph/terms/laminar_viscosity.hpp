@@ -11,11 +11,11 @@ struct LaminarViscosity {
 
   template <class Real>
   Real divisor(const Pair<Real>& ij) const {
-    return (ij.rho_i + ij.rho_j) * (ij.r2 + Number<Real>(eta * eta));
+    return (ij.rho_i + ij.rho_j) * (ij.r2 + NumberIn<Real>(eta * eta));
   }
   template <class Real>
   Acceleration<Real> acceleration(const Pair<Real>& ij, const Real& per_divisor) const {
-    const Real c = ij.mass * ij.slope * Number<Real>(4 * nu) * ij.r2 * per_divisor;
+    const Real c = ij.mass * ij.slope * NumberIn<Real>(4 * nu) * ij.r2 * per_divisor;
     return {c * ij.vx, c * ij.vy};
   }
   template <class Real>

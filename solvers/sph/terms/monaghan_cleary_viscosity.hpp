@@ -18,7 +18,7 @@ struct MonaghanClearyViscosity {
   }
   template <class Real>
   Acceleration<Real> acceleration(const Pair<Real>& ij, const Real& per_divisor) const {
-    const Real c = ij.mass * ij.slope * Number<Real>(8 * mu) * ij.specific_volume_i * ij.specific_volume_j *
+    const Real c = ij.mass * ij.slope * NumberIn<Real>(8 * mu) * ij.specific_volume_i * ij.specific_volume_j *
                    ij.v_dot_r() * per_divisor;
     return {c * ij.x, c * ij.y};
   }

@@ -9,7 +9,7 @@ struct MorrisViscosity {
 
   template <class Real>
   Acceleration<Real> operator()(const Pair<Real>& ij) const {
-    const Real c = ij.mass * ij.slope * Number<Real>(2 * mu) * ij.specific_volume_i * ij.specific_volume_j;
+    const Real c = ij.mass * ij.slope * NumberIn<Real>(2 * mu) * ij.specific_volume_i * ij.specific_volume_j;
     return {c * ij.vx, c * ij.vy};
   }
 };

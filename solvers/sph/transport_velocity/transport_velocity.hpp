@@ -24,7 +24,7 @@ Acceleration<Lane> drift_momentum(const Pair<Lane>& ij, const I& i, const J& j, 
   using Seen = std::remove_cvref_t<decltype(*i.all)>;
   const auto m_i = i.two(&Seen::mx), m_j = j.two(&Seen::mx), v_i = i.two(&Seen::vx), v_j = j.two(&Seen::vx);
   const Lane out_i = m_i[0] * ij.x + m_i[1] * ij.y, out_j = m_j[0] * ij.x + m_j[1] * ij.y,
-             c = Number<Lane>(0.5) * volumes;
+             c = NumberIn<Lane>(0.5) * volumes;
   return {c * (v_i[0] * out_i + v_j[0] * out_j), c * (v_i[1] * out_i + v_j[1] * out_j)};
 }
 
@@ -107,7 +107,7 @@ class TransportVelocity : public Simulation<TransportVelocity<Kernel, Integrator
   }
 
   /// Rates of velocity and density, in one pass over the pairs.
-  template <bool of_density, bool of_velocity, class Laps>
+  template <bool of_density, bool of_velocity>
   void find(double time, const Laps& lap) {
     if constexpr (drift_has_momentum) see_drift();
     this->see_fluid_and_ghosts(time, lap);

@@ -24,9 +24,9 @@ struct SoftRepulsion {
     const Real& normal = axis == 0 ? ij.x : ij.y;
     const Real& along = axis == 0 ? ij.y : ij.x;
     const Real r = square_root(Real(normal * normal)), off = square_root(Real(along * along));
-    const Real near = positive_part(Real(1 - r * Number<Real>(2 / spacing))),
-               fraction = positive_part(Real(1 - off * Number<Real>(1 / spacing)));
-    const Real c = Number<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * fraction / (r * r);
+    const Real near = positive_part(Real(1 - r * NumberIn<Real>(2 / spacing))),
+               fraction = positive_part(Real(1 - off * NumberIn<Real>(1 / spacing)));
+    const Real c = NumberIn<Real>(0.01 * sound_speed * sound_speed * (2.0 / 3)) * near * fraction / (r * r);
     return axis == 0 ? Acceleration<Real>{c * ij.x, Real{}} : Acceleration<Real>{Real{}, c * ij.y};
   }
 };

@@ -21,7 +21,7 @@ using namespace touchstone::sph;
 namespace {
 
 constexpr double spacing = 0.025, h = 1.2 * spacing;  // m
-constexpr int width = lanes<double>;
+constexpr int width = lanes_of<double>;
 using Fluid = Neighbourhood<Packed<double>>;
 using Sums = std::vector<std::array<double, 2>>;
 
@@ -50,7 +50,7 @@ template <class Terms>
 
 /// The same without pairs, terms and kernels.
 [[gnu::noinline]] void sum_by_hand(const Fluid& fluid, Sums& accelerations) {
-  using Numbers = Lanes<double>;
+  using Numbers = LanesOf<double>;
   const Packed<double>* all = fluid.seen.data();
   const double mass = fluid.all.mass;
   const auto& part = fluid.fluid_near_fluid.parts[0];

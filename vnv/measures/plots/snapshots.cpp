@@ -4,7 +4,7 @@
 
 namespace touchstone::vnv {
 
-Plot snapshots(Figure frame, std::vector<std::string> levels, std::vector<double> times, Field colour) {
+Plot snapshots(Figure frame, std::vector<std::string> levels, std::vector<double> times, ParticleField colour) {
   return [=](const Results& results, Record& record) {
     Figure figure = frame;
     figure.equal_axes = true;

@@ -10,13 +10,15 @@ struct WendlandC6 {
 
   template <class Real>
   static constexpr Real w(const Real& q) {
-    const Real s = Number<Real>(0.5) * q, rest = positive_part(Real(1 - s)), rest2 = rest * rest, rest4 = rest2 * rest2;
-    return Number<Real>(sigma) * rest4 * rest4 * (1 + s * (8 + s * (25 + 32 * s)));
+    const Real s = NumberIn<Real>(0.5) * q, rest = positive_part(Real(1 - s)), rest2 = rest * rest,
+               rest4 = rest2 * rest2;
+    return NumberIn<Real>(sigma) * rest4 * rest4 * (1 + s * (8 + s * (25 + 32 * s)));
   }
   template <class Real>
   static constexpr Real dw(const Real& q) {
-    const Real s = Number<Real>(0.5) * q, rest = positive_part(Real(1 - s)), rest2 = rest * rest, rest4 = rest2 * rest2;
-    return Number<Real>(-11 * sigma) * s * rest4 * rest2 * rest * (1 + s * (7 + 16 * s));
+    const Real s = NumberIn<Real>(0.5) * q, rest = positive_part(Real(1 - s)), rest2 = rest * rest,
+               rest4 = rest2 * rest2;
+    return NumberIn<Real>(-11 * sigma) * s * rest4 * rest2 * rest * (1 + s * (7 + 16 * s));
   }
 };
 static_assert(obeys_kernel_laws<WendlandC6>());

@@ -2,7 +2,7 @@
 
 #include "vnv/case.hpp"
 #include "vnv/measures/norms_of.hpp"
-#include "vnv/measures/per_particle.hpp"
+#include "vnv/measures/profile.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;

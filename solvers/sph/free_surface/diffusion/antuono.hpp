@@ -20,7 +20,7 @@ struct Antuono {
     using Packed = std::remove_cvref_t<decltype(*j.all)>;
     const auto gradient_i = i.two(&Packed::rho_along_x), gradient_j = j.two(&Packed::rho_along_x);
     const Real linear = (gradient_i[0] + gradient_j[0]) * ij.x + (gradient_i[1] + gradient_j[1]) * ij.y;
-    return Number<Real>(delta * h * sound_speed) * ij.mass * ij.specific_volume_j * ij.slope *
+    return NumberIn<Real>(delta * h * sound_speed) * ij.mass * ij.specific_volume_j * ij.slope *
            (2 * (ij.rho_i - ij.rho_j) - linear);
   }
 };

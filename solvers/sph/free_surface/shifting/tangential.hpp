@@ -22,8 +22,8 @@ struct TangentialShifting {
   /// How much a neighbour counts at q = r / h, the more the closer it is.
   template <class Kernel, class Real>
   Real concentration_weight(const Real& q, double per_h) const {
-    const Real close = Kernel::w(q) * Number<Real>(1 / Kernel::w(spacing * per_h)), close2 = close * close;
-    return 1 + Number<Real>(0.2) * close2 * close2;
+    const Real close = Kernel::w(q) * NumberIn<Real>(1 / Kernel::w(spacing * per_h)), close2 = close * close;
+    return 1 + NumberIn<Real>(0.2) * close2 * close2;
   }
 
   /// The displacement of a particle [m] per U dt [m], by the sum of concentration_weight V_j grad W [1/m].

@@ -1,7 +1,7 @@
 #pragma once
 /// What particles take whose affine velocity holds the stress (`MlsApic`), all in one pass.
 
-#include "solvers/mpm/lanes/densities.hpp"
+#include "solvers/mpm/lanes/grid_to_particles.hpp"
 
 namespace touchstone::mpm {
 
@@ -13,6 +13,7 @@ void keep(LaneParticles<FluidLaw, MlsApic, Density>& particles, int slot, const 
   const Lanes specific_volume = fill<Lanes>(1 / fluid.density) * (1 + expansion), p = pressure_of(fluid, expansion);
   Lanes xx = -p, yy = -p, xy{};
   if constexpr (Viscous<FluidLaw>) {
+    // Pa s/m  over the sides of a cell
     const Lanes mu_x = fill<Lanes>(fluid.viscosity * per_cell.x()), mu_y = fill<Lanes>(fluid.viscosity * per_cell.y());
     const Lanes mu_xx = mu_x * x.along_x, mu_yy = mu_y * y.along_y;
     const Lanes bulk = fill<Lanes>(2.0 / 3) * (mu_xx + mu_yy);

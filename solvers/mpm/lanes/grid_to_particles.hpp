@@ -1,7 +1,7 @@
 #pragma once
 /// How densities follow the flow in lanes, with what comes of them: stress and place.
 
-#include "solvers/mpm/lanes/transfers.hpp"
+#include "solvers/mpm/lanes/particles_to_grid.hpp"
 
 namespace touchstone::mpm {
 
@@ -49,17 +49,17 @@ Lanes strained(Particles& particles, int slot, const Velocity& velocity, const A
 
 /// Place (15); true if the particles are still in their cells, with plausible densities.
 template <class Particles, class Write>
-Truth<Lanes> moved(Particles& particles, int slot, const Lanes& cells_x, const Lanes& cells_y, const Lanes& expansion,
-                   const Write& write) {
+Mask<Lanes> moved(Particles& particles, int slot, const Lanes& cells_x, const Lanes& cells_y, const Lanes& expansion,
+                  const Write& write) {
   const Lanes to_x = load<Lanes>(&particles.X[slot]) + cells_x, to_y = load<Lanes>(&particles.Y[slot]) + cells_y;
   write(to_x, &particles.X[slot]);
   write(to_y, &particles.Y[slot]);
-  return (between(0, to_x, 1) & between(0, to_y, 1) & between(1 / most_density, 1 + expansion, 1 / least_density)) |
-         ~write.present;
+  return write.unless_absent(between(0, to_x, 1) & between(0, to_y, 1) &
+                             between(1 / most_density, 1 + expansion, 1 / least_density));
 }
 /// Density, stress (32), (33) and place (15).
 template <class Particles, class Step, class Write>
-Truth<Lanes> settle_in(Particles& particles, int slot, const Lanes& expansion, const Step& step, const Write& write) {
+Mask<Lanes> settle_in(Particles& particles, int slot, const Lanes& expansion, const Step& step, const Write& write) {
   write(expansion, &particles.expansion[slot]);
   particles.stress.template update<Lanes>(slot, step.fluid, expansion,
                                           particles.stress.template kept_rates<Lanes>(slot), write);

@@ -7,9 +7,9 @@
 
 namespace touchstone::mpm {
 
-/// Where along a row or column of cells is what lies `within` cell `at`, counted in cells from its low edge? Returns
-/// the cell, with `within` between 0 and 1 there, or -1 for a place past the ends and for what is not a number. Edges
-/// belong to the cell on either side, as the shape does; what is past an end by rounding is on it.
+/// The cell, along a row or a column of them, of a place that is `within` [cells] from the low edge of cell `at`; makes
+/// `within` its place in the cell returned, 0 to 1. Returns -1 for a place past the ends, and for what is not a number.
+/// Edges belong to the cell on either side, as the shape does; what is past an end by rounding is on it.
 template <class Number>
 int cell_along(Number& within, int at, int cells, bool periodic) {
   if (within >= 0 && within <= 1) return at;

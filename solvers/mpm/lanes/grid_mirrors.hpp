@@ -1,7 +1,7 @@
 #pragma once
 /// Walls where quadratic B-splines are whole: they mirror.
 
-#include "solvers/mpm/lanes/walls.hpp"
+#include "solvers/mpm/lanes/grid_walls.hpp"
 
 namespace touchstone::mpm {
 
@@ -23,39 +23,32 @@ class LaneWalls<QuadraticBSpline> {
   LaneWalls(const std::vector<Wall>& walls, const Start&, const Grid& grid, const Shape&, const Nodes&) {
     for (const Wall& wall : walls) {
       const int below = grid.line_of(wall), above = below + 1;
-      lines_.push_back({wall, wall.inward > 0 ? below : above, wall.inward > 0 ? above : below});
+      lines_.push_back({{wall.axis, wall.inward > 0 ? below : above, wall.inward > 0 ? above : below}, wall});
     }
   }
 
   void list_near(const Nodes& nodes) {
-    for (Line& line : lines_) line.list_near(nodes);
+    for (MirrorLine& line : lines_) line.list_near(nodes);
   }
 
   /// Takes what the ghosts were given to the nodes in the fluid and has the ghosts move as these have them, as walls
   /// answer at a time [s]; in a corner a ghost mirrors a ghost. Once for what the nodes were given.
   void hold(Nodes& nodes, double time, NodeVectors& velocity) const {
-    for (const Line& line : lines_)
-      for (const auto& [ghost, inner] : line.pairs)
+    for (const MirrorLine& line : lines_)
+      for (const int ghost : line.ghosts)
         if (nodes.moves(ghost))
-          nodes.join(inner, 1 / nodes.per_mass[ghost], line.mirrored(velocity[ghost], time), velocity);
+          nodes.join(ghost + line.step, 1 / nodes.per_mass[ghost], line.mirrored(velocity[ghost], time), velocity);
     for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
-      for (const auto& [ghost, inner] : line->pairs) velocity.set(ghost, line->mirrored(velocity[inner], time));
+      for (const int ghost : line->ghosts) velocity.set(ghost, line->mirrored(velocity[ghost + line->step], time));
   }
 
  private:
-  struct Line {
+  struct MirrorLine : GhostLine {
     Wall wall;
-    int ghosts, inner;                         // columns of nodes, or rows
-    std::vector<std::pair<int, int>> pairs{};  // ghost and node in the fluid, those near particles
 
     Vec2 mirrored(const Vec2& v, double time) const { return 2 * wall.at_wall(v, time) - v; }
-    void list_near(const Nodes& nodes) {
-      const int step = (inner - ghosts) * (wall.axis == 0 ? 1 : nodes.stride);
-      pairs.clear();
-      nodes.for_near_on(wall.axis, ghosts, [&](int ghost) { pairs.emplace_back(ghost, ghost + step); });
-    }
   };
-  std::vector<Line> lines_;  // in the order in which they are folded
+  std::vector<MirrorLine> lines_;  // in the order in which they are folded
 };
 
 }  // namespace touchstone::mpm

@@ -1,9 +1,8 @@
 #pragma once
 /// Walls of methods in lanes: across the domain, and with an extent.
 
-#include "solvers/mpm/lanes/nodes.hpp"
+#include "solvers/mpm/lanes/grid_update.hpp"
 #include "solvers/mpm/walls/held_nodes.hpp"
-#include "solvers/mpm/walls/node_alone.hpp"
 #include "solvers/mpm/walls/prescribed_motion.hpp"
 
 namespace touchstone::mpm {
@@ -55,13 +54,13 @@ class PartialSplineWall {
   }
 
  private:
-  struct Row {
-    int first;     // of its three nodes
+  struct ThreeNodes {  // of a row across the wall
+    int first;
     double place;  // m  along the wall
   };
   Wall wall_;
   std::array<double, 3> weights_;
-  std::vector<Row> rows_;
+  std::vector<ThreeNodes> rows_;
   int step_;  // from a node to the next across the wall
 };
 
@@ -134,7 +133,7 @@ class LaneWalls {
   class NodesAlong {
    public:
     NodesAlong(int cells, bool periodic, double reach)
-        : cells_(cells), periodic_(periodic), along_(Axis{cells, periodic, reach}) {}
+        : cells_(cells), periodic_(periodic), along_(GridAxis{cells, periodic, reach}) {}
 
     /// Those that are no ghosts of others.
     int begin() const { return periodic_ ? Form::first_of_period : 0; }

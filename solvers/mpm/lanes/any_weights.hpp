@@ -1,9 +1,9 @@
 #pragma once
 /// Weights of any shape within the cells of a block, one cell a lane: particles of all cells meet the nodes near theirs
-/// side by side. What `within.hpp` does in powers of the place, for shapes that are no polynomials within a cell, or
-/// others at edges.
+/// side by side. What `quadratic_weights.hpp` does in powers of the place, for shapes that are no polynomials within a
+/// cell, or others at edges.
 
-#include "solvers/mpm/lanes/within.hpp"
+#include "solvers/mpm/lanes/quadratic_weights.hpp"
 
 namespace touchstone::mpm {
 

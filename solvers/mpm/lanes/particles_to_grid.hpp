@@ -3,7 +3,7 @@
 /// anew.
 
 #include "solvers/mpm/lanes/particles.hpp"
-#include "solvers/mpm/lanes/walls.hpp"
+#include "solvers/mpm/lanes/grid_walls.hpp"
 #include "solvers/stepping/clock.hpp"
 
 namespace touchstone::mpm {
@@ -28,7 +28,7 @@ const Field<double>& component(const NodeVectors& of) {
   return axis == 0 ? of.x : of.y;
 }
 
-/// What the stress gives the nodes in a step (12), of the force along `axis` what acts along another.
+/// What the stress gives the nodes in a step (12): its component on `axis` that acts along `along`.
 template <int axis, int along, class FluidLaw, class At>
 auto stress_turn(const Stress<FluidLaw, double>& stress, int slot, const At& at, const Vec2& dt_per_cell) {
   if constexpr (axis == along || Viscous<FluidLaw>)
@@ -51,7 +51,7 @@ void for_places(const AlongX& along_x, const AlongY& along_y, const Particles& p
     work(slot, along_x.at(load<Lanes>(&particles.X[slot])), along_y.at(load<Lanes>(&particles.Y[slot])));
 }
 
-/// Where the gather has taken all velocities.
+/// For transfers whose particles have taken their velocities in the gather.
 struct NothingToTake {
   NothingToTake(const auto& /*transfer*/, const auto& /*nodes*/, int /*node*/) {}
   template <class Particles, class At, class Write>

@@ -4,7 +4,7 @@
 /// too. The shapes are named by the types of `plain`, whose node k along an axis is `first_node` + k here; of nodes
 /// that are the same, along a periodic axis, those from `first_of_period` on are no ghosts (`Edges`).
 
-#include "solvers/mpm/lanes/weights.hpp"
+#include "solvers/mpm/lanes/any_weights.hpp"
 #include "solvers/mpm/shapes/b_spline.hpp"
 #include "solvers/mpm/shapes/gimp.hpp"
 #include "solvers/mpm/shapes/linear_hat.hpp"
@@ -192,23 +192,15 @@ class GimpAlong {
   Lanes below_, above_;  // 1/cells  over the side, or 0 at an edge
 };
 
-template <class Shape>
-class ShapeInLanes;
-
 template <int degree>
-class ShapeInLanes<BSpline<degree>> : public ByWeights<BSplineAlong<degree>> {
+BSplineAlong<degree> in_lanes_along(BSpline<degree>);
+BSplineAlong<1> in_lanes_along(LinearHat);
+GimpAlong in_lanes_along(Gimp);
+
+template <class Shape>
+class ShapeInLanes : public ByWeights<decltype(in_lanes_along(Shape{}))> {
  public:
-  using ByWeights<BSplineAlong<degree>>::ByWeights;
-};
-template <>
-class ShapeInLanes<LinearHat> : public ByWeights<BSplineAlong<1>> {
- public:
-  using ByWeights<BSplineAlong<1>>::ByWeights;
-};
-template <>
-class ShapeInLanes<Gimp> : public ByWeights<GimpAlong> {
- public:
-  using ByWeights<GimpAlong>::ByWeights;
+  using ShapeInLanes::ByWeights::ByWeights;
 };
 
 /// Quadratic B-splines are polynomials in each cell, whole ones everywhere: what is cut off at edges is handled at the

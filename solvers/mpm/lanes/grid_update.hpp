@@ -1,10 +1,25 @@
 #pragma once
 /// The nodes of methods in lanes, and where these are the same, or splines are cut off, at edges.
 
-#include "solvers/mpm/lanes/shapes.hpp"
+#include "solvers/mpm/lanes/shape_functions.hpp"
 #include "solvers/mpm/printed/nodes.hpp"
 
 namespace touchstone::mpm {
+
+/// A line of ghosts, each of a node in the fluid.
+struct GhostLine {
+  int axis;                   // 0: a column of nodes, 1: a row
+  int at, inner;              // of the ghosts, and of the nodes in the fluid
+  std::vector<int> ghosts{};  // those near particles
+  int step = 0;               // from a ghost to its node in the fluid
+
+  template <int touched>
+  void list_near(const NodesOfCells<touched>& nodes) {
+    ghosts.clear();
+    step = (inner - at) * (axis == 0 ? 1 : nodes.stride);
+    nodes.for_near_on(axis, at, [&](int ghost) { ghosts.push_back(ghost); });
+  }
+};
 
 /// Where nodes are not all alike. Along a periodic axis the first nodes and the last are the same: of two, one is a
 /// ghost of the other. Quadratic B-splines give to nodes, and are seen, as if splines were whole and went on past the
@@ -21,11 +36,11 @@ class Edges {
       constexpr int first = Shape::first_of_period;
       if (periodic)
         for (int k = 0; k < touched - 1; ++k)
-          k < first ? lines_.push_back({axis, true, k, k + cells})
-                    : lines_.push_back({axis, true, k + cells, first + (k - first) % cells});
+          k < first ? lines_.push_back({{axis, k, k + cells}, true})
+                    : lines_.push_back({{axis, k + cells, first + (k - first) % cells}, true});
       else if (Shape::cut_at_edges) {
-        lines_.push_back({axis, false, 0, 1});
-        lines_.push_back({axis, false, cells + 1, cells});
+        lines_.push_back({{axis, 0, 1}, false});
+        lines_.push_back({{axis, cells + 1, cells}, false});
       }
     };
     add(0, grid.columns, grid.periodic_x);
@@ -33,16 +48,12 @@ class Edges {
   }
 
   void list_near(const NodesOfCells<touched>& nodes) {
-    for (Line& line : lines_) {
-      line.ghosts.clear();
-      line.step = (line.inner - line.at) * (line.axis == 0 ? 1 : nodes.stride);
-      nodes.for_near_on(line.axis, line.at, [&](int ghost) { line.ghosts.push_back(ghost); });
-    }
+    for (EdgeLine& line : lines_) line.list_near(nodes);
   }
 
   /// Takes what the ghosts were given to the nodes.
   void fold(Field<double>& given) const {
-    for (const Line& line : lines_)
+    for (const EdgeLine& line : lines_)
       for (int ghost : line.ghosts) {
         const double g = given[ghost];
         given[ghost + line.step] += line.periodic ? g : -g;
@@ -51,7 +62,7 @@ class Edges {
   }
   /// Makes of a field of the nodes one that cells see.
   void unfold(Field<double>& field) const {
-    for (const Line& line : lines_)
+    for (const EdgeLine& line : lines_)
       for (int ghost : line.ghosts) {
         const double inner = field[ghost + line.step];
         field[ghost] = line.periodic ? inner : 2 * field[ghost] - inner;
@@ -63,14 +74,10 @@ class Edges {
   }
 
  private:
-  struct Line {
-    int axis;  // 0: a column of nodes, 1: a row
+  struct EdgeLine : GhostLine {
     bool periodic;
-    int at, inner;  // of the ghosts, and of the nodes within
-    std::vector<int> ghosts{};
-    int step = 0;  // from a ghost to its node within
   };
-  std::vector<Line> lines_;
+  std::vector<EdgeLine> lines_;
 };
 
 /// What the nodes hold within a step; parts of a method make room for what they need. A node that is left out has no
@@ -110,7 +117,7 @@ class LaneNodes : public NodesOfCells<Shape::touched> {
     collect(0, per_mass, threads);
     for_near(near(), threads, [&](int node) {
       const Lanes m = load<Lanes>(&per_mass[node]);
-      const auto moves = m > fill<Lanes>(Nodes::least_mass);
+      const auto moves = m > fill<Lanes>(CornerNodes::least_mass);
       store(moves ? 1 / (moves ? m : fill<Lanes>(1)) : Lanes{}, &per_mass[node]);
     });
   }
