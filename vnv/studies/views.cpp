@@ -2,7 +2,7 @@
 
 #include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/record/record.hpp"
-#include "vnv/studies/disturbed.hpp"
+#include "vnv/studies/starts.hpp"
 
 #include <fmt/format.h>
 
