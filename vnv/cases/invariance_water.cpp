@@ -14,12 +14,7 @@ constexpr double end = 1;  // s
 
 const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, depth / 20, end, l2_p);
 
-Scene<Tait, Uniform> scene_in(const View& view) {
-  Scene<Tait, Uniform> seen = scene;
-  seen.start.velocity = [=](const Vec2&) { return view.carried; };
-  seen.start.places = [=](const Vectors& lattice) { return view.places_on(scene.start.places_on(lattice)); };
-  return seen;
-}
+Scene<Tait, Uniform> scene_in(const View& view) { return view.carrying(scene); }
 
 std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
   return {printed(seen), affine(seen), apic(seen), xpic(seen), printed_sph(seen), delta(seen)};
@@ -28,14 +23,12 @@ std::vector<Method> methods_on(const Scene<Tait, Uniform>& seen) {
 }  // namespace
 
 Case vnv::the_case() {
-  Case declared =
-      in_views.declared(norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_in, methods_on),
-                        "Carried along: a uniform velocity of 0.5 m/s is added.");
-  declared.title = "Invariance: hydrostatic equilibrium";
-  declared.description =
+  return in_views.declared(
+      "Invariance: hydrostatic equilibrium",
       "Water 1 m deep under gravity, 20 particles over the depth, under symmetry transformations: in a frame moving at 0.5 m/s; from a disturbed "
       "lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
       "renumbering. None claims more: the boundary particles of SPH do not make a perfectly smooth bottom, and water "
-      "whose particles are not in rows is not in equilibrium.";
-  return declared;
+      "whose particles are not in rows is not in equilibrium.",
+      norms_of("p, per particle", pressures, pressure_at), in_views.methods(scene_in, methods_on),
+      "Carried along: a uniform velocity of 0.5 m/s is added.");
 }

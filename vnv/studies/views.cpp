@@ -104,9 +104,11 @@ Plot SeveralViews::table(const std::string& words) const {
   };
 }
 
-Case SeveralViews::declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views,
-                            const std::string& words) const {
-  return {.times = {end},
+Case SeveralViews::declared(std::string title, std::string description, const Measurement& of_plain_flow,
+                            std::vector<Method> methods_in_views, const std::string& words) const {
+  return {.title = std::move(title),
+          .description = std::move(description),
+          .times = {end},
           .measurements = {measured(of_plain_flow)},
           .findings = {changes()},
           .claims = claims_of_all(),

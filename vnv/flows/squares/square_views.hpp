@@ -22,7 +22,7 @@ inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5)
 /// At `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
 /// those of the cells.
 template <class Force>
-Case in_several_views(const PlaneFlow<Force>& flow, double end) {
+Case in_several_views(std::string title, std::string description, const PlaneFlow<Force>& flow, double end) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
   const SeveralViews flows =
@@ -37,7 +37,8 @@ Case in_several_views(const PlaneFlow<Force>& flow, double end) {
             .start = view.start(flow.velocity, flow.pressure)};
   };
   return flows.declared(
-      velocity_errors(flow.velocity), flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
+      std::move(title), std::move(description), velocity_errors(flow.velocity),
+      flows.methods(scene_of, methods_on<Force>, {"sph", "sph_second_order"}),
       "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the lattice.");
 }
 
