@@ -19,8 +19,8 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
                                      const std::map<std::string, std::vector<Claim>>& claims) {
   constexpr double interval = 0.05;  // s
   const auto method = [&](std::string name, std::string words, Family family, double courant, auto solver) {
-    return keeping_courant_number(courant, family == Family::mpm ? &Level::cell : &Level::spacing, interval, scene,
-                                  solver, {.name = std::move(name), .family = family, .description = std::move(words)});
+    return keeping_courant_number(courant, interval, scene, solver,
+                                  {.name = std::move(name), .family = family, .description = std::move(words)});
   };
   // By 2 and 1.4 these become the largest steps that four points and one point per cell bear, 1.28 and 0.9 of a cell.
   std::vector<Method> all = {
