@@ -9,7 +9,7 @@ using namespace touchstone::vnv::open_dam;
 
 namespace {
 
-const DamFront dam = column(0.05715, 0.05715, 6 * 0.05715);
+const DamFront& dam = martin_moyce_square;
 
 /// As a flat plate as long as the column has, all laminar, at 2 sqrt(g h0): 0.664 Re^(-1/2), Re = 8.6e4 (Blasius 1908).
 const SkinFriction plate{.coefficient = 0.0023, .layer = 0.05715 / 40};

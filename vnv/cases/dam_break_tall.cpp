@@ -10,7 +10,7 @@ using namespace touchstone::vnv::open_dam;
 
 namespace {
 
-const DamFront dam = column(0.146, 0.292, 5 * 0.146);
+const DamFront& dam = koshizuka_oka;
 
 std::vector<Claim> finest(const std::string& level) {
   return {

@@ -47,31 +47,35 @@ Ending as_damped(const LatticeMethod& method, Ending usual) {
   return method.has_grid() && method.name() != "mpm" && method.name() != "mpm_float" ? Ending::stable : usual;
 }
 
-/// The wave until it has lost half of its height, for at least 100 and at most 1000 steps of the method's own choice.
-Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& wave, Ending usual) {
+/// A lattice from a start, for so many steps of the method's own choice.
+Extreme many_steps(const std::string& name, const LatticeMethod& method, const RestingLattice& lattice,
+                   const Start& start, double steps, Ending declared) {
+  const Method here = method.on(lattice, start);
+  const double dt = here.time_step(lattice.level());
+  return {
+      .name = name, .make = [=] { return here.solver(lattice.level(), dt); }, .end = steps * dt, .declared = declared};
+}
+
+/// The wave until it has lost half of its height, for at least 100 and at most 1000 steps.
+Extreme shear(const std::string& name, const LatticeMethod& method, const Wave& wave, Ending declared) {
   const RestingLattice lattice = wave.on(method.usual_lattice());
-  const Method here = method.on(lattice, wave.start(lattice));
-  const double dt = here.time_step(lattice.level()),
+  Extreme decay = many_steps(name, method, lattice, wave.start(lattice), 1, declared);
+  const double dt = decay.end,
                half_time = std::numbers::ln2 / decay_of_wave(lattice.kinematic_viscosity(), lattice.side());
-  return {.name = name,
-          .make = [=] { return here.solver(lattice.level(), dt); },
-          .end = std::clamp(half_time, 100 * dt, 1000 * dt),
-          .error = error_of(wave, lattice),
-          .accurate_within = 5,
-          .declared = usual};
+  decay.end = std::clamp(half_time, 100 * dt, 1000 * dt);
+  decay.error = error_of(wave, lattice);
+  decay.accurate_within = 5;
+  return decay;
 }
 
 /// Carried along so fast, and with such a step, that sound and flow together cross 0.99 lengths in it.
 Extreme across_the_periodic_boundaries(const LatticeMethod& method) {
   const RestingLattice lattice = method.usual_lattice();
-  const Vec2 flow = 0.495 * c / 0.495 * Vec2(0.8, 0.6);
+  const Vec2 flow = c * Vec2(0.8, 0.6);
   const double dt = 0.495 * lattice.unit() / c;
-  const std::string name = "through both seams at (c + v) dt = 0.99";
-  return {.name = name,
-          .make =
-              [=] {
-                return method.on(lattice, {.velocity = [=](const Vec2&) { return flow; }}).solver(lattice.level(), dt);
-              },
+  const Method here = method.on(lattice, {.velocity = [=](const Vec2&) { return flow; }});
+  return {.name = "through both seams at (c + v) dt = 0.99",
+          .make = [=] { return here.solver(lattice.level(), dt); },
           .end = 500 * dt,
           .error = [=](const Samples& s) { return 100 * (s.v.colwise() - flow).colwise().norm().maxCoeff() / c; },
           .accurate_within = 0.1,
@@ -97,30 +101,22 @@ Extreme at_random(const LatticeMethod& method) {
       random.col(p) = side / 2 * Vec2(1 + noise(p, 1, 2), 1 + noise(p, 3, 4));
     return random;
   };
-  const Method here = method.on(lattice, start);
-  const std::string name = "particles at random";
-  return {.name = name,
-          .make = [=] { return here.solver(lattice.level(), here.time_step(lattice.level())); },
-          .end = 500 * here.time_step(lattice.level()),
-          .declared = borne_by(here.name)};
+  return many_steps("particles at random", method, lattice, start, 500, borne_by(method.name()));
 }
 
 /// Noise of 1e-6 times the speed of sound must not grow tenfold in about a million steps.
 Extreme at_rest_for_long(const LatticeMethod& method) {
   RestingLattice lattice = method.usual_lattice();
   lattice.cells /= 2;
-  const Method here = method.on(lattice, noisy(lattice, 1e-6));
-  const double dt = here.time_step(lattice.level());
   // The methods that are made of parts take half a microsecond or more for a particle's step.
   const std::array slow = {"mpm_apic", "mpm_xpic", "sph_corrected", "sph_shifted"};
-  const bool is_slow = std::ranges::find(slow, here.name) != slow.end();
-  return {.name = is_slow ? "a hundred thousand steps at rest" : "a million steps at rest",
-          .make = [=] { return here.solver(lattice.level(), dt); },
-          .end = (is_slow ? 1e5 : 1e6) * dt,
-          .error = [](const Samples& s) { return 100 * s.v.colwise().norm().maxCoeff() / c; },
-          .accurate_within = 1e-3,
-          .declared = Ending::accurate,
-          .in_acceptance = false};
+  const bool is_slow = std::ranges::find(slow, method.name()) != slow.end();
+  Extreme rest = many_steps(is_slow ? "a hundred thousand steps at rest" : "a million steps at rest", method, lattice,
+                            noisy(lattice, 1e-6), is_slow ? 1e5 : 1e6, Ending::accurate);
+  rest.error = [](const Samples& s) { return 100 * s.v.colwise().norm().maxCoeff() / c; };
+  rest.accurate_within = 1e-3;
+  rest.in_acceptance = false;
+  return rest;
 }
 
 Method method_meeting_extremes(const LatticeMethod& method) {

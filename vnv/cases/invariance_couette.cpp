@@ -42,15 +42,13 @@ std::vector<Method> methods_at_given_steps(const Scene<Newtonian>& seen) {
 
 Case vnv::the_case() {
   const Flow flow = flow_named("couette", Settings({{"V", sliding}}));
-  Case declared = in_views.declared(norms_of("v_x, per particle", by_particles, flow.along_x()),
-                                    in_views.methods(scene_in, methods_at_given_steps),
-                                    "Carried along: a uniform velocity of 2 mm/s is added.");
-  declared.title = "Invariance: Couette flow";
-  declared.description =
+  return in_views.declared(
+      "Invariance: Couette flow",
       "Start-up of plane Couette flow, one plate sliding at 1 mm/s, 16 particles across, under symmetry transformations: "
       "mirrored, so that the lower plate slides; carried along at 2 mm/s with both plates; from a disturbed "
       "lattice; with renumbered particles. The equations are invariant. Every method claims invariance under "
       "reflection and renumbering. None claims more: the wall particles of SPH stand still even where the wall moves, "
-      "so that the lattice of the fluid moves past them.";
-  return declared;
+      "so that the lattice of the fluid moves past them.",
+      norms_of("v_x, per particle", by_particles, flow.along_x()), in_views.methods(scene_in, methods_at_given_steps),
+      "Carried along: a uniform velocity of 2 mm/s is added.");
 }

@@ -28,17 +28,16 @@ Scene<Tait> scene_in(const View& view) {
 
 Case vnv::the_case() {
   const Flow flow = flow_named("elliptic_drop");
-  Case declared =
-      in_views.declared(error_of_axes(flow.oracle<reference::EllipticDrop>()),
-                        in_views.methods(scene_in, methods_on, {"sph", "sph_corrected"}),
-                        "Carried along: a uniform velocity of (0.3, 0.2) m/s is added. Turned: rotated by 30 degrees.");
-  declared.title = "Invariance: stretching drop";
-  declared.description =
+  Case declared = in_views.declared(
+      "Invariance: stretching drop",
       "A circular drop of an inviscid fluid is stretched to twice its length, 30 particles across, under symmetry "
       "transformations: mirrored, so that it is stretched along y; carried along at (0.3, 0.2) m/s; rotated by 30 "
       "degrees; from a disturbed lattice; with renumbered particles. The equations are invariant. Every method claims "
       "invariance under reflection and renumbering; SPH, which has no grid, also Galilean invariance. Rotated, the "
-      "drop is not stretched along rows of particles.";
+      "drop is not stretched along rows of particles.",
+      error_of_axes(flow.oracle<reference::EllipticDrop>()),
+      in_views.methods(scene_in, methods_on, {"sph", "sph_corrected"}),
+      "Carried along: a uniform velocity of (0.3, 0.2) m/s is added. Turned: rotated by 30 degrees.");
   declared.monitor = flow.judged.monitor;
   return declared;
 }

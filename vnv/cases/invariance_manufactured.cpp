@@ -12,13 +12,13 @@ Case vnv::the_case() {
   const auto force_in = [force = flow.drive.at](const View& view) -> ForceField {
     return {[=](const Vec2& x, double t) -> Vec2 { return view.turned * force(view.place_in_plain_flow(x, t), t); }};
   };
-  Case declared = square::in_several_views<ForceField>(flow, manufactured::end, force_in);
-  for (Method& method : declared.methods)
-    if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);
-  declared.title = "Invariance: manufactured solution";
-  declared.description =
+  Case declared = square::in_several_views<ForceField>(
+      "Invariance: manufactured solution",
       "The manufactured solution, 34 particles across a period, under symmetry transformations that include the body force that "
       "sustains it: mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. " +
-      square::claimed_of_views;
+          square::claimed_of_views,
+      flow, manufactured::end, force_in);
+  for (Method& method : declared.methods)
+    if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);
   return declared;
 }

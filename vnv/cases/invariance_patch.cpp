@@ -37,19 +37,19 @@ Scene<Tait> scene_in(const View& view) {
 Case vnv::the_case() {
   const auto exact = flow_named("rotating_patch").oracle<reference::RotatingPatch>();
   Case declared = in_views.declared(
+      "Invariance: rotating patch",
+      "A rotating square patch with a free surface, 24 particles across, under symmetry transformations: mirrored, so "
+      "that it rotates the other way; carried along at (0.5, 0.3) m/s; turned by 30 degrees with its lattice; from a "
+      "disturbed lattice; with particles renumbered. The invariant is the kinetic energy after 0.3 s, in the moving "
+      "frame. The equations are invariant. Every method claims invariance under reflection and renumbering; SPH, which "
+      "has no grid, also rotational invariance and, without shifting, Galilean invariance: the shifting length depends "
+      "on velocities in the rest frame.",
+
       kinetic_energy_over(exact.kinetic_energy(), in_views.error),
       in_views.methods(scene_in, methods_on, {"sph_delta"}),
       "Carried along: a uniform velocity of (0.5, 0.3) m/s is added. Turned: rotated by 30 degrees, lattice included.");
   for (Method& method : declared.methods)
     if (method.family == Family::sph)
       method.claims.push_back(in_views.unchanged(turned, "without a grid there is no preferred direction"));
-  declared.title = "Invariance: rotating patch";
-  declared.description =
-      "A rotating square patch with a free surface, 24 particles across, under symmetry transformations: mirrored, so "
-      "that it rotates the other way; carried along at (0.5, 0.3) m/s; turned by 30 degrees with its lattice; from a "
-      "disturbed lattice; with particles renumbered. The invariant is the kinetic energy after 0.3 s, in the moving "
-      "frame. The equations are invariant. Every method claims invariance under reflection and renumbering; SPH, which "
-      "has no grid, also rotational invariance and, without shifting, Galilean invariance: the shifting length depends "
-      "on velocities in the rest frame.";
   return declared;
 }

@@ -24,14 +24,12 @@ Scene<Tait, Uniform> scene_in(const View& view) {
 
 Case vnv::the_case() {
   const auto water = flow_named("hydrostatic").oracle<reference::Hydrostatic>();
-  Case declared = in_views.declared(norms_of("p, per particle", pressures, pressure_of(water)),
-                                    in_views.methods(scene_in, methods_on),
-                                    "Carried along: a uniform velocity of 0.5 m/s is added.");
-  declared.title = "Invariance: hydrostatic equilibrium";
-  declared.description =
+  return in_views.declared(
+      "Invariance: hydrostatic equilibrium",
       "Water 1 m deep under gravity, 20 particles over the depth, under symmetry transformations: in a frame moving at "
       "0.5 m/s; from a disturbed lattice; with renumbered particles. The equations are invariant. Every method claims "
       "invariance under renumbering. None claims more: the boundary particles of SPH do not make a perfectly smooth "
-      "bottom, and water whose particles are not in rows is not in equilibrium.";
-  return declared;
+      "bottom, and water whose particles are not in rows is not in equilibrium.",
+      norms_of("p, per particle", pressures, pressure_of(water)), in_views.methods(scene_in, methods_on),
+      "Carried along: a uniform velocity of 0.5 m/s is added.");
 }

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double end = 0.6;  // s  three quarters of a period: the wave is fastest
 
-const SeveralViews in_views =
-    several_views({views::carried_along({0.5, 0})}, published.L / 40, end, l2_velocity);
+const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, published.L / 40, end, l2_velocity);
 
 Scene<Newtonian, Uniform> scene_in(const View& view) {
   auto seen = scene_of<Newtonian, Uniform>(flow_named("standing_wave"));
@@ -32,13 +31,12 @@ Case vnv::the_case() {
   const VelocityTruth exact = [wave](const Vec2& x, double t) -> Vec2 {
     return {wave.v_x(x.x(), x.y(), t), wave.v_y(x.x(), x.y(), t)};
   };
-  Case declared = in_views.declared(velocity_errors(exact), in_views.methods(scene_in, methods_on),
-                                    "Carried along: a uniform velocity of 0.5 m/s is added.");
-  declared.title = "Invariance: standing gravity wave";
-  declared.description =
+  return in_views.declared(
+      "Invariance: standing gravity wave",
       "A standing gravity wave of small amplitude, 40 particles per wavelength, under symmetry transformations: in a "
       "frame moving at 0.5 m/s; from a disturbed lattice; with renumbered particles. The equations are invariant. "
       "Every method claims invariance under renumbering. None claims more: the boundary particles of SPH do not make a "
-      "perfectly smooth bottom.";
-  return declared;
+      "perfectly smooth bottom.",
+      velocity_errors(exact), in_views.methods(scene_in, methods_on),
+      "Carried along: a uniform velocity of 0.5 m/s is added.");
 }

@@ -4,6 +4,7 @@
 #include "vnv/measures/hidden_motion.hpp"
 #include "vnv/measures/plots/over_time.hpp"
 #include "vnv/methods/free_surface_methods.hpp"
+#include "vnv/studies/starts.hpp"
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -17,20 +18,13 @@ constexpr double turning = 0.001 * c / R;                              // 1/s  i
 constexpr double output_interval = 0.01;                               // s
 const Vec2 centre(2, 2);
 
-Vectors round(const Vectors& lattice) {
-  std::vector<Eigen::Index> inside;
-  for (Eigen::Index p = 0; p < lattice.cols(); ++p)
-    if ((lattice.col(p) - centre).norm() < R) inside.push_back(p);
-  return lattice(Eigen::all, inside);
-}
-
 const Water scene{
     .domain = {.box = {.high = {4, 4}}},
     .fluid = {{.density = 1000, .bulk_modulus = 1000 * c * c / 7}, 1e-6},
     .filled = {.low = centre - Vec2(R, R), .high = centre + Vec2(R, R)},
     .body_force = {{0, 0}},
     .start = {.velocity = [](const Vec2& x) { return Vec2(-turning * (x - centre).y(), turning * (x - centre).x()); },
-              .places = round},
+              .places = within(R, {centre})},
 };
 
 const Quantity steps_taken{"steps completed", "", Kind::count},

@@ -2,12 +2,9 @@
 
 #include "vnv/flows/channels/channel_flow.hpp"
 
-using namespace touchstone;
-using namespace touchstone::vnv;
-using namespace touchstone::vnv::channel;
-
-Case vnv::the_case() {
-  return flow_along(flow_named("oscillating_poiseuille"), {20, 28, 40, 56, 80},
-                    "The Womersley number, based on half the gap, is 4, so that the near-wall flow leads the core in "
-                    "phase.");
+touchstone::vnv::Case touchstone::vnv::the_case() {
+  return channel::flow_along(
+      flow_named("oscillating_poiseuille"), {20, 28, 40, 56, 80},
+      "The Womersley number, based on half the gap, is 4, so that the near-wall flow leads the core in "
+      "phase.");
 }

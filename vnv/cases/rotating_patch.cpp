@@ -3,7 +3,7 @@
 #include "vnv/flows/patch.hpp"
 #include "vnv/measures/plots/over_time.hpp"
 #include "vnv/measures/plots/snapshots.hpp"
-#include "vnv/studies/disturbed.hpp"
+#include "vnv/studies/starts.hpp"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,8 @@
 
 #include "vnv/flows/channels/channel_flow.hpp"
 
-using namespace touchstone;
-using namespace touchstone::vnv;
-using namespace touchstone::vnv::channel;
-
-Case vnv::the_case() {
-  return flow_along(flow_named("stokes_second"), {40, 48, 56, 80, 112},
-                    "The layer is 0.08 mm thick, a twelfth of the depth: 4e-6 of the motion is left at the ceiling.");
+touchstone::vnv::Case touchstone::vnv::the_case() {
+  return channel::flow_along(
+      flow_named("stokes_second"), {40, 48, 56, 80, 112},
+      "The layer is 0.08 mm thick, a twelfth of the depth: 4e-6 of the motion is left at the ceiling.");
 }

@@ -46,6 +46,14 @@ inline double first_above(const Series& series, double level) {
                    (level - series.value[k - 1]) / (series.value[k] - series.value[k - 1]));
 }
 
+/// The largest sample between two times, both included; -infinity without one.
+inline double largest(const Series& series, double from, double to) {
+  double most = -INFINITY;
+  for (std::size_t k = 0; k < series.time.size(); ++k)
+    if (series.time[k] >= from && series.time[k] <= to) most = std::max(most, series.value[k]);
+  return most;
+}
+
 /// The time at which the series is at `level`, on the way from sample `k`, which is above it, in steps of 1 or -1.
 inline double left_at(const Series& series, std::size_t k, int step, double level) {
   const std::size_t end = step > 0 ? series.time.size() - 1 : 0;

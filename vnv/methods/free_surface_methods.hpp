@@ -8,11 +8,9 @@ namespace touchstone::vnv {
 
 /// MPM with quadratic B-splines, MUSL and affine densities; sound travels half a cell in a step. Affine particle
 /// velocities [Jiang et al. 2015].
-template <class AnyScene>
-Method mpm_apic(const AnyScene& scene, double output_interval);
+Method mpm_apic(const auto& scene, double output_interval);
 /// The same with XPIC(5) [Hammerquist & Nairn 2017].
-template <class AnyScene>
-Method mpm_xpic(const AnyScene& scene, double output_interval);
+Method mpm_xpic(const auto& scene, double output_interval);
 
 /// The parameters of a method of smoothed particle hydrodynamics for free surfaces besides its parts.
 struct SphChoice {
@@ -22,15 +20,12 @@ struct SphChoice {
 };
 
 /// delta-SPH [Antuono et al. 2010].
-template <class AnyScene>
-Method sph_delta(const AnyScene& scene, double output_interval, const SphChoice& choice = {});
+Method sph_delta(const auto& scene, double output_interval, const SphChoice& choice = {});
 
 /// The same with particles that are shifted from where they are crowded [Lind et al. 2012; Sun et al. 2017].
-template <class AnyScene>
-Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoice& choice = {});
+Method sph_shifted(const auto& scene, double output_interval, const SphChoice& choice = {});
 
 /// delta-SPH with gradients of the kernel that are exact for linear fields.
-template <class AnyScene>
-Method sph_corrected(const AnyScene& scene, double output_interval, const SphChoice& choice = {});
+Method sph_corrected(const auto& scene, double output_interval, const SphChoice& choice = {});
 
 }  // namespace touchstone::vnv

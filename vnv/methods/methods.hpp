@@ -25,29 +25,22 @@ AnyScene scene_at(const Level& level, AnyScene scene) {
 }
 
 /// `courant` is the acoustic Courant number, c dt / cell in MPM and c dt / spacing in SPH.
-template <class AnyScene>
-Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant = 0.5);
+Method mpm_as_printed(const auto& scene, double output_interval, double courant = 0.5);
 
 /// Of viscous scenes, as printed but for the shape functions.
-template <class AnyScene>
-Method mpm_gimp(const AnyScene& scene, double output_interval, double courant = 0.5);
+Method mpm_gimp(const auto& scene, double output_interval, double courant = 0.5);
 
-template <class AnyScene>
-Method mpm_affine(const AnyScene& scene, double output_interval, double courant = 0.8);
+Method mpm_affine(const auto& scene, double output_interval, double courant = 0.8);
 
 /// For fluid that fills its domain.
-template <class AnyScene>
-Method mpm_least_squares(const AnyScene& scene, double output_interval, double courant = 0.3);
+Method mpm_least_squares(const auto& scene, double output_interval, double courant = 0.3);
 
-template <class AnyScene>
-Method sph_as_printed(const AnyScene& scene, double output_interval, double courant = 0.25);
+Method sph_as_printed(const auto& scene, double output_interval, double courant = 0.25);
 
 /// For fluid without a free surface.
-template <class AnyScene>
-Method sph_transport_velocity(const AnyScene& scene, double output_interval, double courant = 0.25);
+Method sph_transport_velocity(const auto& scene, double output_interval, double courant = 0.25);
 
 /// For fluid that fills its domain.
-template <class AnyScene>
-Method sph_second_order(const AnyScene& scene, double output_interval, double courant = 0.3);
+Method sph_second_order(const auto& scene, double output_interval, double courant = 0.3);
 
 }  // namespace touchstone::vnv

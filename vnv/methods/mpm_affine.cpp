@@ -3,16 +3,14 @@
 
 namespace touchstone::vnv {
 
-template <class AnyScene>
-Simulation mpm_affine_solver(const AnyScene& scene, const Level& level, double time_step) {
+Simulation mpm_affine_solver(const auto& scene, const Level& level, double time_step) {
   return mpm::in_lanes<mpm::QuadraticBSpline, mpm::MlsApic>(
       scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
-template <class AnyScene>
-Method mpm_affine(const AnyScene& scene, double output_interval, double courant) {
+Method mpm_affine(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::cell, output_interval, scene, mpm_affine_solver<AnyScene>,
+      courant, output_interval, scene, mpm_affine_solver,
       {.name = "mpm_affine",
        .family = Family::mpm,
        .description =
@@ -23,7 +21,6 @@ Method mpm_affine(const AnyScene& scene, double output_interval, double courant)
 #define TOUCHSTONE_COMPILE(...)                                                    \
   template Simulation mpm_affine_solver(const __VA_ARGS__&, const Level&, double); \
   template Method mpm_affine(const __VA_ARGS__&, double, double);
-TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
-TOUCHSTONE_INVISCID_SCENES(TOUCHSTONE_COMPILE)
+TOUCHSTONE_SCENES(TOUCHSTONE_COMPILE)
 
 }  // namespace touchstone::vnv

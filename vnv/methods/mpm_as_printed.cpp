@@ -9,13 +9,12 @@ namespace touchstone::vnv {
 template <class WallTreatment, class Number, class AnyScene>
 Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_step) {
   return mpm::printed<WallTreatment, Number>(scene,
-                                            {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
+                                             {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
-template <class AnyScene>
-Method mpm_as_printed(const AnyScene& scene, double output_interval, double courant) {
+Method mpm_as_printed(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::cell, output_interval, scene, mpm_solver<mpm::PrescribedMotion, double, AnyScene>,
+      courant, output_interval, scene, mpm_solver<>,
       {.name = "mpm",
        .family = Family::mpm,
        .description =
@@ -27,8 +26,7 @@ Method mpm_as_printed(const AnyScene& scene, double output_interval, double cour
 #define TOUCHSTONE_COMPILE(...)                                                                    \
   template Simulation mpm_solver<mpm::PrescribedMotion>(const __VA_ARGS__&, const Level&, double); \
   template Method mpm_as_printed(const __VA_ARGS__&, double, double);
-TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
-TOUCHSTONE_INVISCID_SCENES(TOUCHSTONE_COMPILE)
+TOUCHSTONE_SCENES(TOUCHSTONE_COMPILE)
 
 #define TOUCHSTONE_COMPILE_VARIANTS(...)                                                                  \
   template Simulation mpm_solver<mpm::PrescribedMotion, float>(const __VA_ARGS__&, const Level&, double); \

@@ -1,22 +1,16 @@
-#include "vnv/methods/methods.hpp"
-
 #include "solvers/mpm/lanes/in_lanes.hpp"
 #include "vnv/methods/scenes.hpp"
 
-#include <fmt/format.h>
-
 namespace touchstone::vnv {
 
-template <class AnyScene>
-Simulation mpm_gimp_solver(const AnyScene& scene, const Level& level, double time_step) {
+Simulation mpm_gimp_solver(const auto& scene, const Level& level, double time_step) {
   return mpm::in_lanes<mpm::Gimp, mpm::Flip>(scene,
                                              {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
-template <class AnyScene>
-Method mpm_gimp(const AnyScene& scene, double output_interval, double courant) {
+Method mpm_gimp(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::cell, output_interval, scene, mpm_gimp_solver<AnyScene>,
+      courant, output_interval, scene, mpm_gimp_solver,
       {.name = "mpm_gimp",
        .family = Family::mpm,
        .description =

@@ -3,15 +3,13 @@
 
 namespace touchstone::vnv {
 
-template <class AnyScene>
-Simulation mpm_least_squares_solver(const AnyScene& scene, const Level& level, double time_step) {
+Simulation mpm_least_squares_solver(const auto& scene, const Level& level, double time_step) {
   return mpm::least_squares(scene, {.cell = level.cell, .spacing = level.spacing, .time_step = time_step});
 }
 
-template <class AnyScene>
-Method mpm_least_squares(const AnyScene& scene, double output_interval, double courant) {
+Method mpm_least_squares(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::cell, output_interval, scene, mpm_least_squares_solver<AnyScene>,
+      courant, output_interval, scene, mpm_least_squares_solver,
       {.name = "mpm_least_squares",
        .family = Family::mpm,
        .description =

@@ -16,7 +16,7 @@ template <class Transfer, class AnyScene>
 Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std::string& name,
                         const std::string& transfer) {
   return keeping_courant_number(
-      0.5, &Level::cell, output_interval, scene, mpm_of_b_splines_solver<Transfer, AnyScene>,
+      0.5, output_interval, scene, mpm_of_b_splines_solver<Transfer, AnyScene>,
       {.name = name,
        .family = Family::mpm,
        .description = fmt::format(
@@ -27,14 +27,12 @@ Method mpm_of_b_splines(const AnyScene& scene, double output_interval, const std
 }
 }  // namespace
 
-template <class AnyScene>
-Method mpm_apic(const AnyScene& scene, double output_interval) {
+Method mpm_apic(const auto& scene, double output_interval) {
   return mpm_of_b_splines<mpm::Apic>(scene, output_interval, "mpm_apic",
                                      "affine particle velocities (APIC, Jiang et al. 2015)");
 }
 
-template <class AnyScene>
-Method mpm_xpic(const AnyScene& scene, double output_interval) {
+Method mpm_xpic(const auto& scene, double output_interval) {
   return mpm_of_b_splines<mpm::Xpic<5>>(scene, output_interval, "mpm_xpic",
                                         "velocities by XPIC(5) (Hammerquist & Nairn 2017)");
 }

@@ -15,13 +15,15 @@
 
 namespace touchstone::vnv {
 
-/// A solver as a method that keeps an acoustic Courant number c dt / length by the level's cell or spacing; `method`
-/// has a name and a description but for that number.
+/// A solver as a method that keeps an acoustic Courant number c dt / length, by the level's cell in MPM and its spacing
+/// in SPH; `method` has a name, a family and a description but for that number.
 template <class AnyScene>
-Method keeping_courant_number(double courant, double Level::*length, double output_interval, const AnyScene& scene,
+Method keeping_courant_number(double courant, double output_interval, const AnyScene& scene,
                               Simulation (*solver)(const AnyScene&, const Level&, double), Method method) {
-  method.description += fmt::format(" Acoustic Courant number {:g}, based on the {}.", courant,
-                                    length == &Level::cell ? "cell" : "spacing");
+  const bool has_grid = method.family == Family::mpm;
+  const auto length = has_grid ? &Level::cell : &Level::spacing;
+  method.description +=
+      fmt::format(" Acoustic Courant number {:g}, based on the {}.", courant, has_grid ? "cell" : "spacing");
   method.tolerance = stretched;
   return simulating(
       std::move(method),
@@ -34,7 +36,7 @@ Method keeping_courant_number(double courant, double Level::*length, double outp
 // `declare` gets each scene as its argument.
 #define TOUCHSTONE_VISCOUS_SCENES(declare) \
   declare(Scene<Newtonian>) declare(Scene<Newtonian, Uniform>) declare(Scene<Newtonian, ForceField>)
-#define TOUCHSTONE_INVISCID_SCENES(declare) declare(Scene<Tait>) declare(Scene<Tait, Uniform>)
+#define TOUCHSTONE_SCENES(declare) TOUCHSTONE_VISCOUS_SCENES(declare) declare(Scene<Tait>) declare(Scene<Tait, Uniform>)
 /// Those of the methods for free surfaces; the resting lattice has neither gravity nor surface.
 #define TOUCHSTONE_FREE_SURFACE_SCENES(declare) \
   declare(Scene<Newtonian>) declare(Scene<Newtonian, Uniform>) declare(Scene<Tait>) declare(Scene<Tait, Uniform>)

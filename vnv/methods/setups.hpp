@@ -31,12 +31,10 @@ template <class WallTreatment = mpm::PrescribedMotion, class Number = double, cl
 Simulation mpm_solver(const AnyScene& scene, const Level& level, double time_step);
 
 /// MPM with quadratic B-splines and affine particle velocities (APIC), the stress given to the nodes as in MLS-MPM.
-template <class AnyScene>
-Simulation mpm_affine_solver(const AnyScene& scene, const Level& level, double time_step);
+Simulation mpm_affine_solver(const auto& scene, const Level& level, double time_step);
 
 /// MPM by least squares, for fluid that fills its domain.
-template <class AnyScene>
-Simulation mpm_least_squares_solver(const AnyScene& scene, const Level& level, double time_step);
+Simulation mpm_least_squares_solver(const auto& scene, const Level& level, double time_step);
 
 /// SPH as printed by Sun et al., section 2.2, with one of the pressure terms of solvers/sph/terms/; laminar viscosity
 /// only where the fluid has one.
@@ -44,8 +42,7 @@ template <class PressureTerm = sph::Pressure, class Integrator = PredictorCorrec
 Simulation sph_printed_solver(const AnyScene& scene, const Level& level, double time_step);
 
 /// SPH with a transport velocity (Adami, Hu & Adams 2013) and the conservative pressure term.
-template <class AnyScene>
-Simulation sph_transport_velocity_solver(const AnyScene& scene, const Level& level, double time_step);
+Simulation sph_transport_velocity_solver(const auto& scene, const Level& level, double time_step);
 
 /// The same as regularised for channels: differences of pressure, and without the momentum that the drift carries,
 /// which changes nothing there in 10 s (`ablation_poiseuille`).
@@ -53,8 +50,7 @@ template <class Integrator = KickDriftKick, class Real = double, class AnyScene>
 Simulation sph_regularised_solver(const AnyScene& scene, const Level& level, double time_step);
 
 /// SPH of second order by fits, for fluid that fills its domain.
-template <class AnyScene>
-Simulation sph_second_order_solver(const AnyScene& scene, const Level& level, double time_step);
+Simulation sph_second_order_solver(const auto& scene, const Level& level, double time_step);
 
 /// A run of a solver with a fixed step [s], unless a level names its own.
 template <class AnyScene>

@@ -27,10 +27,9 @@ Simulation sph_printed_solver(const AnyScene& scene, const Level& level, double 
       printed_terms<PressureTerm>(scene.fluid, h));
 }
 
-template <class AnyScene>
-Method sph_as_printed(const AnyScene& scene, double output_interval, double courant) {
+Method sph_as_printed(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::spacing, output_interval, scene, sph_printed_solver<sph::Pressure, PredictorCorrector, AnyScene>,
+      courant, output_interval, scene, sph_printed_solver<>,
       {.name = "sph",
        .family = Family::sph,
        .description =
@@ -43,11 +42,10 @@ Method sph_as_printed(const AnyScene& scene, double output_interval, double cour
 #define TOUCHSTONE_COMPILE(...)                                                                    \
   template Simulation sph_printed_solver<sph::Pressure>(const __VA_ARGS__&, const Level&, double); \
   template Method sph_as_printed(const __VA_ARGS__&, double, double);
-TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE)
-TOUCHSTONE_INVISCID_SCENES(TOUCHSTONE_COMPILE)
-
-#define TOUCHSTONE_COMPILE_VARIANTS(...) \
-  template Simulation sph_printed_solver<sph::PressureDifference>(const __VA_ARGS__&, const Level&, double);
-TOUCHSTONE_VISCOUS_SCENES(TOUCHSTONE_COMPILE_VARIANTS)
+TOUCHSTONE_SCENES(TOUCHSTONE_COMPILE)
+template Simulation sph_printed_solver<sph::PressureDifference>(const Scene<Newtonian>&, const Level&, double);
+template Simulation sph_printed_solver<sph::PressureDifference>(const Scene<Newtonian, Uniform>&, const Level&, double);
+template Simulation sph_printed_solver<sph::PressureDifference>(const Scene<Newtonian, ForceField>&, const Level&,
+                                                                double);
 
 }  // namespace touchstone::vnv

@@ -30,14 +30,12 @@ Method sph_of_parts(const AnyScene& scene, double output_interval, const std::st
 }
 }  // namespace
 
-template <class AnyScene>
-Method sph_delta(const AnyScene& scene, double output_interval, const SphChoice& choice) {
+Method sph_delta(const auto& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts<OfDelta>(scene, output_interval, "sph_delta",
                                diffusion_words + ", symmetric pressure term p_i + p_j", choice);
 }
 
-template <class AnyScene>
-Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoice& choice) {
+Method sph_shifted(const auto& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts<OfShifted>(
       scene, output_interval, "sph_shifted",
       diffusion_words +
@@ -45,8 +43,7 @@ Method sph_shifted(const AnyScene& scene, double output_interval, const SphChoic
       choice);
 }
 
-template <class AnyScene>
-Method sph_corrected(const AnyScene& scene, double output_interval, const SphChoice& choice) {
+Method sph_corrected(const auto& scene, double output_interval, const SphChoice& choice) {
   return sph_of_parts<OfCorrected>(scene, output_interval, "sph_corrected",
                                    "gradients corrected after Bonet & Lok (1999), " + diffusion_words, choice);
 }

@@ -4,17 +4,15 @@
 
 namespace touchstone::vnv {
 
-template <class AnyScene>
-Simulation sph_second_order_solver(const AnyScene& scene, const Level& level, double time_step) {
+Simulation sph_second_order_solver(const auto& scene, const Level& level, double time_step) {
   return sph::second_order<sph::WendlandC2>(
       scene,
       {.spacing = level.spacing, .smoothing_length = level.smoothing_or(1.3 * level.spacing), .time_step = time_step});
 }
 
-template <class AnyScene>
-Method sph_second_order(const AnyScene& scene, double output_interval, double courant) {
+Method sph_second_order(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::spacing, output_interval, scene, sph_second_order_solver<AnyScene>,
+      courant, output_interval, scene, sph_second_order_solver,
       {.name = "sph_second_order",
        .family = Family::sph,
        .description =

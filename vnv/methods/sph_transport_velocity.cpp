@@ -9,8 +9,7 @@
 
 namespace touchstone::vnv {
 
-template <class AnyScene>
-Simulation sph_transport_velocity_solver(const AnyScene& scene, const Level& level, double time_step) {
+Simulation sph_transport_velocity_solver(const auto& scene, const Level& level, double time_step) {
   return sph::transport_velocity<sph::QuinticSpline>(
       scene, {.spacing = level.spacing, .smoothing_length = level.smoothing_or(level.spacing), .time_step = time_step},
       sph::momentum(sph::Pressure{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
@@ -23,10 +22,9 @@ Simulation sph_regularised_solver(const AnyScene& scene, const Level& level, dou
       sph::momentum(sph::PressureDifference{}, sph::MorrisViscosity{.mu = scene.fluid.viscosity}));
 }
 
-template <class AnyScene>
-Method sph_transport_velocity(const AnyScene& scene, double output_interval, double courant) {
+Method sph_transport_velocity(const auto& scene, double output_interval, double courant) {
   return keeping_courant_number(
-      courant, &Level::spacing, output_interval, scene, sph_transport_velocity_solver<AnyScene>,
+      courant, output_interval, scene, sph_transport_velocity_solver,
       {.name = "sph_transport_velocity",
        .family = Family::sph,
        .description =

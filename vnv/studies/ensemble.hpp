@@ -5,7 +5,7 @@
 #include "vnv/case.hpp"
 #include "vnv/judge/baselines.hpp"
 #include "vnv/judge/distribution.hpp"
-#include "vnv/studies/disturbed.hpp"
+#include "vnv/studies/starts.hpp"
 
 #include <algorithm>
 #include <string>
@@ -17,7 +17,7 @@ namespace touchstone::vnv {
 /// How many starts there are, and how they differ.
 struct Ensemble {
   int members = 16;
-  double jitter = 0.01;  // of the spacing: each particle starts up to so far off its place along each axis
+  double jitter = vnv::jitter;
 
   /// The starts as levels, each like `one` but for its name.
   std::vector<Level> levels(const Level& one) const {
@@ -36,11 +36,7 @@ struct Ensemble {
     method.levels = levels(one);
     method.tolerance = {1, "a member of an ensemble: only the distribution is compared"};
     method.run = [=, *this](const Level& level, const Schedule& when) {
-      AnyScene disturbed_scene = scene;
-      disturbed_scene.start.places = [by = jitter * level.spacing, seed = seed_of(level)](const Vectors& lattice) {
-        return disturbed(lattice, by, seed);
-      };
-      return method_on(disturbed_scene).run(level, when);
+      return method_on(from_start(seed_of(level), jitter * level.spacing, scene)).run(level, when);
     };
     return method;
   }

@@ -14,8 +14,15 @@
 namespace touchstone::vnv {
 
 /// Where the members of an ensemble are, over time: the median of what was monitored in a `column`, and the two
-/// curves between which eight of ten lie.
-inline Plot bands(Figure frame, std::size_t column) {
+/// curves between which eight of ten lie, as the caption says.
+inline Plot bands(const std::string& id, const std::string& title, const std::string& caption, const Axis& axis,
+                  std::size_t column) {
+  const Figure frame{id,
+                     title,
+                     fmt::format("{} Bold: the median of {} ensemble members; thin: the 10 % and 90 % quantiles.",
+                                 caption, Ensemble{}.members),
+                     {"t [s]"},
+                     axis};
   return [=](const Results& results, Record& record) {
     record.figures.push_back(frame);
     if (results.runs.empty()) return;

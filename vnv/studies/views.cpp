@@ -2,7 +2,7 @@
 
 #include "vnv/measures/plots/along_ladders.hpp"
 #include "vnv/record/record.hpp"
-#include "vnv/studies/disturbed.hpp"
+#include "vnv/studies/starts.hpp"
 
 #include <fmt/format.h>
 
@@ -106,9 +106,11 @@ Plot SeveralViews::table(const std::string& words) const {
   };
 }
 
-Case SeveralViews::declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views,
-                            const std::string& words) const {
-  return {.times = {end},
+Case SeveralViews::declared(std::string title, std::string description, const Measurement& of_plain_flow,
+                            std::vector<Method> methods_in_views, const std::string& words) const {
+  return {.title = std::move(title),
+          .description = std::move(description),
+          .times = {end},
           .measurements = {measured(of_plain_flow)},
           .findings = {changes()},
           .claims = claims_of_all(),

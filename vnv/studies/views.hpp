@@ -31,6 +31,16 @@ struct View {
   Start start(const Start& plain) const;
   Vectors places_on(const Vectors& lattice) const { return rearranged ? rearranged(lattice) : lattice; }
 
+  /// A scene without velocities, carried along from the places that its particles have in this view.
+  template <class AnyScene>
+  AnyScene carrying(AnyScene scene) const {
+    scene.start.velocity = [v = carried](const Vec2&) { return v; };
+    scene.start.places = [view = *this, plain = scene.start](const Vectors& lattice) {
+      return view.places_on(plain.places_on(lattice));
+    };
+    return scene;
+  }
+
   /// The particles of a run in this view, as they would be in the plain flow.
   Samples in_plain_flow(Samples s) const;
 };
@@ -74,8 +84,9 @@ struct SeveralViews {
   /// One row a method; `words` say what the transformations are.
   Plot table(const std::string& words) const;
 
-  /// All of a case but its words and what it monitors; `words` say what the transformations are.
-  Case declared(const Measurement& of_plain_flow, std::vector<Method> methods_in_views, const std::string& words) const;
+  /// All of a case but what it monitors; `words` say what the transformations are.
+  Case declared(std::string title, std::string description, const Measurement& of_plain_flow,
+                std::vector<Method> methods_in_views, const std::string& words) const;
 
   /// Methods, which `methods_on` makes for a scene, in all views; `scene_of` makes the scene of a view. Those that are
   /// `galilean` by name claim to see no difference where all is carried along.

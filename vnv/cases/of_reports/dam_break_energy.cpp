@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 using namespace touchstone;
 using namespace touchstone::vnv;
 using namespace touchstone::vnv::gated_dam;
@@ -16,15 +18,18 @@ namespace {
 /// reference has none.
 const Scene<Tait, Uniform> scene = without_gates(collapse(filled_300));
 
-constexpr std::size_t energies_monitored = 3;
-const std::size_t unaccounted = energies_monitored + parts_of_energy.size() - 1;  // its column
+const std::size_t first_part = quantities_of_energies.size(), parts = parts_of_energy.size() - 1;
 
+std::string name_of(std::size_t part) { return parts_of_energy[part].name.substr(std::string("energy by ").size()); }
 Quantity over_fall(const Quantity& part) { return {part.name + " over the fall", "%"}; }
 const Quantity residual{"largest energy that no part accounts for, over the fall", "", Kind::invariant,
                         Better::smaller};
 
-double percent_of_fall(const Run& run, std::size_t row, std::size_t column) {
-  return 100 * run.history.values[row][column] / filled_300.fall();
+double percent_of_fall(double energy) { return 100 * energy / filled_300.fall(); }
+
+/// By all parts together.
+double total(const std::vector<double>& row) {
+  return std::accumulate(row.begin() + static_cast<std::ptrdiff_t>(first_part), row.end(), 0.0);
 }
 
 /// At the end, of each part, in percent of the fall.
@@ -35,11 +40,10 @@ std::vector<Value> at_end(const Results& results, const Record&) {
     const auto add = [&](const Quantity& quantity, double value) {
       found.push_back({run.summary.level, run.summary.spacing, end_of_impact, quantity, value});
     };
-    for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
-      add(over_fall(parts_of_energy[part]),
-          percent_of_fall(run, run.history.values.size() - 1, energies_monitored + part));
+    for (std::size_t part = 0; part < parts; ++part)
+      add(over_fall(parts_of_energy[part]), percent_of_fall(run.history.values.back()[first_part + part]));
     double largest = 0;
-    for (const std::vector<double>& row : run.history.values) largest = std::max(largest, std::abs(row[unaccounted]));
+    for (const std::vector<double>& row : run.history.values) largest = std::max(largest, std::abs(row.back()));
     add(residual, largest / filled_300.fall());
     add(energy_made, largest_rise_of_energy(run, 0, filled_300.fall()));
   }
@@ -57,21 +61,19 @@ void tabulate(const Results& results, Record& record) {
       "nodes on walls in MPM. Transfer: between particles and nodes.",
       {"method", "level", "t [s]"},
       {}};
-  for (const char* name :
-       {"pressure", "gravity", "viscosity", "density smoothing", "walls", "transfer", "shifting", "total"})
-    table.columns.push_back(name);
+  for (std::size_t part = 0; part < parts; ++part) table.columns.push_back(name_of(part));
+  table.columns.push_back("total");
   for (const Run& run : results.runs)
     for (const double time : {0.4, 0.8, 1.2, 2.0})
-      for (std::size_t row = 0; row < run.history.time.size(); ++row) {
-        if (std::abs(run.history.time[row] - time) > sampled_every / 2) continue;
+      for (std::size_t k = 0; k < run.history.time.size(); ++k) {
+        if (std::abs(run.history.time[k] - time) > sampled_every / 2) continue;
+        const std::vector<double>& row = run.history.values[k];
         std::vector<Cell> cells{results.method.name, run.summary.level, time};
-        double sum = 0;
-        for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part) {
-          const double value = percent_of_fall(run, row, energies_monitored + part);
-          sum += value;
+        for (std::size_t part = 0; part < parts; ++part) {
+          const double value = percent_of_fall(row[first_part + part]);
           cells.push_back(std::abs(value) < 1e-6 ? Cell("") : Cell(value));
         }
-        cells.push_back(sum);
+        cells.push_back(percent_of_fall(total(row)));
         table.rows.push_back(std::move(cells));
       }
   record.tables.push_back(std::move(table));
@@ -79,39 +81,33 @@ void tabulate(const Results& results, Record& record) {
 
 /// The energy lost over time, of all methods in one figure; and its parts, of a method.
 void draw(const Results& results, Record& record) {
-  const double fall = filled_300.fall();
   const Axis time{"t [s]", 1, false, 0, end_of_impact};
-  const std::string& name = results.method.name;
+  const std::string name = results.method.name, id = "parts_" + name;
   record.figures.push_back({"lost",
                             "Energy over time",
                             "Kinetic, potential and elastic energy together, less those at the start.",
                             time,
                             {"change of energy over the fall [%]", 1}});
   if (results.runs.empty()) return;
-  const Run& run = results.runs.back();
-  const auto curve = [&](const std::string& figure, const std::string& label, const auto& of) {
-    Curve found{figure, label, Role::ours, run.history.time, {}, false};
-    for (const std::vector<double>& row : run.history.values) found.y.push_back(100 * of(row) / fall);
-    record.curves.push_back(std::move(found));
-  };
-  const auto sum = [](const std::vector<double>& row) {
-    double all = 0;
-    for (std::size_t part = energies_monitored; part < row.size(); ++part) all += row[part];
-    return all;
-  };
-  curve("lost", fmt::format("{} {}", name, run.summary.level), sum);
-  const std::string id = "parts_" + name;
   record.figures.push_back(
       {id,
        fmt::format("Energy over time by part, {}", name),
        "What each part of the method has added since the start; those that added nothing are left out.",
        time,
        {"energy added over the fall [%]", 1}});
-  for (std::size_t part = 0; part + 1 < parts_of_energy.size(); ++part)
+  const Run& run = results.runs.back();
+  const auto curve = [&](const std::string& figure, const std::string& label, const auto& of) {
+    Curve found{figure, label, Role::ours, run.history.time, {}, false};
+    for (const std::vector<double>& row : run.history.values) found.y.push_back(percent_of_fall(of(row)));
+    record.curves.push_back(std::move(found));
+  };
+  curve("lost", fmt::format("{} {}", name, run.summary.level), total);
+  for (std::size_t part = 0; part < parts; ++part) {
+    const auto of_part = [=](const std::vector<double>& row) { return row[first_part + part]; };
     if (std::ranges::any_of(run.history.values,
-                            [&](const auto& row) { return std::abs(row[energies_monitored + part]) > 1e-4 * fall; }))
-      curve(id, parts_of_energy[part].name.substr(std::string("energy by ").size()),
-            [&](const auto& row) { return row[energies_monitored + part]; });
+                            [&](const auto& row) { return std::abs(percent_of_fall(of_part(row))) > 0.01; }))
+      curve(id, name_of(part), of_part);
+  }
 }
 
 std::vector<Method> methods() {
@@ -119,8 +115,7 @@ std::vector<Method> methods() {
   for (const Method& method : methods_with_energy_budget(scene, sampled_every)) {
     all.push_back(with_ladder(levels_across(filled_300.height, {{20, 0, end_of_impact, end_of_impact}}), method));
     std::vector<Claim>& claims = all.back().claims;
-    if (!method.as_printed)
-      claims.push_back(at_most(energy_made, 0.01, theory("gravity is the only source of energy")));
+    if (!method.as_printed) claims.push_back(makes_no_energy());
     if (method.family == Family::sph)
       claims.push_back(at_most(over_fall(energy_by_viscosity), 0, theory("artificial viscosity opposes approach")));
   }
@@ -130,7 +125,7 @@ std::vector<Method> methods() {
 }  // namespace
 
 Case vnv::the_case() {
-  std::vector<Quantity> quantities{{"kinetic energy", "J/m"}, {"potential energy", "J/m"}, {"elastic energy", "J/m"}};
+  std::vector<Quantity> quantities = quantities_of_energies;
   quantities.insert(quantities.end(), parts_of_energy.begin(), parts_of_energy.end());
   return {
       .title = "Energy of a dam break",
@@ -142,11 +137,7 @@ Case vnv::the_case() {
           "the energy, up to rounding.",
       .times = {end_of_impact},
       .monitor = {.interval = sampled_every,
-                  .evaluate =
-                      [](const Samples& samples) {
-                        const auto parts = energies(samples, scene.fluid, filled_300.gravity);
-                        return std::vector<double>(parts.begin(), parts.end());
-                      },
+                  .evaluate = [](const Samples& s) { return energies(s, scene.fluid, filled_300.gravity); },
                   .quantities = quantities},
       .measurements = {},
       .findings = {at_end},

@@ -51,16 +51,15 @@ Case vnv::the_case() {
   const Claim as_m1 = price_at_most(3, 92, literature("Sun et al., table 3, M1: 200000 steps of 0.46 ms for 3.34 %")),
               as_s1 = price_at_most(3, 1006, literature("Sun et al., table 3, S1: 200000 steps of 5.03 ms for 4.39 %"));
   Case declared = error_against_run_time_in<Uniform>(
+      "Poiseuille flow: work-precision diagram",
+      "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method is run over "
+      "resolutions, points per cell or smoothing lengths, and time steps up to beyond the largest stable one. Methods "
+      "are compared by the cost of a given error, the larger of those at 0.1 and 1 s: at 1 s the profile is a "
+      "parabola, which fits of second degree represent exactly.",
       flow_named("poiseuille"), study, elsewhere(),
       {{"mpm", {as_m1, at_most(beside_plain_loop, 0.75, baseline("goal: 0.03 s where a plain loop takes 0.04 s"))}},
        {"sph_difference", {as_s1}},
        {"sph_regularised", {as_s1, price_at_most(1, 2, baseline("goal: the best of other codes takes 83 s"))}}});
   declared.findings.push_back(price_beside_a_plain_loop);
-  declared.title = "Poiseuille flow: work-precision diagram";
-  declared.description =
-      "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus: each method is run over "
-      "resolutions, points per cell or smoothing lengths, and time steps up to beyond the largest stable one. Methods "
-      "are compared by the cost of a given error, the larger of those at 0.1 and 1 s: at 1 s the profile is a "
-      "parabola, which fits of second degree represent exactly.";
   return declared;
 }

@@ -3,23 +3,20 @@
 
 #include "vnv/flows/channels/channel_run_time.hpp"
 
-using namespace touchstone;
-using namespace touchstone::vnv;
 using namespace touchstone::vnv::channel;
 
-Case vnv::the_case() {
+touchstone::vnv::Case touchstone::vnv::the_case() {
   WorkStudy study = start_up_study(1 * mm);
   study.period = L;
   study.particles.insert(study.particles.end(), {224, 320});
   study.budget = 60;
   study.steps = {2, 1.7, 1.4, 1};
-  Case declared = error_against_run_time_in<Uniform>(flow_named("poiseuille"), study);
-  declared.title = "Poiseuille flow in a strip: work-precision diagram";
-  declared.description =
+  return error_against_run_time_in<Uniform>(
+      "Poiseuille flow in a strip: work-precision diagram",
       "The start-up of plane Poiseuille flow from rest to 1 s, at the paper's bulk modulus, as in poiseuille_run_time; but the "
       "channel, periodic along x, is eight cells long, or as many particles as a kernel reaches over, four to six, instead "
       "of half its height. "
       "Nothing varies along x: the error is the same, and the time to it grows with the square of the resolution instead of "
-      "its cube. The larger error of 0.1 and 1 s counts.";
-  return declared;
+      "its cube. The larger error of 0.1 and 1 s counts.",
+      flow_named("poiseuille"), study);
 }

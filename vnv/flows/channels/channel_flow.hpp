@@ -18,10 +18,9 @@ inline constexpr double output_interval = 0.5e-3;
 /// speed to what is usual.
 inline const std::vector<double> stiff_to_soft{1000, 300, 100, 30, 10};
 
-template <class SceneOfChannel>
-Method sph_regularised(const SceneOfChannel& scene, double interval, double courant = 0.9) {
+Method sph_regularised(const auto& scene, double interval, double courant = 0.9) {
   return keeping_courant_number(
-      courant, &Level::spacing, interval, scene, sph_regularised_solver<KickDriftKick, double, SceneOfChannel>,
+      courant, interval, scene, sph_regularised_solver<>,
       {.name = "sph_regularised", .family = Family::sph, .description = sph_regularised_words, .relative_cost = 2});
 }
 

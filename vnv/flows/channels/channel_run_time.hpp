@@ -19,8 +19,8 @@ std::vector<Method> run_time_methods(const SceneOfChannel& scene,
                                      const std::map<std::string, std::vector<Claim>>& claims) {
   constexpr double interval = 0.05;  // s
   const auto method = [&](std::string name, std::string words, Family family, double courant, auto solver) {
-    return keeping_courant_number(courant, family == Family::mpm ? &Level::cell : &Level::spacing, interval, scene,
-                                  solver, {.name = std::move(name), .family = family, .description = std::move(words)});
+    return keeping_courant_number(courant, interval, scene, solver,
+                                  {.name = std::move(name), .family = family, .description = std::move(words)});
   };
   // By 2 and 1.4 these become the largest steps that four points and one point per cell bear, 1.28 and 0.9 of a cell.
   std::vector<Method> all = {
@@ -53,10 +53,12 @@ inline WorkStudy start_up_study(double fastest) {
 
 /// The case of a flow, with a scene of the body force that it has.
 template <class Force>
-Case error_against_run_time_in(const Flow& flow, const WorkStudy& study,
+Case error_against_run_time_in(std::string title, std::string description, const Flow& flow, const WorkStudy& study,
                                std::vector<WorkPoint> elsewhere = {},
                                const std::map<std::string, std::vector<Claim>>& claims = {}) {
-  return with_work({.times = study.times,
+  return with_work({.title = std::move(title),
+                    .description = std::move(description),
+                    .times = study.times,
                     .measurements = {norms_of("v_x, per particle", by_particles, flow.along_x())},
                     .repeats = {.budget = 3, .most = 7, .longest = 0.2},
                     .methods = run_time_methods(scene_of<Newtonian, Force>(flow), claims)},

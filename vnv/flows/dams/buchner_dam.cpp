@@ -94,11 +94,7 @@ double wet(const Series& level) { return impacts::first_above(level, 0.02 / buch
 
 /// The largest sample between two times; not a number where the series does not reach.
 double largest(const Series& series, double from, double to) {
-  if (!(series.time.front() <= from && series.time.back() >= to)) return not_a_number;
-  double most = -INFINITY;
-  for (std::size_t k = 0; k < series.time.size(); ++k)
-    if (series.time[k] >= from && series.time[k] <= to) most = std::max(most, series.value[k]);
-  return most;
+  return series.time.front() <= from && series.time.back() >= to ? impacts::largest(series, from, to) : not_a_number;
 }
 
 /// What is told of an impact on the disc, T_H after its rise; the wave that comes back falls on it between 2.5 and 4.5.

@@ -19,7 +19,7 @@ Samples within(const Samples& samples, double low, double high) {
           samples.mass(inside), samples.density(inside),       samples.pressure(inside)};
 }
 
-std::array<double, 3> energies(const Samples& samples, const Tait& water, double gravity) {
+std::vector<double> energies(const Samples& samples, const Tait& water, double gravity) {
   const auto elastic = [&](double density) { return elastic_energy(water, density); };
   return {kinetic_energy(samples), gravity * (samples.mass * samples.x.row(1).transpose().array()).sum(),
           (samples.mass * samples.density.unaryExpr(elastic)).sum()};

@@ -1,7 +1,7 @@
 #pragma once
 /// The front of a dam break: what is followed, how it is compared with the experiment, and how it is drawn.
 
-#include "vnv/case.hpp"
+#include "vnv/flows/dams/dam.hpp"
 #include "vnv/flows/dams/front_comparison.hpp"
 #include "vnv/measures/front.hpp"
 
@@ -37,6 +37,7 @@ struct DamFront {
   inline static const Quantity mass_change{"relative mass error", "", Kind::invariant};
   inline static const Quantity lost{"particles lost or outside the domain", "", Kind::count, Better::smaller};
 
+  double fall() const { return fall_of(density, gravity, column_length, column_height, tank_length); }
   double scaled_time(double t) const { return t * std::sqrt(gravity * column_height) / column_length; }  // (39)
 
   /// The three fronts as L (38), half-full slab first, then 99.5th percentile, then farthest particle; then the mass

@@ -46,9 +46,10 @@ std::vector<double> evaluate(const Samples& samples) {
 }
 
 std::vector<Quantity> names() {
-  std::vector<Quantity> all{{"kinetic energy", "J/m"},         {"potential energy", "J/m"},
-                            {"elastic energy", "J/m"},         {"front, half-full slab of two spacings", "m"},
-                            {"front, 99.5th percentile", "m"}, {"front, half-full slab of two capillary lengths", "m"}};
+  std::vector<Quantity> all = quantities_of_energies;
+  for (const char* by :
+       {"half-full slab of two spacings", "99.5th percentile", "half-full slab of two capillary lengths"})
+    all.push_back({fmt::format("front, {}", by), "m"});
   constexpr std::array at{"", ", 1 mm before", ", 1 mm behind"}, height{"", ", 0.5 mm lower", ", 0.5 mm higher"};
   for (std::size_t k = 0; k < gauges.size(); ++k)
     for (const char* where : at) all.push_back({fmt::format("level H{}{}", k + 1, where), "m"});
@@ -79,13 +80,6 @@ Series front_of_600(const DataTable& table) {
 DataTable level_table() { return experiment("lobovsky_2014_levels_300.csv"); }
 DataTable event_table() { return experiment("lobovsky_2014_pressure_event_300.csv"); }
 DataTable band_table() { return experiment("lobovsky_2014_pressure_band_300.csv"); }
-
-double largest_until(const Series& pressure, double until) {
-  double most = 0;
-  for (std::size_t k = 0; k < pressure.time.size() && pressure.time[k] <= until; ++k)
-    most = std::max(most, pressure.value[k]);
-  return most;
-}
 
 /// RMS difference of two series at the times of the measured one, within a range of T_H.
 double rms_between(const Series& ours, const Series& measured, double from, double to) {
@@ -271,8 +265,8 @@ std::vector<Observable> observables_300() {
     else  // the second wave is the higher one
       add(
           "largest p/(rho g H) until T_H = 7",
-          [k](const Observed& observed) { return largest_until(observed.pressures[k], 7); }, peak, of_peaks, by_repeats,
-          0.5);
+          [k](const Observed& observed) { return impacts::largest(observed.pressures[k], 0, 7); }, peak, of_peaks,
+          by_repeats, 0.5);
     if (has_band)  // what rises sooner has the higher percentile
       add(
           "arrival T_H", [=](const Observed& observed) { return on(observed).arrival; }, middle.arrival,

@@ -38,7 +38,7 @@ struct Inputs {
   double unit_of_time() const { return std::sqrt(height / gravity); }     // s   T_H = t sqrt(g/H)
   double unit_of_pressure() const { return density * gravity * height; }  // Pa  rho g H
   /// What the column loses until it lies flat in the tank [J/m].
-  double fall() const { return density * gravity * length * height * height / 2 * (1 - length / tank_length); }
+  double fall() const { return fall_of(density, gravity, length, height, tank_length); }
 };
 inline constexpr Inputs filled_300{}, filled_600{.height = 0.6, .gate_speed = 4.53};
 

@@ -5,7 +5,7 @@
 #include "vnv/judge/input_uncertainty.hpp"
 #include "vnv/record/median.hpp"
 #include "vnv/record/record.hpp"
-#include "vnv/studies/disturbed.hpp"
+#include "vnv/studies/starts.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@
 namespace touchstone::vnv::gated_dam {
 namespace {
 
-constexpr double jitter = 0.01;                          // of the spacing
 constexpr double formal_order = 1;                       // of a free surface that is resolved to one cell
 constexpr std::array resolutions{20, 40, 80, 160, 320};  // particles across H
 
@@ -276,9 +275,7 @@ Method validated(const Experiment& experiment, const MethodOn& method_on, const 
     for (const Group& group : *all)
       for (int start = 1; start <= group.starts; ++start)
         if (level_name(group, start) == level.name) {
-          Scene<Tait, Uniform> scene = collapse(group.inputs);
-          scene.start.places = [by = jitter * level.spacing, seed = static_cast<unsigned>(start)](
-                                   const Vectors& lattice) { return disturbed(lattice, by, seed); };
+          const auto scene = from_start(static_cast<unsigned>(start), jitter * level.spacing, collapse(group.inputs));
           SkinFriction of_group = friction;
           of_group.coefficient = group.friction;
           return (group.friction > 0 ? method_on.with_friction(with_friction(scene, of_group))
@@ -311,11 +308,11 @@ std::vector<Judgement> judgements(const Results& results, const Experiment& expe
   return all;
 }
 
-Finding validation_values(const Experiment& experiment) {
-  return [experiment](const Results& results, const Record&) { return values_of(results, experiment); };
-}
+namespace {
 
-Plot validation_tables(const Experiment& experiment) {
+/// A table of all observables with the words of the standard, one of what each input contributes, one of what planted
+/// errors of the model move beyond the uncertainty, and one of which pressures are converged.
+Plot tables_of(const Experiment& experiment) {
   return [experiment](const Results& results, Record& record) {
     if (results.suite != Suite::validation) return;
     Table verdicts{
@@ -383,6 +380,21 @@ Plot validation_tables(const Experiment& experiment) {
     for (Table* table : {&verdicts, &inputs, &planted, &moves})
       if (!table->rows.empty()) record.tables.push_back(std::move(*table));
   };
+}
+
+}  // namespace
+
+Case validation_by(const Experiment& experiment, std::string title, std::string description,
+                   std::vector<Method> methods, std::vector<Claim> claims) {
+  return {.title = std::move(title),
+          .description = std::move(description),
+          .times = {experiment.end},
+          .monitor = monitored,
+          .measurements = {},
+          .findings = {[experiment](const Results& results, const Record&) { return values_of(results, experiment); }},
+          .claims = std::move(claims),
+          .methods = std::move(methods),
+          .plots = {tables_of(experiment)}};
 }
 
 }  // namespace touchstone::vnv::gated_dam

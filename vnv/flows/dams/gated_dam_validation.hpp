@@ -72,12 +72,9 @@ struct Judgement {
 };
 std::vector<Judgement> judgements(const Results& results, const Experiment& experiment);
 
-/// A table of all observables with the words of the standard, one of what each input contributes, one of what planted
-/// errors of the model move beyond the uncertainty, and one of which pressures are converged.
-Plot validation_tables(const Experiment& experiment);
-
-/// E of each observable, and what is claimed of all together.
-Finding validation_values(const Experiment& experiment);
+/// A case whose tables are these judgements and whose findings are E of each observable and how all came out together.
+Case validation_by(const Experiment& experiment, std::string title, std::string description,
+                   std::vector<Method> methods, std::vector<Claim> claims);
 inline const Quantity agreeing{"observables that agree within 2 u_val", "", Kind::count, Better::larger},
     planted_noticed{"planted model errors that move an observable by more than 2 u_val", "", Kind::count,
                     Better::larger},

@@ -21,6 +21,10 @@ inline DamFront column(double length, double height, double tank) {
           .gravity = 9.81};
 }
 
+/// The square one of Martin & Moyce (1952), 2.25 in, and that of Koshizuka & Oka (1995), twice as high as long.
+inline const DamFront martin_moyce_square = column(0.05715, 0.05715, 6 * 0.05715),
+                      koshizuka_oka = column(0.146, 0.292, 5 * 0.146);
+
 /// Water under its own weight that nothing holds from t = 0 on.
 Scene<Tait, Uniform> collapse(const DamFront& dam);
 

@@ -15,7 +15,7 @@ inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5)
 /// those of the cells.
 template <class Force = NoForce>
 Case in_several_views(
-    const Flow& flow, double end,
+    std::string title, std::string description, const Flow& flow, double end,
     const std::function<Force(const View&)>& force_in = [](const View&) { return Force{}; }) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
@@ -31,7 +31,8 @@ Case in_several_views(
             .start = view.start(flow.start)};
   };
   return flows.declared(
-      velocity_errors(flow.velocity()), flows.methods(scene_in, methods_on<Force>, {"sph", "sph_second_order"}),
+      std::move(title), std::move(description), velocity_errors(flow.velocity()),
+      flows.methods(scene_in, methods_on<Force>, {"sph", "sph_second_order"}),
       "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the "
       "lattice.");
 }
