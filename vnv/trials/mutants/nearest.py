@@ -6,23 +6,16 @@ import re
 import resource
 import subprocess
 
+from seeded import TOPS, program_of_tests
 from shared import BadInput, run
 
 MEMORY = 8 * 2**30  # bytes; a mutant may ask for any amount
-
-
-ROOMS = ("solvers", "reference", "vnv", "reports")
 CALLED_BY_NO_TEST = re.compile(r"vnv/(trials|cases|bench/instructions|doors/(examples|client|read/fuzz))(/|$)|reports(/browser)?$")
-
-
-def name_of_tests(file):
-    """The program of the unit tests of a file's folder."""
-    return "_".join((*pathlib.PurePath(file).parent.parts, "test"))
 
 
 def folders_of_sources(root):
     """All but those of programs, and of what selftests compile."""
-    files = (file for room in ROOMS for end in ("cpp", "hpp") for file in (root / room).rglob(f"*.{end}") if "test" not in file.name)
+    files = (file for room in TOPS for end in ("cpp", "hpp") for file in (root / room).rglob(f"*.{end}") if "test" not in file.name)
     return {folder for file in files if not CALLED_BY_NO_TEST.match(folder := str(file.relative_to(root).parent))}
 
 
@@ -53,7 +46,7 @@ class Nearest:
         self.source, self.build = source, build
         self.headers = self.files_of_objects()
         self.compile_seconds = self.seconds_of_objects()
-        paths = sorted(str(file.relative_to(build)) for room in ROOMS for file in (build / room).glob("*_test"))
+        paths = sorted(str(file.relative_to(build)) for room in TOPS for file in (build / room).glob("*_test"))
         self.programs = [Program(path, self.objects(path), 0) for path in [*paths, *(f"vnv/{case}" for case in cases)]]
 
     def changed_objects(self, file):
@@ -64,7 +57,7 @@ class Nearest:
     def is_of_its_folder(self, name, program):
         """Whether an object is made from sources in the folder whose tests the program has, or from these tests."""
         root = self.source.resolve()
-        return any(file.endswith(".cpp") and file.startswith(f"{root}/") and name_of_tests(file[len(str(root)) + 1:]) == program.name
+        return any(file.endswith(".cpp") and file.startswith(f"{root}/") and program_of_tests(file[len(str(root)) + 1:]) == program.name
                    for file in self.headers.get(name, ()))
 
     def compiled_into(self, file):
@@ -116,7 +109,7 @@ class Nearest:
         """Programs that a file is compiled into: those of its own folder's tests first, then by their cost."""
         changed = self.changed_objects(file)
         cost = lambda program: program.seconds + sum(self.compile_seconds.get(name, 0) for name in program.objects & changed)
-        own = name_of_tests(file)
+        own = program_of_tests(file)
         return sorted(self.compiled_into(file), key=lambda program: (program.name != own, cost(program)))
 
     def failing_test(self, program, timeout):
