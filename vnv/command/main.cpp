@@ -407,12 +407,6 @@ void add_subcommands(Session& session) {
       if (option->get_positional()) option->type_name("");  // its name says what it is
 }
 
-/// "vnv (Touchstone) 0.2.0, revision 5617f2c"
-std::string version_in_words() {
-  return fmt::format("vnv (Touchstone) {}{}", project_version(),
-                     revision() == "unknown" ? "" : fmt::format(", revision {}", revision()));
-}
-
 /// Reads the command line; an exit status where nothing is left to do: help was asked for, or what is wrong was told.
 std::optional<int> parse(Session& session, int count, char** arguments) {
   CLI::App& app = session.app;
@@ -429,7 +423,9 @@ std::optional<int> parse(Session& session, int count, char** arguments) {
   app.fallthrough();
   // This program lies in BUILD/vnv/, installed in PREFIX/lib/touchstone/vnv/.
   session.build.folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
-  app.set_version_flag("--version", version_in_words(), "print version and revision, and exit");
+  const std::string version = fmt::format("vnv (Touchstone) {}", project_version());
+  app.set_version_flag("--version", version + (revision() == "unknown" ? "" : fmt::format(", revision {}", revision())),
+                       "print version and revision, and exit");
   add_folder(app, "--build", session.build.folder, "where programs are; default: that of this program");
   add_folder(app, "--data", session.build.data, "of experiments, papers and baselines; default: that of the sources");
   add_subcommands(session);

@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import types
+import unittest.mock
 import zipfile
 
 
@@ -114,20 +115,11 @@ def write_pysph(file, time, arrays):
         return Array((len(values),), Kind("f8", "<"), struct.pack(f"<{len(values)}d", *values))
 
     particles = {name: {"arrays": {key: numbers(values) for key, values in columns.items()}} for name, columns in arrays.items()}
-    shadowed = {name: sys.modules.get(name) for name in made_up}
-    sys.modules.update(made_up)
-    try:
-        with zipfile.ZipFile(file, "w") as archive:
-            for name, held in (("particles", particles), ("solver_data", {"t": time})):
-                heading = "{'descr': '|O', 'fortran_order': False, 'shape': (), }\n"
-                archive.writestr(f"{name}.npy", b"\x93NUMPY\x01\x00" + len(heading).to_bytes(2, "little") + heading.encode()
-                                 + pickle.dumps(Array((), Kind("O8", "|"), [held]), protocol=3))
-    finally:
-        for name, module in shadowed.items():
-            if module is None:
-                del sys.modules[name]
-            else:
-                sys.modules[name] = module
+    with unittest.mock.patch.dict(sys.modules, made_up), zipfile.ZipFile(file, "w") as archive:
+        for name, held in (("particles", particles), ("solver_data", {"t": time})):
+            heading = "{'descr': '|O', 'fortran_order': False, 'shape': (), }\n"
+            archive.writestr(f"{name}.npy", b"\x93NUMPY\x01\x00" + len(heading).to_bytes(2, "little") + heading.encode()
+                             + pickle.dumps(Array((), Kind("O8", "|"), [held]), protocol=3))
 
 
 def write_hdf5(library, file, columns):

@@ -15,6 +15,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <ranges>
 #include <set>
 #include <type_traits>
 
@@ -274,6 +275,9 @@ struct Defect {
 Must always(const char* words) {
   return [words](const Planted&) { return words; };
 }
+Must of_velocity(const std::string& otherwise, const std::string& says = "") {
+  return [=](const Planted& c) { return by_velocity(c, otherwise, says); };
+}
 
 // How they are planted.
 
@@ -285,8 +289,6 @@ void take(Samples& s, const std::vector<Index>& rows) {
        s.density(rows).eval(),
        s.pressure(rows).eval()};
 }
-
-Vec2 middle_of(const Flow& flow) { return flow.filled.low + flow.filled.size().cwiseProduct(Vec2(0.43, 0.45)); }
 
 double part_of(const Planted& c) {
   double least = 1;
@@ -354,7 +356,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
   const std::string& name = flow.name;
   const bool is_at_rest = name == "hydrostatic", is_channel = flow.is_uniform_along_x;
   const bool moves = flow.has_free_surface() && !is_at_rest;  // its rows, and what is exact of it are their places
-  const Vec2 middle = middle_of(flow);
+  const Vec2 middle = flow.filled.low + flow.filled.size().cwiseProduct(Vec2(0.43, 0.45));
   Defects to{flow};
 
   // Sound data.
@@ -454,22 +456,17 @@ std::vector<Defect> defects_of(const Flow& flow) {
   velocity_times("times 1e3", 1e3, "1000 times too large");
   const bool is_followed = name == "standing_wave" || name == "dam_break";  // where its water goes by its velocity
   const char* by_motion = is_followed ? "red: part of the motion" : "red: ";
-  const Must of_other_components = [=](const Planted& c) {
-    return by_velocity(c, is_at_rest    ? "green: there is none"
-                          : is_followed ? by_motion
-                                        : "red: L2 or angular momentum");
-  };
+  const Must of_other_components = of_velocity(is_at_rest    ? "green: there is none"
+                                               : is_followed ? by_motion
+                                                             : "red: L2 or angular momentum");
   const Mat2 a_right_angle = (Mat2() << 0, -1, 1, 0).finished();
   to.changed("components of the velocity swapped", "", of_other_components,
              [](Samples& s) { s.v = s.v.colwise().reverse().eval(); });
   to.changed("velocity turned by 90°", "", of_other_components, [=](Samples& s) { s.v = a_right_angle * s.v.eval(); });
-  to.changed(
-      "velocity with noise", "3 %", [](const Planted& c) { return by_velocity(c, "open: nothing is exact"); },
-      [](Samples& s, Generator& random) {
-        std::normal_distribution<double> normal(
-            0, 0.03 * std::sqrt(s.v.squaredNorm() / 2 / static_cast<double>(s.size())));
-        for (double& v : s.v.reshaped()) v += normal(random);
-      });
+  to.changed("velocity with noise", "3 %", of_velocity("open: nothing is exact"), [](Samples& s, Generator& random) {
+    std::normal_distribution<double> normal(0, 0.03 * std::sqrt(s.v.squaredNorm() / 2 / static_cast<double>(s.size())));
+    for (double& v : s.v.reshaped()) v += normal(random);
+  });
   for (const double wild : {10.0, 1e6})
     to.changed(
         "velocity of one row wild", fmt::format("{:g} times the largest", wild),
@@ -482,14 +479,11 @@ std::vector<Defect> defects_of(const Flow& flow) {
           s.v.col(s.size() / 3) = wild * scale * Vec2(0.6, 0.8);
         });
   to.changed("velocity of one row no number", "", always(by_motion), [](Samples& s) { s.v(1, s.size() / 3) = NAN; });
-  to.changed(
-      "half its velocity across it", "",
-      [=](const Planted& c) {
-        return by_velocity(c, is_at_rest    ? "green: there is none"
-                              : is_followed ? "open: one component is right"
-                                            : "red: ");
-      },
-      [](Samples& s) { s.v.row(1) = s.v.row(0) / 2; });
+  to.changed("half its velocity across it", "",
+             of_velocity(is_at_rest    ? "green: there is none"
+                         : is_followed ? "open: one component is right"
+                                       : "red: "),
+             [](Samples& s) { s.v.row(1) = s.v.row(0) / 2; });
   if (is_at_rest)
     to.changed("moving", "a tenth of sqrt(g h)", always("red: speed"), [](Samples& s) { s.v.setConstant(0.35); });
 
@@ -530,15 +524,12 @@ std::vector<Defect> defects_of(const Flow& flow) {
 
   // Places and times that are wrong.
   if (!is_at_rest && name != "cavity")
-    to.answered(
-        "frozen at the start", "",
-        [=](const Planted& c) {
-          return by_velocity(c, "red: ", moves ? "" : "nothing changes or at rest or late or too small");
-        },
-        [&flow](Request r) {
-          r.t = 0;
-          return right(flow, r);
-        });
+    to.answered("frozen at the start", "",
+                of_velocity("red: ", moves ? "" : "nothing changes or at rest or late or too small"),
+                [&flow](Request r) {
+                  r.t = 0;
+                  return right(flow, r);
+                });
   for (const double late : {0.9, 2.0})
     if (!is_at_rest && name != "cavity")
       to.answered(
@@ -595,16 +586,13 @@ std::vector<Defect> defects_of(const Flow& flow) {
           s.v.row(axis) *= -1;
         });
   if (std::abs(flow.filled.size().x() / flow.filled.size().y() - 1) < 1e-9 && name != "dam_break")
-    to.changed(
-        "turned by 90°", "",
-        [=](const Planted& c) -> std::string {
-          if (name == "elliptic_drop") return "red: ";
-          return by_velocity(c, name == "rotating_patch" ? "green: it is symmetric" : "red: ");
-        },
-        [=, at = Vec2((flow.filled.low + flow.filled.high) / 2)](Samples& s) {
-          s.x = (a_right_angle * (s.x.colwise() - at)).colwise() + at;
-          s.v = a_right_angle * s.v.eval();
-        });
+    to.changed("turned by 90°", "",
+               name == "elliptic_drop" ? always("red: ")
+                                       : of_velocity(name == "rotating_patch" ? "green: it is symmetric" : "red: "),
+               [=, at = Vec2((flow.filled.low + flow.filled.high) / 2)](Samples& s) {
+                 s.x = (a_right_angle * (s.x.colwise() - at)).colwise() + at;
+                 s.v = a_right_angle * s.v.eval();
+               });
   for (const int axis : {0, 1})
     to.changed(
         fmt::format("shifted along {}", "xy"[axis]), "a quarter",
@@ -682,17 +670,15 @@ std::vector<Defect> defects_of(const Flow& flow) {
               });
   if (is_channel)
     for (const double out : {0.05, -0.05})
-      to.answered(
-          fmt::format("walls {}", out > 0 ? "out" : "in"), "5 % of the gap",
-          [](const Planted& c) { return by_velocity(c, "red: "); },
-          [=, &flow](const Request& r) {
-            Changes by;
-            by(Cause::floor) = out * flow.across;
-            Samples s = right(flow, r);
-            const FieldTruth moved = flow.exact[0].with(by);
-            for (Index p = 0; p < s.size(); ++p) s.v.col(p) = moved(s.x.col(p), r.t);
-            return s;
-          });
+      to.answered(fmt::format("walls {}", out > 0 ? "out" : "in"), "5 % of the gap", of_velocity("red: "),
+                  [=, &flow](const Request& r) {
+                    Changes by;
+                    by(Cause::floor) = out * flow.across;
+                    Samples s = right(flow, r);
+                    const FieldTruth moved = flow.exact[0].with(by);
+                    for (Index p = 0; p < s.size(); ++p) s.v.col(p) = moved(s.x.col(p), r.t);
+                    return s;
+                  });
   if (name == "dam_break")
     to.changed("running backwards", "", always("red: front or spread over"), [](Samples& s) {
       const double front = s.x.row(0).maxCoeff() / 0.6;
@@ -701,14 +687,11 @@ std::vector<Defect> defects_of(const Flow& flow) {
   return std::move(to.all);
 }
 
-bool has_any(const std::string& text, const std::string& words) {
-  const std::string between = " or ";
-  for (std::size_t from = 0; from <= words.size();) {
-    const std::size_t to = std::min(words.find(between, from), words.size());
-    if (text.find(words.substr(from, to - from)) != text.npos) return true;
-    from = to + between.size();
-  }
-  return false;
+bool has_any(const std::string& text, std::string_view words) {
+  return words.empty() ||
+         std::ranges::any_of(std::views::split(words, std::string_view(" or ")), [&](const auto& part) {
+           return text.find(std::string_view(part.begin(), part.end())) != text.npos;
+         });
 }
 
 /// Whether it is as it must be.

@@ -43,7 +43,7 @@ class Nearest:
     """What a complete build knows of its programs: the named cases, and all of unit tests."""
 
     def __init__(self, source, build, cases):
-        self.source, self.build = source, build
+        self.source, self.build = source.resolve(), build
         self.headers = self.files_of_objects()
         self.compile_seconds = self.seconds_of_objects()
         paths = sorted(str(file.relative_to(build)) for room in TOPS for file in (build / room).glob("*_test"))
@@ -51,13 +51,13 @@ class Nearest:
 
     def changed_objects(self, file):
         """Those that a file is compiled into."""
-        path = str(self.source.resolve() / file)
+        path = str(self.source / file)
         return {name for name, files in self.headers.items() if path in files}
 
     def is_of_its_folder(self, name, program):
         """Whether an object is made from sources in the folder whose tests the program has, or from these tests."""
-        root = self.source.resolve()
-        return any(file.endswith(".cpp") and file.startswith(f"{root}/") and program_of_tests(file[len(str(root)) + 1:]) == program.name
+        root = f"{self.source}/"
+        return any(file.endswith(".cpp") and file.startswith(root) and program_of_tests(file.removeprefix(root)) == program.name
                    for file in self.headers.get(name, ()))
 
     def compiled_into(self, file):
@@ -71,9 +71,9 @@ class Nearest:
 
     def folders_without(self):
         """Folders of sources of which no file is compiled into any of the programs."""
-        root = str(self.source.resolve())
-        reached = {str(pathlib.PurePath(file).parent)[len(root) + 1:] for program in self.programs for name in program.objects
-                   for file in self.headers.get(name, ()) if file.startswith(f"{root}/")}
+        root = f"{self.source}/"
+        reached = {str(pathlib.PurePath(file.removeprefix(root)).parent) for program in self.programs for name in program.objects
+                   for file in self.headers.get(name, ()) if file.startswith(root)}
         return sorted(folders_of_sources(self.source) - reached)
 
     def files_of_objects(self):
