@@ -19,7 +19,7 @@ def folders_of_sources(root):
     return {folder for file in files if not CALLED_BY_NO_TEST.match(folder := str(file.relative_to(root).parent))}
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass
 class Program:
     path: str  # below the build folder, as ninja names it
     objects: frozenset
@@ -97,13 +97,10 @@ class Nearest:
 
     def measure(self, timeout):
         """Runs all tests of an unchanged build, which have to pass, and keeps how long they take."""
-        measured = []
         for program in self.programs:
-            failed, seconds = self.failing_test(program, timeout)
+            failed, program.seconds = self.failing_test(program, timeout)
             if failed:
                 raise BadInput(f"{failed}: fails without a mutation, expected all tests to pass")
-            measured.append(dataclasses.replace(program, seconds=seconds))
-        self.programs = measured
 
     def of(self, file):
         """Programs that a file is compiled into: those of its own folder's tests first, then by their cost."""
