@@ -110,7 +110,7 @@ Dataset dataset_of(const Data& data, const Samples& s) {
 
 /// What was said of data: verdicts that do not hold, or why nothing was judged; and what was told.
 struct Said {
-  std::vector<std::string> red{};  // quantities
+  std::set<std::string> red{};  // quantities
   std::string complaints{}, told{};
 };
 
@@ -124,13 +124,11 @@ Said said_of(const Flow& flow, const Data& data, bool is_limited_to_one_percent)
                   data.is_said ? std::optional(flow.across / data.across[k]) : std::nullopt);
     const Judgement judgement = judge_given(flow, together(std::move(each)),
                                             {.at_most = is_limited_to_one_percent ? std::optional(1.0) : std::nullopt});
-    std::set<std::string> quantities;
     for (const Verdict& v : judgement.record.verdicts)
       if (v.outcome != Outcome::holds) {
-        quantities.insert(v.quantity);
+        said.red.insert(v.quantity);
         said.complaints += v.sentence + "\n";
       }
-    said.red.assign(quantities.begin(), quantities.end());
     for (const std::string& line : judgement.words) said.told += line + "\n";
     for (const std::string& line : judgement.not_judged) said.told += line + "\n";
     for (const Value& value : judgement.record.values)
