@@ -8,8 +8,8 @@
 #include "vnv/command/tasks.hpp"
 #include "vnv/command/terminal.hpp"
 #include "vnv/files/held_folder.hpp"
-#include "vnv/gate/source.hpp"
 #include "vnv/programs/progress.hpp"
+#include "vnv/programs/scratch_folder.hpp"
 #include "vnv/record/accepted_claims.hpp"
 
 #include <fmt/format.h>
@@ -81,15 +81,10 @@ bool accept_claims_of_one(const std::string& name, const Records& records, const
   return true;
 }
 
-std::filesystem::path data_of(const Build& build) {
-  if (!build.data.empty()) return build.data;
-  return std::filesystem::path(gate::configured(build.folder, "CMAKE_HOME_DIRECTORY")) / "data";
-}
-
 int accept_claims(const Build& build, const AcceptOptions& options) {
   require_no_test("--claims");
   const Records records = records_of(options.claims, options.suite);
-  const std::filesystem::path data = data_of(build);
+  const std::filesystem::path data = build.data_in_use();
   const files::HeldFolder held(data);
   std::map<std::string, AcceptedClaims> by_case;
   std::vector<std::string> names;
@@ -127,8 +122,7 @@ void accept_solver(const Build& build, const doors::Solver& solver, const Accept
   fmt::print("{}: accepted in {}\n", solver.case_and_method(), solver.baseline_file().string());
 }
 
-int accept(const Build& build, const AcceptOptions& chosen) {
-  AcceptOptions options = chosen;
+int accept(const Build& build, AcceptOptions options) {
   if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
     throw std::invalid_argument(
         fmt::format("--reason '{}': expected the reason why the new values are right", options.reason));

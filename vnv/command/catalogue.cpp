@@ -1,6 +1,7 @@
 #include "vnv/command/catalogue.hpp"
 
 #include "vnv/command/patterns.hpp"
+#include "vnv/gate/source.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,10 @@ Words Build::call(const std::string& case_name, const Words& arguments) const {
   return words;
 }
 
+fs::path Build::data_in_use() const {
+  return data.empty() ? fs::path(gate::configured(folder, "CMAKE_HOME_DIRECTORY")) / "data" : data;
+}
+
 std::vector<Chosen> Catalogue::methods() const {
   std::vector<Chosen> all;
   for (const Description& one : cases)
@@ -106,11 +111,6 @@ std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std
                       pattern, fmt::join(catalogue.not_built, ", ")));
   throw std::invalid_argument(fmt::format("not built: {}; expected the program of each case: cmake --build BUILD",
                                           fmt::join(catalogue.not_built, ", ")));
-}
-
-void warn_of_not_built(const Catalogue& catalogue) {
-  if (!catalogue.not_built.empty())
-    fmt::print(stderr, "vnv: {} cases are not built and not listed: cmake --build BUILD\n", catalogue.not_built.size());
 }
 
 }  // namespace touchstone::vnv::command

@@ -24,6 +24,9 @@ struct Build {
   std::filesystem::path results() const { return is_installed() ? "" : folder; }
   std::filesystem::path records(const std::string& suite) const { return results() / "records" / suite; }
 
+  /// What is named, else that of the sources.
+  std::filesystem::path data_in_use() const;
+
   /// Installed, programs lie as in a build folder, and their data beside them.
   std::filesystem::path installed_data() const { return folder / "data"; }
   bool is_installed() const {
@@ -59,8 +62,5 @@ std::vector<Chosen> choose(const Catalogue& catalogue, const std::vector<std::st
 /// built, so that nothing is green for want of a program.
 std::vector<Chosen> choose_all(const Catalogue& catalogue, const std::vector<std::string>& patterns,
                                const std::string& suite);
-
-/// Says on stderr how many cases are not built, if any.
-void warn_of_not_built(const Catalogue& catalogue);
 
 }  // namespace touchstone::vnv::command

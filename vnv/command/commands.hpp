@@ -25,7 +25,7 @@ struct ListOptions {
   std::string suite{};  // empty: all
   bool as_json = false, names_only = false;
 };
-int list(const Build& build, const ListOptions& options);
+int list(const Build& build, ListOptions options);
 
 struct RunOptions {
   Patterns patterns{};
@@ -33,7 +33,7 @@ struct RunOptions {
   EngineOptions where{};  // without a folder of records: that of the build
   bool again = false;
 };
-int run(const Build& build, const RunOptions& options);
+int run(const Build& build, RunOptions options);
 
 /// What is empty is found in the build folder.
 struct ReportOptions {
@@ -51,7 +51,7 @@ struct AcceptOptions {
   std::string reason{}, suite = "acceptance";
   std::filesystem::path claims{};  // records whose number of claims is accepted, and no value; empty: methods are run
 };
-int accept(const Build& build, const AcceptOptions& options);
+int accept(const Build& build, AcceptOptions options);
 
 struct GateOptions {
   gate::GateRequest request{};
@@ -70,25 +70,32 @@ struct PlanOptions {
   int at_once = 1;
   bool as_json = false;
 };
-int plan(const Build& build, const PlanOptions& options);
+int plan(const Build& build, PlanOptions options);
 
-/// What is empty, or zero, is that of the published flow, or found in the files.
+/// What is empty is that of the published flow, or found in the files.
 struct SceneOptions {
   std::string flow{};
-  std::vector<std::string> set{};  // "H=1"
-  double spacing = 0;              // m
+  std::vector<std::string> set{};   // "H=1"
+  std::optional<double> spacing{};  // m
   bool as_json = false;
   std::string particles{};  // a file to write
 };
 int scene(const Build& build, const SceneOptions& options);
 
+/// What a judgement leaves: where nothing is named, words alone.
+struct ResultOptions {
+  std::string records{}, junit{};
+  bool as_json = false, diagnose = false;
+};
+
 struct JudgeOptions {
   std::string flow{}, name = "files";
   std::vector<std::string> files{}, set{}, fields{}, units{};
-  std::string axes{}, only{}, records{}, junit{};
+  std::string axes{}, only{};
   std::vector<double> origin{};  // m
-  bool inside = false, diagnose = false, as_json = false;
-  double time = -1, time_step = 0, spacing = 0, at_most = 0;  // s, s, m, %
+  bool inside = false;
+  ResultOptions results{};
+  std::optional<double> time{}, time_step{}, spacing{}, at_most{};  // s, s, m, %
 };
 int judge(const Build& build, const JudgeOptions& options);
 
@@ -98,8 +105,8 @@ struct PrepareOptions {
 int prepare(const Build& build, const PrepareOptions& options);
 
 struct CollectOptions {
-  std::string solver{}, folder{}, suite = "acceptance", records{}, junit{};
-  bool as_json = false;
+  std::string solver{}, folder{}, suite = "acceptance";
+  ResultOptions results{};
 };
 int collect(const Build& build, const CollectOptions& options);
 
@@ -128,16 +135,16 @@ struct OptionText {
 /// A command, as its help has it.
 struct CommandText {
   std::string name, what, footer;
-  std::vector<OptionText> options;
+  std::vector<OptionText> options{};
+  std::vector<CommandText> subcommands{};
 };
 
 /// A script for bash or zsh by which the shell completes commands, options, and what follows them by the names of
 /// their values.
-std::string completion_script(const std::string& shell, const CommandText& vnv,
-                              const std::vector<CommandText>& subcommands);
+std::string completion_script(const std::string& shell, const CommandText& vnv);
 
 /// All help texts as a page for man, in roff.
-std::string manual_page(const CommandText& vnv, const std::vector<CommandText>& subcommands, std::string_view version);
+std::string manual_page(const CommandText& vnv, std::string_view version);
 
 /// Turns records into pages; `arguments` are those of touchstone_report. Throws std::runtime_error if it cannot;
 /// something_fails where the pages are there and not green.

@@ -70,10 +70,10 @@ Words arguments_of(const CommandText& command) {
   return kinds;
 }
 
-std::string bash_script(const CommandText& vnv, const std::vector<CommandText>& subcommands) {
+std::string bash_script(const CommandText& vnv) {
   Words names, with_paths;
   std::string commands, kinds;
-  for (const CommandText& command : subcommands) {
+  for (const CommandText& command : vnv.subcommands) {
     names.push_back(command.name);
     commands += fmt::format("    {}) options='{}' values='{} {}' arguments='{}' ;;\n", command.name,
                             fmt::join(names_of_options(command), " "), fmt::join(values_of_options(vnv), " "),
@@ -184,9 +184,9 @@ std::string specifications(const CommandText& command) {
   return lines;
 }
 
-std::string zsh_script(const CommandText& vnv, const std::vector<CommandText>& subcommands) {
+std::string zsh_script(const CommandText& vnv) {
   std::string commands, arguments;
-  for (const CommandText& command : subcommands) {
+  for (const CommandText& command : vnv.subcommands) {
     commands += fmt::format("    {}\n", programs::quoted(command.name + ":" + command.what));
     arguments += fmt::format("      {}) _arguments{} ;;\n", command.name, specifications(command));
   }
@@ -239,9 +239,8 @@ fi
 
 }  // namespace
 
-std::string completion_script(const std::string& shell, const CommandText& vnv,
-                              const std::vector<CommandText>& subcommands) {
-  return shell == "zsh" ? zsh_script(vnv, subcommands) : bash_script(vnv, subcommands);
+std::string completion_script(const std::string& shell, const CommandText& vnv) {
+  return shell == "zsh" ? zsh_script(vnv) : bash_script(vnv);
 }
 
 }  // namespace touchstone::vnv::command

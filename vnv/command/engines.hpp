@@ -17,8 +17,6 @@
 
 namespace touchstone::vnv::command {
 
-using programs::Words;
-
 /// One method of one case, to be run.
 struct Job {
   std::string name{};  // "poiseuille.mpm"

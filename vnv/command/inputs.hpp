@@ -27,8 +27,6 @@ std::string hash_of_inputs(const std::filesystem::path& program, const Descripti
 
 struct Inputs {
   std::string hash, suite;
-
-  bool operator==(const Inputs&) const = default;
 };
 
 /// Whether the folder has a record of CASE.METHOD that was made from these inputs.

@@ -23,15 +23,13 @@ doors::Mapping mapping_of(const JudgeOptions& options) {
                          .units = pairs_of("--unit", options.units),
                          .axes = options.axes,
                          .only = options.only,
-                         .inside = options.inside};
+                         .inside = options.inside,
+                         .time = options.time,
+                         .time_step = options.time_step};
   if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};
-  if (options.time >= 0) mapping.time = options.time;
-  if (options.time_step > 0) mapping.time_step = options.time_step;
   doors::require_known_names(mapping, "--field, --unit");
   return mapping;
 }
-
-std::optional<double> where_positive(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
 
 /// Each cause that was fitted, by itself or with another, with its 95 % interval.
 void print(const Diagnosis& diagnosis) {
@@ -64,17 +62,6 @@ void make_folder_of(const std::string& records) {
   if (!records.empty()) files::make_folder(records);
 }
 
-/// Keeps the record and the verdicts where a folder or a file is named.
-void keep(const Record& record, const std::string& records, const std::string& junit) {
-  if (!records.empty()) write(record, record_file(records, record.case_name + "." + record.method));
-  if (!junit.empty()) files::write_whole(junit, junit_of(record));
-}
-
-bool all_hold(const Record& record) {
-  return !record.verdicts.empty() &&
-         std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.outcome == Outcome::holds; });
-}
-
 /// What was read, measured and claimed, for a person.
 void print_for_people(const Flow& flow, const doors::Judgement& judgement, bool diagnose) {
   const Record& record = judgement.record;
@@ -97,31 +84,30 @@ void print_for_people(const Flow& flow, const doors::Judgement& judgement, bool 
   fmt::print("{} of {} claims hold\n", held, record.verdicts.size());
 }
 
-struct Wanted {
-  std::string records, junit;
-  bool as_json, diagnose = false;
-};
-int conclude(const Flow& flow, const doors::Judgement& judgement, const Wanted& wanted) {
-  const bool holds = all_hold(judgement.record);
-  if (wanted.as_json)
+/// Shows what was found, and keeps the record and the verdicts where a folder or a file is named.
+int conclude(const Flow& flow, const doors::Judgement& judgement, const ResultOptions& results) {
+  const Record& record = judgement.record;
+  const bool holds = !record.verdicts.empty() &&
+                     std::ranges::all_of(record.verdicts, [](const Verdict& v) { return v.outcome == Outcome::holds; });
+  if (results.as_json)
     print_as_json(flow, judgement, holds);
   else
-    print_for_people(flow, judgement, wanted.diagnose);
-  keep(judgement.record, wanted.records, wanted.junit);
+    print_for_people(flow, judgement, results.diagnose);
+  if (!results.records.empty()) write(record, record_file(results.records, record.case_name + "." + record.method));
+  if (!results.junit.empty()) files::write_whole(results.junit, junit_of(record));
   return holds ? all_holds : something_fails;
 }
 
 }  // namespace
 
 int judge(const Build&, const JudgeOptions& options) {
-  make_folder_of(options.records);
+  make_folder_of(options.results.records);
   const Flow flow = flow_named(options.flow, settings_of(options.set));
   return conclude(
       flow,
-      doors::judge_files(
-          flow, {options.files.begin(), options.files.end()}, mapping_of(options), where_positive(options.spacing),
-          {.name = options.name, .at_most = where_positive(options.at_most), .diagnose = options.diagnose}),
-      {options.records, options.junit, options.as_json, options.diagnose});
+      doors::judge_files(flow, {options.files.begin(), options.files.end()}, mapping_of(options), options.spacing,
+                         {.name = options.name, .at_most = options.at_most, .diagnose = options.results.diagnose}),
+      options.results);
 }
 
 int prepare(const Build&, const PrepareOptions& options) {
@@ -132,10 +118,9 @@ int prepare(const Build&, const PrepareOptions& options) {
 }
 
 int collect(const Build&, const CollectOptions& options) {
-  make_folder_of(options.records);
+  make_folder_of(options.results.records);
   const doors::Solver solver = doors::read_solver(options.solver);
-  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)),
-                  {options.records, options.junit, options.as_json});
+  return conclude(solver.flow, doors::collect(solver, options.folder, suite_named(options.suite)), options.results);
 }
 
 }  // namespace touchstone::vnv::command

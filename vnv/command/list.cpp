@@ -17,10 +17,6 @@ std::vector<std::string> levels_of(const MethodDescription& method, const std::s
   return names;
 }
 
-void print_names(const std::vector<Chosen>& methods) {
-  for (const Chosen& one : methods) fmt::print("{}\n", one.name());
-}
-
 void print_json(const std::vector<Chosen>& methods) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Chosen& one : methods) {
@@ -82,8 +78,7 @@ void print_what_is_installed(const std::vector<std::string>& flows) {
 
 }  // namespace
 
-int list(const Build& build, const ListOptions& chosen) {
-  ListOptions options = chosen;
+int list(const Build& build, ListOptions options) {
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   print_solvers(solvers);
   if (!solvers.empty() && options.patterns.empty()) return all_holds;
@@ -96,10 +91,11 @@ int list(const Build& build, const ListOptions& chosen) {
     return all_holds;
   }
   const Catalogue catalogue = read_catalogue(build, options.patterns);
-  if (!options.names_only) warn_of_not_built(catalogue);
+  if (!options.names_only && !catalogue.not_built.empty())
+    fmt::print(stderr, "vnv: {} cases are not built and not listed: cmake --build BUILD\n", catalogue.not_built.size());
   const std::vector<Chosen> methods = choose(catalogue, options.patterns, options.suite);
   if (options.names_only)
-    print_names(methods);
+    for (const Chosen& one : methods) fmt::print("{}\n", one.name());
   else if (options.as_json)
     print_json(methods);
   else

@@ -24,9 +24,9 @@ struct Session {
 };
 
 /// Adds a subcommand that calls `work` with the options that `declare` declares.
-template <class Options>
-void add(Session& session, const std::string& name, const std::string& what, const std::string& footer,
-         int (*work)(const Build&, const Options&), void (*declare)(CLI::App&, Options&)) {
+template <class Work, class Options>
+void add(Session& session, const std::string& name, const std::string& what, const std::string& footer, Work work,
+         void (*declare)(CLI::App&, Options&)) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = session.app.add_subcommand(name, what);
   command->footer(footer);
@@ -56,17 +56,17 @@ CLI::Option* add_patterns(CLI::App& command, Patterns& patterns) {
                             "case, CASE.METHOD, glob or part of a name, or solver file (.toml); default: all");
 }
 
-void add_at_once(CLI::App& command, int& at_once) {
-  command.add_option("-j", at_once, "programs to run at once; those judged by run time run alone")
-      ->check(programs::whole_numbers(1, 4096))
-      ->capture_default_str();
+void add_set(CLI::App& command, std::vector<std::string>& set) {
+  command.add_option("--set", set, "parameter of the flow, in SI units; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
 }
 
-void add_results(CLI::App& command, std::string& records, std::string& junit, bool& as_json) {
-  add_folder(command, "--records", records,
+void add_results(CLI::App& command, ResultOptions& results) {
+  add_folder(command, "--records", results.records,
              "for the record: JSON with every value and verdict, which vnv report turns into pages");
-  add_file(command, "--junit", junit, "for the verdicts as JUnit XML, for continuous integration");
-  command.add_flag("--json", as_json, "print JSON, for other programs");
+  add_file(command, "--junit", results.junit, "for the verdicts as JUnit XML, for continuous integration");
+  command.add_flag("--json", results.as_json, "print JSON, for other programs");
 }
 
 void declare_list(CLI::App& command, ListOptions& options) {
@@ -168,15 +168,15 @@ void declare_explain(CLI::App& command, ExplainOptions& options) {
 void declare_plan(CLI::App& command, PlanOptions& options) {
   add_patterns(command, options.patterns);
   add_suite(command, options.suite);
-  add_at_once(command, options.at_once);
+  command.add_option("-j", options.at_once, "programs to run at once; those judged by run time run alone")
+      ->check(programs::whole_numbers(1, 4096))
+      ->capture_default_str();
   command.add_flag("--json", options.as_json, "print one line of JSON per task; \"cpu\" is null where it is unknown");
 }
 
 void declare_scene(CLI::App& command, SceneOptions& options) {
   command.add_option("FLOW", options.flow, "name of a flow; without it, all flows are listed");
-  command.add_option("--set", options.set, "parameter of the flow, in SI units; may be repeated")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_set(command, options.set);
   command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
       ->check(programs::above_zero());
   command.add_flag("--json", options.as_json, "print JSON, for a solver");
@@ -187,9 +187,7 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
   command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists")->required();
   command.add_option("FILES", options.files, "output files, of one or more resolutions at one or more times")
       ->required();
-  command.add_option("--set", options.set, "parameter of the flow, in SI units; may be repeated")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_set(command, options.set);
   command.add_option("--name", options.name, "of the code that is judged")->type_name("CODE")->capture_default_str();
   command
       .add_option(
@@ -233,9 +231,9 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
           "limit for each error that is measured at the finest resolution, of every field and component, of periods, rates "
           "and fronts [%]")
       ->check(programs::above_zero());
-  command.add_flag("--diagnose", options.diagnose,
+  command.add_flag("--diagnose", options.results.diagnose,
                    "diagnose the errors of claims that hold, too, and list all causes that were fitted");
-  add_results(command, options.records, options.junit, options.as_json);
+  add_results(command, options.results);
 }
 
 void declare_prepare(CLI::App& command, PrepareOptions& options) {
@@ -251,7 +249,7 @@ void declare_collect(CLI::App& command, CollectOptions& options) {
       ->required()
       ->check(programs::existing_folder());
   add_suite(command, options.suite);
-  add_results(command, options.records, options.junit, options.as_json);
+  add_results(command, options.results);
 }
 
 void declare_order(CLI::App& command, OrderOptions& options) {
@@ -293,41 +291,23 @@ OptionText text_of(const CLI::Option& option) {
 }
 
 CommandText text_of(const CLI::App& command) {
-  CommandText text{command.get_name(), command.get_description(), command.get_footer(), {}};
+  CommandText text{command.get_name(), command.get_description(), command.get_footer()};
   for (const CLI::Option* option : command.get_options()) text.options.push_back(text_of(*option));
+  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
+    text.subcommands.push_back(text_of(*one));
   return text;
 }
 
-std::vector<CommandText> texts_of_subcommands(const CLI::App& app) {
-  std::vector<CommandText> texts;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    texts.push_back(text_of(*command));
-  return texts;
+void declare_completion(CLI::App& command, std::string& shell) {
+  command.add_option("SHELL", shell, "bash or zsh")->required()->check(programs::one_of({"bash", "zsh"}));
 }
 
-void add_manual(Session& session) {
-  CLI::App* command = session.app.add_subcommand("manual", "Prints these help texts as a page for man.");
-  command->footer("Example:\n  vnv manual | man -l -");
-  command->callback([&session] {
-    session.work = [&session] {
-      fmt::print("{}", manual_page(text_of(session.app), texts_of_subcommands(session.app), project_version()));
-      return all_holds;
-    };
-  });
-}
+struct NoOptions {};
+void declare_nothing(CLI::App&, NoOptions&) {}
 
-void add_completion(Session& session) {
-  const auto shell = std::make_shared<std::string>();
-  CLI::App* command = session.app.add_subcommand(
-      "completion", "Prints a script that lets a shell complete commands, options, methods, flows and files.");
-  command->footer("Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)");
-  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(programs::one_of({"bash", "zsh"}));
-  command->callback([=, &session] {
-    session.work = [=, &session] {
-      fmt::print("{}", completion_script(*shell, text_of(session.app), texts_of_subcommands(session.app)));
-      return all_holds;
-    };
-  });
+int print(const std::string& text) {
+  fmt::print("{}", text);
+  return all_holds;
 }
 
 void add_subcommands(Session& session) {
@@ -411,22 +391,20 @@ void add_subcommands(Session& session) {
       "uncertainty at 95 % with a larger factor (Roache 1994, Eça & Hoekstra 2014).\n"
       "Examples:\n  vnv order errors.csv\n  vnv order errors.csv --surely-above 1.5\n  vnv order drag.csv --values",
       order, declare_order);
-  add_completion(session);
-  add_manual(session);
+  add(
+      session, "completion", "Prints a script that lets a shell complete commands, options, methods, flows and files.",
+      "Examples:\n  source <(vnv completion bash)\n  source <(vnv completion zsh)",
+      [&session](const Build&, const std::string& shell) {
+        return print(completion_script(shell, text_of(session.app)));
+      },
+      declare_completion);
+  add(
+      session, "manual", "Prints these help texts as a page for man.", "Example:\n  vnv manual | man -l -",
+      [&session](const Build&, NoOptions) { return print(manual_page(text_of(session.app), project_version())); },
+      declare_nothing);
   for (CLI::App* command : session.app.get_subcommands([](CLI::App*) { return true; }))
     for (CLI::Option* option : command->get_options())
       if (option->get_positional()) option->type_name("");  // its name says what it is
-}
-
-/// "vnv (Touchstone) 0.2.0, revision 5617f2c"
-std::string version_in_words() {
-  return fmt::format("vnv (Touchstone) {}{}", project_version(),
-                     revision() == "unknown" ? "" : fmt::format(", revision {}", revision()));
-}
-
-/// This program lies in BUILD/vnv/, installed in PREFIX/lib/touchstone/vnv/.
-std::filesystem::path own_build_folder() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
 
 /// Reads the command line; an exit status where nothing is left to do: help was asked for, or what is wrong was told.
@@ -443,8 +421,11 @@ std::optional<int> parse(Session& session, int count, char** arguments) {
       "Exit status: 0 all claims hold, 1 some do not, 3 bad input, 4 bad usage.");
   app.require_subcommand(0, 1);  // that there is one is checked last, so that a misspelt one is named
   app.fallthrough();
-  session.build.folder = own_build_folder();
-  app.set_version_flag("--version", version_in_words(), "print version and revision, and exit");
+  // This program lies in BUILD/vnv/, installed in PREFIX/lib/touchstone/vnv/.
+  session.build.folder = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+  const std::string version = fmt::format("vnv (Touchstone) {}", project_version());
+  app.set_version_flag("--version", version + (revision() == "unknown" ? "" : fmt::format(", revision {}", revision())),
+                       "print version and revision, and exit");
   add_folder(app, "--build", session.build.folder, "where programs are; default: that of this program");
   add_folder(app, "--data", session.build.data, "of experiments, papers and baselines; default: that of the sources");
   add_subcommands(session);

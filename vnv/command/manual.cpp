@@ -81,15 +81,15 @@ std::string without_full_stop(std::string sentence) {
 
 }  // namespace
 
-std::string manual_page(const CommandText& vnv, const std::vector<CommandText>& subcommands, std::string_view version) {
+std::string manual_page(const CommandText& vnv, std::string_view version) {
   std::string page =
       fmt::format(".TH VNV 1 \"\" \"Touchstone {}\" \"User Commands\"\n.SH NAME\nvnv \\- {}\n.SH SYNOPSIS\n", version,
                   plain(without_full_stop(vnv.what)));
-  for (const CommandText& command : subcommands)
+  for (const CommandText& command : vnv.subcommands)
     page += (page.ends_with("SYNOPSIS\n") ? "" : ".br\n") + usage_of(command) + "\n";
   page += ".SH OPTIONS\nEach command also has these, and \\fB\\-\\-help\\fR, which prints what stands here of it.\n" +
           options_of(vnv) + ".SH COMMANDS\n";
-  for (const CommandText& command : subcommands)
+  for (const CommandText& command : vnv.subcommands)
     page += fmt::format(".SS {}\n{}\n{}{}", usage_of(command), plain(command.what), paragraphs(command.footer),
                         options_of(command));
   return page + ".SH NOTES\n" + paragraphs(vnv.footer);

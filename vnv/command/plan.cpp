@@ -12,8 +12,6 @@
 namespace touchstone::vnv::command {
 namespace {
 
-std::string seconds(const std::optional<double>& cpu) { return cpu ? fmt::format("{:.3g}", *cpu) : "unknown"; }
-
 void print_json(const std::vector<Task>& tasks, const std::string& suite) {
   for (const Task& task : tasks) {
     nlohmann::ordered_json line = {{"name", task.name},       {"suite", suite},      {"level", task.level},
@@ -33,7 +31,7 @@ void print_for_people(const std::vector<Task>& tasks, int at_once) {
              "CPU [s]");
   for (const Task& task : tasks)
     fmt::print("{:<{}}  {:<{}}  {:>11.4g}  {:>9.4g}  {:>8}\n", task.name, wide, task.level, levels_wide, task.spacing,
-               task.until, seconds(task.cpu));
+               task.until, task.cpu ? fmt::format("{:.3g}", *task.cpu) : "unknown");
   const Estimate all = estimate(tasks, at_once);
   fmt::print("{} tasks, {:.3g} CPU s", tasks.size(), all.cpu);
   if (all.unknown > 0) fmt::print(" and {} of unknown cost", all.unknown);
@@ -42,8 +40,7 @@ void print_for_people(const std::vector<Task>& tasks, int at_once) {
 
 }  // namespace
 
-int plan(const Build& build, const PlanOptions& chosen) {
-  PlanOptions options = chosen;
+int plan(const Build& build, PlanOptions options) {
   const std::filesystem::path records = build.records(options.suite);
   std::vector<Task> tasks;
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);

@@ -24,10 +24,6 @@ std::string named_or(const std::string& named, const fs::path& usual) {
   return !named.empty() ? named : fs::exists(usual) ? usual.string() : "";
 }
 
-fs::path data_of(const Build& build) {
-  return build.data.empty() ? fs::path(gate::configured(build.folder, "CMAKE_HOME_DIRECTORY")) / "data" : build.data;
-}
-
 fs::path records_of(const Build& build, const std::string& named, const std::string& suite) {
   return named.empty() ? build.records(suite) : fs::path(named);
 }
@@ -61,7 +57,7 @@ int report(const Build& build, const ReportOptions& options) {
   };
   pass_on("--history", history_of(build, options));
   const fs::path sources = gate::configured(build.folder, "CMAKE_HOME_DIRECTORY");
-  const fs::path data = data_of(build);
+  const fs::path data = build.data_in_use();
   pass_on("--known-failures", named_or(options.known_failures, data / "known_failures.csv"));
   pass_on("--faults", named_or(options.faults, sources / "vnv/trials/faults/trials.csv"));
   pass_on("--claims", named_or("", data / "claims"));
@@ -75,7 +71,7 @@ int export_case(const Build& build, const ExportOptions& options) {
       options.folder.empty() ? build.results() / "export" / options.case_name : fs::path(options.folder);
   return ended_with(build,
                     {records_of(build, options.records, options.suite), folder, "--paper", options.case_name,
-                     "--references", data_of(build) / "references.bib"},
+                     "--references", build.data_in_use() / "references.bib"},
                     true);
 }
 

@@ -152,8 +152,7 @@ int conclude(const Sum& sum) {
 
 }  // namespace
 
-int run(const Build& build, const RunOptions& chosen) {
-  RunOptions options = chosen;
+int run(const Build& build, RunOptions options) {
   const std::vector<doors::Solver> solvers = take_solvers(options.patterns);
   if (options.where.records.empty()) options.where.records = build.records(options.suite);
   options.where.records = fs::absolute(options.where.records);

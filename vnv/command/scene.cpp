@@ -13,12 +13,11 @@ namespace touchstone::vnv::command {
 
 int scene(const Build&, const SceneOptions& options) {
   if (options.flow.empty()) {
-    for (const std::string& name : flow_names())
-      fmt::print("{:24} {}\n", name, flow_named(name).judged.title);
+    for (const std::string& name : flow_names()) fmt::print("{:24} {}\n", name, flow_named(name).judged.title);
     return all_holds;
   }
   const Flow flow = flow_named(options.flow, settings_of(options.set));
-  const double spacing = options.spacing > 0 ? options.spacing : flow.across / 40;
+  const double spacing = options.spacing.value_or(flow.across / 40);
   if (!options.particles.empty()) files::write_whole(options.particles, doors::particles_as_csv(flow, spacing));
   fmt::print("{}", options.as_json ? doors::scene_as_json(flow, spacing) : doors::scene_in_words(flow, spacing));
   return all_holds;

@@ -17,16 +17,10 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-bool is_dumb() { return is_set("TERM") && std::string_view(std::getenv("TERM")) == "dumb"; }
-
 bool has_colours() {
-  static const bool has = isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR") && !is_dumb();
+  static const bool is_dumb = is_set("TERM") && std::string_view(std::getenv("TERM")) == "dumb",
+                    has = isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR") && !is_dumb;
   return has;
-}
-
-int columns_of(int file) {
-  winsize size{};
-  return ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? std::max<int>(size.ws_col, 40) : 100;
 }
 
 int columns_taken(std::string_view word) {
@@ -40,7 +34,10 @@ std::string coloured(Colour colour, std::string_view text) {
   return fmt::format("\x1b[{}m{}\x1b[0m", static_cast<int>(colour), text);
 }
 
-int width() { return isatty(STDOUT_FILENO) != 0 ? columns_of(STDOUT_FILENO) : 100; }
+int width() {
+  winsize size{};  // asked of what is no terminal, the call fails
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? std::max<int>(size.ws_col, 40) : 100;
+}
 
 std::string wrapped(std::string_view text, int columns, int indent) {
   const std::string margin(static_cast<std::size_t>(indent), ' ');

@@ -6,7 +6,7 @@
 
 namespace touchstone::vnv::command {
 
-enum class Colour { red = 31, green = 32, yellow = 33, bold = 1, dim = 2 };
+enum class Colour { red = 31, green = 32, yellow = 33, bold = 1 };
 
 /// The text in a colour if stdout is a terminal, unless NO_COLOR (no-color.org) is set or TERM is `dumb`.
 std::string coloured(Colour colour, std::string_view text);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -25,23 +24,22 @@ struct Row {
 std::vector<Row> rows_of(const Record& record) {
   constexpr std::size_t few = 6;
   std::vector<std::string> headings;
-  std::map<std::string, std::set<double>> times;
-  for (const Value& v : record.values)
-    if (times[v.quantity.heading()].insert(v.time).second && times[v.quantity.heading()].size() == 1)
-      headings.push_back(v.quantity.heading());
+  std::map<std::string, std::map<double, std::vector<const Value*>>> found;  // by heading and time
+  for (const Value& v : record.values) {
+    auto& of_it = found[v.quantity.heading()];
+    if (of_it.empty()) headings.push_back(v.quantity.heading());
+    of_it[v.time].push_back(&v);
+  }
   std::vector<Row> rows;
   for (const std::string& heading : headings) {
-    const std::set<double>& of_it = times[heading];
-    const auto add = [&](std::string time, auto is_of_row) {
-      Row row{.heading = heading, .time = std::move(time)};
-      for (const Value& v : record.values)
-        if (v.quantity.heading() == heading && is_of_row(v)) row.of_level[v.level].push_back(&v);
-      rows.push_back(std::move(row));
-    };
-    if (of_it.size() > few)
-      add(fmt::format("{:g} to {:g}", *of_it.begin(), *of_it.rbegin()), [](const Value&) { return true; });
-    else
-      for (const double time : of_it) add(fmt::format("{:g}", time), [=](const Value& v) { return v.time == time; });
+    const auto& of_it = found[heading];
+    const bool is_followed = of_it.size() > few;
+    if (is_followed)
+      rows.push_back({heading, fmt::format("{:g} to {:g}", of_it.begin()->first, of_it.rbegin()->first)});
+    for (const auto& [time, values] : of_it) {
+      if (!is_followed) rows.push_back({heading, fmt::format("{:g}", time)});
+      for (const Value* v : values) rows.back().of_level[v->level].push_back(v);
+    }
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 #include "vnv/files/tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #define CSV_IO_NO_THREAD  // of its reader, which is not used
 #include <libfccp/csv.h>
 
@@ -12,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <system_error>
 
 namespace touchstone::vnv {
@@ -20,20 +22,16 @@ namespace {
 using std::filesystem::path;
 
 bool contains(const std::vector<std::string>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += fmt::format("{}'{}'", text.empty() ? "" : ", ", word);
-  return text.empty() ? "none" : text;
+  return words.empty() ? "none" : fmt::format("'{}'", fmt::join(words, "', '"));
 }
 
-template <class Map>
-std::vector<std::string> names_in(const Map& map) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : map) names.push_back(name);
-  return names;
+std::vector<std::string> names_in(const auto& map) {
+  const auto names = std::views::keys(map);
+  return {names.begin(), names.end()};
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -215,8 +213,7 @@ const std::string& word(const Sheet& sheet, const Sheet::Row& row, std::size_t c
   return row.cells[column];
 }
 
-template <class Columns>
-const auto& column(const DataTable& table, const Columns& columns, std::string_view kind, std::string_view heading) {
+const auto& column(const DataTable& table, const auto& columns, std::string_view kind, std::string_view heading) {
   const auto found = columns.find(heading);
   if (found != columns.end()) return found->second;
   throw BadData(table.file(), 0,
@@ -224,8 +221,7 @@ const auto& column(const DataTable& table, const Columns& columns, std::string_v
                             listed(like(std::string(heading), names_in(columns)))));
 }
 
-template <class Columns>
-void keep(Columns& columns, const std::vector<std::string>& words, std::string_view expected) {
+void keep(auto& columns, const std::vector<std::string>& words, std::string_view expected) {
   for (auto& [heading, cells] : columns) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -255,8 +251,7 @@ BadData::BadData(const path& file, int line, std::string_view what)
                                             : fmt::format("{}: {}", file.string(), what))) {}
 
 const Sheet::Key& Sheet::key(std::string_view name) const {
-  for (const auto& candidate : keys)
-    if (candidate.name == name) return candidate;
+  if (const auto at = std::ranges::find(keys, name, &Key::name); at != keys.end()) return *at;
   std::vector<std::string> found;
   for (const auto& candidate : keys) found.push_back(candidate.name);
   throw BadData(file, headings.line,
@@ -359,10 +354,9 @@ DataTable DataTable::only(std::string_view heading, std::string_view word) const
   DataTable part = *this;
   part.rows_ = static_cast<std::size_t>(std::count(choice.begin(), choice.end(), word));
   if (part.rows_ == 0) {
-    std::vector<std::string> found = choice;
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    throw BadData(file_, 0, fmt::format("no row with {} '{}'; found {}", heading, word, listed(found)));
+    const std::set<std::string> found(choice.begin(), choice.end());
+    throw BadData(file_, 0,
+                  fmt::format("no row with {} '{}'; found {}", heading, word, listed({found.begin(), found.end()})));
   }
   keep(part.numbers_, choice, word);
   keep(part.words_, choice, word);

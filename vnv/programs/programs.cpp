@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -133,10 +134,7 @@ class Scratch {
   }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })> file_;
 };
 
 Ending run_alone(const Words& words, const auto& output, const Meanwhile& meanwhile = {}) {
@@ -269,10 +267,7 @@ std::string last_lines(const fs::path& file, long lines) {
   std::vector<std::string> all;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) all.push_back(line);
-  std::string text;
-  for (std::size_t k = all.size() - std::min(all.size(), static_cast<std::size_t>(lines)); k < all.size(); ++k)
-    text += (text.empty() ? "" : "\n") + all[k];
-  return text;
+  return fmt::format("{}", fmt::join(all.end() - std::min(lines, std::ssize(all)), all.end(), "\n"));
 }
 
 }  // namespace touchstone::programs

@@ -13,6 +13,12 @@ using std::chrono::seconds;
 
 const Work::Clock::time_point start = Work::Clock::now();
 
+/// One part ends so many seconds after the start, and another begins.
+void turn(Work& work, const std::string& from, const std::string& to, int second) {
+  work.end(from, start + seconds(second));
+  work.begin(to, start + seconds(second));
+}
+
 TEST(Durations, AreToldInTwoUnitsAtMost) {
   EXPECT_EQ(duration_in_words(0.4), "0 s");
   EXPECT_EQ(duration_in_words(59.4), "59 s");
@@ -28,8 +34,7 @@ TEST(WorkThatIsLeft, IsWhatItsPartsTookLast) {
   work.begin("a", start);
   EXPECT_EQ(work.left(start), 90);
   EXPECT_EQ(work.left(start + seconds(20)), 70);
-  work.end("a", start + seconds(30));
-  work.begin("b", start + seconds(30));
+  turn(work, "a", "b", 30);
   EXPECT_EQ(work.left(start + seconds(30)), 60);
 }
 
@@ -53,8 +58,7 @@ TEST(WorkThatIsLeft, TakesAsMuchLongerAsWhatHasEndedDid) {
   work.expect("a", 90);
   work.expect("b", 50);
   work.begin("a", start);
-  work.end("a", start + seconds(190));  // twice as long, were ten seconds more expected and taken
-  work.begin("b", start + seconds(190));
+  turn(work, "a", "b", 190);  // twice as long, were ten seconds more expected and taken
   EXPECT_EQ(work.left(start + seconds(190)), 100);
   EXPECT_EQ(work.left(start + seconds(190 + 400)), 40) << "what is overdue takes a tenth more";
 }
@@ -75,8 +79,7 @@ TEST(WorkThatIsLeft, IsToldByOtherMeasuresOnceAPartHasEnded) {
   files.expect("b", 3e6);
   files.begin("a", start);
   EXPECT_EQ(files.left(start), std::nullopt);
-  files.end("a", start + seconds(2));
-  files.begin("b", start + seconds(2));
+  turn(files, "a", "b", 2);
   EXPECT_EQ(files.sentence(start + seconds(2)), "1 of 2 done, about 6 s left; now b 0 s");
 }
 
@@ -86,8 +89,7 @@ TEST(WorkThatIsLeft, IsCalledAGuessWhileAnyOfItIs) {
   work.guess("b", 20);
   work.begin("b", start);
   EXPECT_EQ(work.sentence(start), "0 of 2 done, perhaps 30 s left; now b 0 s");
-  work.end("b", start + seconds(20));
-  work.begin("a", start + seconds(20));
+  turn(work, "b", "a", 20);
   EXPECT_EQ(work.sentence(start + seconds(20)), "1 of 2 done, about 10 s left; now a 0 s");
 }
 

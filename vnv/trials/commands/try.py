@@ -72,10 +72,6 @@ def printed_as(entry, printed):
     return [command for command in printed if re.sub(r"(^|(?<= ))build/vnv/vnv ", "vnv ", command) == entry.command]
 
 
-def printed_by(build):
-    return texts.printed(*(built(build, name) for name in ("vnv/vnv", "vnv/stokes_first", "reports/touchstone_report")))
-
-
 def try_one(entry, command, scratch):
     """What it says is what it should say, and so is how it ends."""
     began, here, around = time.monotonic(), scratch / entry.folder, surroundings(scratch)
@@ -95,7 +91,7 @@ def by_day(build, scratch):
     copied(build, scratch / "project", None)
     copied(build, scratch / "two", TWO)
     copied(build, scratch / "main", TWO)
-    files.write_all(build / "vnv/vnv", build / "vnv/poiseuille", ROOT / "vnv/doors/examples", scratch / "project")
+    files.write_all(build, ROOT / "vnv/doors/examples", scratch / "project")
 
 
 def git(clone, *words):
@@ -145,7 +141,7 @@ def main(arguments):
     parser.add_argument("--only", default="", help="regular expression of commands")
     parser.add_argument("--scratch", type=pathlib.Path, help="folder to work in, which is kept; else one that is gone afterwards")
     options = parser.parse_args(arguments)
-    printed = printed_by(options.build)
+    printed = texts.printed(*(built(options.build, name) for name in ("vnv/vnv", "vnv/stokes_first", "reports/touchstone_report")))
     entries, prepare = PARTS[options.part]
     if options.part != "day" and not (ROOT / ".git").exists():
         print(f"SKIP: {ROOT} is no repository of git, of which a clone could be made")

@@ -36,6 +36,19 @@ class InAFolder(unittest.TestCase):
     def fault(self, text=TEXT, name="thick.fault"):
         return seeded.read(self.write(name, text))
 
+    def copy(self):
+        """One that lies here, of which nothing is made equal to the sources."""
+        copy = scratch.Scratch.__new__(scratch.Scratch)
+        copy.source, copy.jobs = self.folder, 1
+        return copy
+
+    def line(self, name, conclusion=matrix.NOTICED, margin=-1.0, failed=True, **more):
+        """Of results: one test was run."""
+        test = {"failed": failed, "margin": margin, "sentence": 'flow.mpm: L2 = 5, "x":\n FAILS'}
+        return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a", "b"], "conclusion": conclusion,
+                "why": "", "tests": {"flow.mpm": test}, "revision": "abc", "finished_at": "2026-11-23T02:00:00Z",
+                "digest": "00ff"} | more
+
     def assert_refused(self, words, work):
         with self.assertRaises(shared.BadInput) as refused:
             work()
@@ -75,7 +88,6 @@ class AFaultFile(InAFolder):
                             ("A\nnoticed by x\nconfigure -DA=B\n", ":3: 'configure")):
             self.assert_refused(words, lambda text=text: self.fault(text))
 
-
     def test_names_files_of_the_sources_only(self):
         for file in ("../law.hpp", "/etc/hosts", "a/../../b"):
             self.assert_refused(f":4: in {file}", lambda file=file: self.fault(TEXT.replace("law.hpp", file)))
@@ -110,9 +122,7 @@ class AChange(InAFolder):
 
     def test_is_undone_also_when_the_trial_breaks_off(self):
         self.write("law.hpp", "x = nu;\n")
-        copy = scratch.Scratch.__new__(scratch.Scratch)
-        copy.source = self.folder
-        with self.assertRaises(KeyboardInterrupt), copy.with_change(self.fault()):
+        with self.assertRaises(KeyboardInterrupt), self.copy().with_change(self.fault()):
             self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = 2 * nu;\n")
             raise KeyboardInterrupt
         self.assertEqual((self.folder / "law.hpp").read_text(encoding="utf-8"), "x = nu;\n")
@@ -149,18 +159,14 @@ class ABuild(InAFolder):
         vnv.mkdir()
         for name in ("couette", "poiseuille", "vnv", "vnv_run_test", "couette_tests.cmake", "libvnv.a"):
             self.write(f"vnv/{name}", "").chmod(0o644 if "." in name else 0o755)
-        copy = scratch.Scratch.__new__(scratch.Scratch)
-        left = lambda targets: copy.remove_others(self.folder, targets) or {file.name for file in vnv.iterdir()}
+        left = lambda targets: self.copy().remove_others(self.folder, targets) or {file.name for file in vnv.iterdir()}
         self.assertEqual(left(["poiseuille", "vnv_unit", "vnv_command"]), {"poiseuille", "vnv", "vnv_run_test", "libvnv.a"})
         self.assertEqual(left(["poiseuille"]), {"poiseuille", "libvnv.a"})
 
-
     def test_is_not_named_in_what_the_compiler_says(self):
-        copy = scratch.Scratch.__new__(scratch.Scratch)
-        copy.source, copy.jobs = self.folder / "source", 1
-        said = f"{copy.source}/solvers/a.hpp:1:2: error: static assertion failed\n"
+        said = f"{self.folder}/solvers/a.hpp:1:2: error: static assertion failed\n"
         with unittest.mock.patch.object(scratch, "run", lambda words: types.SimpleNamespace(returncode=1, stdout=said)):
-            self.assertEqual(copy.compile(self.folder / "build", ["all"]), "solvers/a.hpp:1:2: error: static assertion failed")
+            self.assertEqual(self.copy().compile(self.folder / "build", ["all"]), "solvers/a.hpp:1:2: error: static assertion failed")
 
 
 class ATrial(InAFolder):
@@ -196,12 +202,6 @@ class Results(InAFolder):
 
     def test_that_are_none_are_refused(self):
         self.assert_refused("expected a line of JSON a trial", lambda: runner.read_results(self.write("r.jsonl", "a\n")))
-
-    def line(self, name, conclusion, margin, failed=True):
-        test = {"failed": failed, "margin": margin, "sentence": 'flow.mpm: L2 = 5, "x":\n FAILS'}
-        return {"fault": name, "title": name.upper(), "harmless": False, "files": ["a", "b"], "conclusion": conclusion,
-                "why": "", "tests": {"flow.mpm": test}, "revision": "abc", "finished_at": "2026-11-23T02:00:00Z",
-                "digest": "00ff"}
 
     def test_are_a_line_for_a_person_and_a_table_for_the_report(self):
         lines = [self.line("far", matrix.NOTICED, -9.0), self.line("lives", matrix.SURVIVED, 0.5, False),
@@ -239,30 +239,27 @@ class WhatIsKept(InAFolder):
     def kept(self, *arguments):
         return runner.LastTrials(runner.options_of(["--keep", *arguments]))
 
-    def line(self, fault, finished_at):
-        return {"fault": fault.name, "title": fault.title, "harmless": False, "files": ["law.hpp"],
-                "conclusion": matrix.NOTICED, "why": "", "revision": "abc", "finished_at": finished_at,
-                "digest": runner.own_digest(fault),
-                "tests": {"flow.mpm": {"failed": True, "margin": -1.0, "sentence": ""}}}
+    def line_of(self, fault, finished_at):
+        return self.line(fault.name, finished_at=finished_at, digest=runner.own_digest(fault))
 
     def test_keeps_of_each_fault_the_last_trial(self):
-        self.kept().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
-        self.kept().renew([self.line(self.thick, "3")])
+        self.kept().renew([self.line_of(self.thick, "1"), self.line_of(self.thin, "2")])
+        self.kept().renew([self.line_of(self.thick, "3")])
         last = self.kept()
         self.assertEqual((last.tried_at(self.thick), last.tried_at(self.thin)), ("3", "2"))
 
     def test_forgets_a_fault_that_is_gone_or_is_another_now(self):
-        self.kept().renew([self.line(self.thick, "1"), self.line(self.thin, "2")])
+        self.kept().renew([self.line_of(self.thick, "1"), self.line_of(self.thin, "2")])
         self.fault(TEXT.replace("2 *", "3 *"))
         (self.folder / "thin.fault").unlink()
         self.assertEqual(self.kept().lines, {})
 
     def test_is_begun_anew_where_other_tests_are_run(self):
-        self.kept().renew([self.line(self.thick, "1")])
+        self.kept().renew([self.line_of(self.thick, "1")])
         self.assertEqual(self.kept("--suite", "nightly").lines, {})
 
     def test_is_not_written_unless_that_is_asked_for(self):
-        runner.LastTrials(runner.options_of([])).renew([self.line(self.thick, "1")])
+        runner.LastTrials(runner.options_of([])).renew([self.line_of(self.thick, "1")])
         self.assertFalse(runner.KEPT.exists())
 
 

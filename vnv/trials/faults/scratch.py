@@ -41,8 +41,7 @@ def empty_records(build):
 def programs_of_tests(source, pattern):
     """The programs of unit tests; all of the folder where no file names them in so many words."""
     files = [file for name, file in seeded.unit_tests(source).items() if re.fullmatch(pattern, name)]
-    programs = {"_".join((*file.relative_to(source).parent.parts, "test")) for file in files}
-    return programs or {pattern.split(".")[1] + "_unit"}
+    return {seeded.program_of_tests(file.relative_to(source)) for file in files} or {pattern.split(".")[1] + "_unit"}
 
 
 class Scratch:
@@ -103,7 +102,7 @@ class Scratch:
     def remove_others(self, build, targets):
         """Removes programs that are no targets, with the tests of a case: ctest would run what an earlier fault left."""
         kept = {"vnv" if target == "vnv_command" else target for target in targets}
-        for folder in ("solvers", "reference", "vnv", "reports"):
+        for folder in seeded.TOPS:
             for file in (build / folder).glob("*"):
                 is_of_folder = f"{folder}_unit" in targets and file.name.endswith("_test")
                 if file.is_file() and os.access(file, os.X_OK) and file.name not in kept and not is_of_folder:

@@ -25,6 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from shared import BadInput  # noqa: E402
 
 THE_BUILD = "the build"
+TOPS = ("solvers", "reference", "vnv", "reports")  # folders of the sources, each with tests
 WHY = "survives because"
 LEAST_FAULTS, LEAST_HARMLESS = 60, 15
 
@@ -161,7 +162,7 @@ def unit_tests(root):
     """The unit tests as ctest names them, but for the types of those that are run for several: {name: its file}.
     Of INSTANTIATE_TYPED_TEST_SUITE_P(PREFIX, SUITE, ...) it keeps the prefix: PREFIX.TEST<TYPE>."""
     found = {}
-    for folder in ("solvers", "reference", "vnv", "reports"):
+    for folder in TOPS:
         for file in sorted((root / folder).rglob("*_test.cpp")):
             for prefix, suite in re.findall(r"^INSTANTIATE_TYPED_TEST_SUITE_P\((\w+),\s*(\w+)", file.read_text(encoding="utf-8"), re.M):
                 for test in shared_tests(root / folder).get(suite, []):
@@ -170,6 +171,11 @@ def unit_tests(root):
             for kind, suite, test in tests:
                 found[f"unit.{folder}.{suite}.{test}{'<>' if kind == 'TYPED_TEST' else ''}"] = file
     return found
+
+
+def program_of_tests(file):
+    """That of the unit tests of a file's folder, the file named from the sources on."""
+    return "_".join((*pathlib.PurePath(file).parent.parts, "test"))
 
 
 def test_names(root, build):

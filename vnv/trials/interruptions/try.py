@@ -192,18 +192,10 @@ class Trials(shared.Trials):
             self.attempt(f"{what}, {whom} killed after {moment:.2f} of {work.seconds:.2f} s", trial, self.folder(), whom, moment)
 
 
-def try_runs(trials):
-    trials.kill("vnv run", trials.methods, waits=False)
-
-
 def try_tests(trials):
     tests = OfTests(trials.build, trials.options.methods).undisturbed(trials.folder())
     require(tests.expected == trials.methods.expected, "ctest gives other verdicts than vnv run")
     trials.kill("ctest", tests)
-
-
-def try_reports(trials):
-    trials.kill("touchstone_report", trials.pages)
 
 
 def try_full_disks(trials):
@@ -259,7 +251,11 @@ def try_forbidden(trials):
             trials.attempt(f"{what} on a read-only tmpfs", trial, words, place)
 
 
-PARTS = {"run": try_runs, "ctest": try_tests, "report": try_reports, "full": try_full_disks, "forbidden": try_forbidden}
+PARTS = {"run": lambda trials: trials.kill("vnv run", trials.methods, waits=False),
+         "ctest": try_tests,
+         "report": lambda trials: trials.kill("touchstone_report", trials.pages),
+         "full": try_full_disks,
+         "forbidden": try_forbidden}
 
 if __name__ == "__main__":
     try_parts(__doc__, PARTS, Trials,

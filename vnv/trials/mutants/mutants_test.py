@@ -96,8 +96,8 @@ class AMutant(unittest.TestCase):
 class EachFolderOfSources(unittest.TestCase):
     def test_has_tests_that_may_notice_and_belongs_to_a_module(self):
         build = pathlib.Path(os.environ.get("TOUCHSTONE_BUILD", "/nowhere"))
-        programs = {nearest.name_of_tests(str(file.relative_to(runner.ROOT)))
-                    for room in nearest.ROOMS for file in (runner.ROOT / room).rglob("*_test.cpp")}
+        programs = {nearest.program_of_tests(str(file.relative_to(runner.ROOT)))
+                    for room in nearest.TOPS for file in (runner.ROOT / room).rglob("*_test.cpp")}
         if any(not (build / program.split("_")[0] / program).is_file() for program in programs):
             self.skipTest("not all programs of unit tests are built")
         known = nearest.Nearest(runner.ROOT, build, ())

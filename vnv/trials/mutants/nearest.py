@@ -6,27 +6,20 @@ import re
 import resource
 import subprocess
 
+from seeded import TOPS, program_of_tests
 from shared import BadInput, run
 
 MEMORY = 8 * 2**30  # bytes; a mutant may ask for any amount
-
-
-ROOMS = ("solvers", "reference", "vnv", "reports")
 CALLED_BY_NO_TEST = re.compile(r"vnv/(trials|cases|bench/instructions|doors/(examples|client|read/fuzz))(/|$)|reports(/browser)?$")
-
-
-def name_of_tests(file):
-    """The program of the unit tests of a file's folder."""
-    return "_".join((*pathlib.PurePath(file).parent.parts, "test"))
 
 
 def folders_of_sources(root):
     """All but those of programs, and of what selftests compile."""
-    files = (file for room in ROOMS for end in ("cpp", "hpp") for file in (root / room).rglob(f"*.{end}") if "test" not in file.name)
+    files = (file for room in TOPS for end in ("cpp", "hpp") for file in (root / room).rglob(f"*.{end}") if "test" not in file.name)
     return {folder for file in files if not CALLED_BY_NO_TEST.match(folder := str(file.relative_to(root).parent))}
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass
 class Program:
     path: str  # below the build folder, as ninja names it
     objects: frozenset
@@ -50,21 +43,21 @@ class Nearest:
     """What a complete build knows of its programs: the named cases, and all of unit tests."""
 
     def __init__(self, source, build, cases):
-        self.source, self.build = source, build
+        self.source, self.build = source.resolve(), build
         self.headers = self.files_of_objects()
         self.compile_seconds = self.seconds_of_objects()
-        paths = sorted(str(file.relative_to(build)) for room in ROOMS for file in (build / room).glob("*_test"))
+        paths = sorted(str(file.relative_to(build)) for room in TOPS for file in (build / room).glob("*_test"))
         self.programs = [Program(path, self.objects(path), 0) for path in [*paths, *(f"vnv/{case}" for case in cases)]]
 
     def changed_objects(self, file):
         """Those that a file is compiled into."""
-        path = str(self.source.resolve() / file)
+        path = str(self.source / file)
         return {name for name, files in self.headers.items() if path in files}
 
     def is_of_its_folder(self, name, program):
         """Whether an object is made from sources in the folder whose tests the program has, or from these tests."""
-        root = self.source.resolve()
-        return any(file.endswith(".cpp") and file.startswith(f"{root}/") and name_of_tests(file[len(str(root)) + 1:]) == program.name
+        root = f"{self.source}/"
+        return any(file.endswith(".cpp") and file.startswith(root) and program_of_tests(file.removeprefix(root)) == program.name
                    for file in self.headers.get(name, ()))
 
     def compiled_into(self, file):
@@ -78,9 +71,9 @@ class Nearest:
 
     def folders_without(self):
         """Folders of sources of which no file is compiled into any of the programs."""
-        root = str(self.source.resolve())
-        reached = {str(pathlib.PurePath(file).parent)[len(root) + 1:] for program in self.programs for name in program.objects
-                   for file in self.headers.get(name, ()) if file.startswith(f"{root}/")}
+        root = f"{self.source}/"
+        reached = {str(pathlib.PurePath(file.removeprefix(root)).parent) for program in self.programs for name in program.objects
+                   for file in self.headers.get(name, ()) if file.startswith(root)}
         return sorted(folders_of_sources(self.source) - reached)
 
     def files_of_objects(self):
@@ -104,19 +97,16 @@ class Nearest:
 
     def measure(self, timeout):
         """Runs all tests of an unchanged build, which have to pass, and keeps how long they take."""
-        measured = []
         for program in self.programs:
-            failed, seconds = self.failing_test(program, timeout)
+            failed, program.seconds = self.failing_test(program, timeout)
             if failed:
                 raise BadInput(f"{failed}: fails without a mutation, expected all tests to pass")
-            measured.append(dataclasses.replace(program, seconds=seconds))
-        self.programs = measured
 
     def of(self, file):
         """Programs that a file is compiled into: those of its own folder's tests first, then by their cost."""
         changed = self.changed_objects(file)
         cost = lambda program: program.seconds + sum(self.compile_seconds.get(name, 0) for name in program.objects & changed)
-        own = name_of_tests(file)
+        own = program_of_tests(file)
         return sorted(self.compiled_into(file), key=lambda program: (program.name != own, cost(program)))
 
     def failing_test(self, program, timeout):

@@ -30,7 +30,7 @@ import sites  # noqa: E402
 from scratch import ROOT, Scratch, digest, empty_records  # noqa: E402
 from shared import BadInput, Parser, exit_with  # noqa: E402
 
-from nearest import CALLED_BY_NO_TEST, ROOMS, Nearest  # noqa: E402
+from nearest import CALLED_BY_NO_TEST, Nearest  # noqa: E402
 
 KEPT, EQUIVALENT = FOLDER / "trials.csv", FOLDER / "equivalent.csv"
 SAMPLE = {"solvers/mpm": 50, "solvers/sph": 50, "solvers": 30, "reference": 40, "vnv/judge": 40, "vnv/measures": 40, "vnv/doors": 40,
@@ -93,7 +93,7 @@ class Worker:
     def prepare(self):
         self.scratch.configure(self.build)
         self.scratch.jobs = os.cpu_count()
-        if said := self.scratch.compile(self.build, [*(f"{room}_unit" for room in ROOMS), *CASES]):
+        if said := self.scratch.compile(self.build, [*(f"{room}_unit" for room in seeded.TOPS), *CASES]):
             raise BadInput(f"{self.build}: {said}")
         self.scratch.jobs = 1
         empty_records(self.build)

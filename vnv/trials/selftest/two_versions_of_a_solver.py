@@ -36,6 +36,8 @@ with tempfile.TemporaryDirectory() as name:
     assert "runs 1 methods by both programs, 2 times in turn" in said, said
     status, said = gate(old, solver("less_wrong", factor=0.95), "--repeats", "0")
     assert status == 0 and "L2 v, per particle [%] at 0.1 s" in said and ": better" in said and "CPU time" not in said, (status, said)
+    status, said = gate(old, solver("the_same", burn=60000), "--repeats", "0")
+    assert status == 0, (status, said)
     status, said = gate(old, solver("on_a_gpu", more="[resources]\ngpus = 1\n"), "--repeats", "1")
     assert status == 0 and "CPU time [s] before and GPU time [s] after, which are not compared" in said, (status, said)
     status, said = gate(old, solver("another_flow", re=50))

@@ -36,19 +36,19 @@ ROOT = FOLDER.parents[2]
 INDEX = pathlib.Path("reports", "touchstone_verdict_mutation")
 
 
-def mutate_values(build, data, records, case):
-    """What the program of a case says."""
-    done = run([build / "vnv" / case, "--data", data, "--mutate", records])
-    if done.returncode not in (0, 1) or not re.search(r" claims hold:", done.stdout):
-        raise BadInput(f"{case} --mutate {records}: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
+def mutated(options, case, expected, *words):
+    """What the program of a case says of the claims that it mutates."""
+    done = run([options.build / "vnv" / case, "--data", options.data, *words])
+    if done.returncode not in (0, 1) or not re.search(expected, done.stdout, re.MULTILINE):
+        raise BadInput(f"{case} {' '.join(map(str, words))}: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
     return done.stdout
 
 
-def try_values(build, data, records, cases, jobs):
+def try_values(options, records, cases):
     """Claims that hold, and {mutation: [seen, tried]}."""
     claims, counts, survivors = 0, collections.defaultdict(lambda: [0, 0]), []
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for output in pool.map(lambda case: mutate_values(build, data, records, case), cases):
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for output in pool.map(lambda case: mutated(options, case, " claims hold:", "--mutate", records), cases):
             survivors += [line for line in output.splitlines() if line.startswith("SURVIVED")]
             for line in re.findall(r"^[\w.]+: (\d+ claims hold:.*)$", output, re.MULTILINE):
                 claims += int(line.split()[0])
@@ -65,35 +65,35 @@ def beyond(verdict):
     return math.nextafter(upper, math.inf) if above else math.nextafter(lower, -math.inf)
 
 
-def report_on(build, data, folder):
+def report_on(options, folder):
     """Exit status of the report on these records, and its index."""
     some = {name: value for name, value in os.environ.items() if name != "TOUCHSTONE_WHOLE_SUITE"}  # it is one record
-    done = run([build / "reports" / "touchstone_report", folder, folder / "site", "--claims", data / "claims"], env=some)
+    done = run([options.build / "reports" / "touchstone_report", folder, folder / "site", "--claims", options.data / "claims"], env=some)
     index = folder / "site" / "index.html"
     if not index.is_file():
         raise BadInput(f"touchstone_report {folder}: {done.stdout.strip().splitlines()[-1]}")
     return done.returncode, index.read_text(encoding="utf-8")
 
 
-def is_red_for_real(build, data, file, folder):
+def is_red_for_real(options, file, folder):
     """Whether the pages of a record are green, and red with its last value that holds beyond its limit."""
     folder.mkdir()
     shutil.copy(file, folder)
-    before, index = report_on(build, data, folder)
+    before, index = report_on(options, folder)
     record = json.loads(file.read_text(encoding="utf-8"))
     verdict = next(v for v in reversed(record["verdicts"]) if v["outcome"] == "holds")
     verdict["value"] = beyond(verdict)
     (folder / file.name).write_text(json.dumps(record), encoding="utf-8")
-    after, mutated = report_on(build, data, folder)
+    after, mutated = report_on(options, folder)
     return (before == 0 and 'class="sum holds"' in index and after == 1 and 'class="sum fails"' in mutated
             and "inconsistent record" in mutated)
 
 
-def fails_for_real(build, data, name, folder):
+def fails_for_real(options, name, folder):
     """Whether a method's program passes, and fails where one accepted value is another."""
     case, method = name.split(".")
-    call = [build / "vnv" / case, "--method", method, "--data", folder / "data"]
-    shutil.copytree(data, folder / "data")
+    call = [options.build / "vnv" / case, "--method", method, "--data", folder / "data"]
+    shutil.copytree(options.data, folder / "data")
     before = run(call).returncode
     table = folder / "data" / "baselines" / f"{case}.csv"
     rows = list(csv.reader(table.read_text(encoding="utf-8").splitlines()))
@@ -105,20 +105,19 @@ def fails_for_real(build, data, name, folder):
     return before == 0 and done.returncode == 1 and ": FAILS" in done.stdout
 
 
-def try_for_real(build, data, files, at_most):
-    """How many of how many were red."""
-    seen, tried = 0, 0
+def try_for_real(options, files):
+    """Whether each that was tried was red."""
+    if options.for_real == 0:
+        return []
     with tempfile.TemporaryDirectory(prefix="verdicts.") as scratch:
-        for file in files[:: max(1, math.ceil(len(files) / at_most))] if at_most else []:
-            tried += 1
-            seen += is_red_for_real(build, data, file, pathlib.Path(scratch) / file.stem)
-        cheapest = min(files, key=lambda file: sum(r["cost"]["wall"] for r in json.loads(file.read_text())["runs"]))
-        name, folder = cheapest.stem, pathlib.Path(scratch) / "program"
-        baselines = data / "baselines" / f"{name.split('.')[0]}.csv"
-        if at_most and baselines.is_file() and f"\n{name.split('.')[1]}," in baselines.read_text(encoding="utf-8"):
-            tried += 1
-            seen += fails_for_real(build, data, name, folder)
-    return seen, tried
+        some = files[:: max(1, math.ceil(len(files) / options.for_real))]
+        red = [is_red_for_real(options, file, pathlib.Path(scratch) / file.stem) for file in some]
+        cheapest = min(files, key=lambda file: sum(r["cost"]["wall"] for r in json.loads(file.read_text())["runs"])).stem
+        case, method = cheapest.split(".")
+        baselines = options.data / "baselines" / f"{case}.csv"
+        if baselines.is_file() and f"\n{method}," in baselines.read_text(encoding="utf-8"):
+            red.append(fails_for_real(options, cheapest, pathlib.Path(scratch) / "program"))
+    return red
 
 
 def mutate_samples(options, folder, name):
@@ -127,13 +126,12 @@ def mutate_samples(options, folder, name):
     case, method = name.split(".")
     records = folder / name
     records.mkdir()
-    done = run([options.build / "vnv" / case, "--data", options.data, "--method", method, "--mutate-samples", "--records", records])
-    told = re.search(r"^[\w.]+: (\d+) claims hold: beyond (\d+)/\d+.*; mutated for ([\d.]+) s$", done.stdout, re.MULTILINE)
-    if done.returncode not in (0, 1) or not told:
-        raise BadInput(f"{name} --mutate-samples: {(done.stdout.strip().splitlines() or ['said nothing'])[-1]}")
-    survivors = [line for line in done.stdout.splitlines() if line.startswith("SURVIVED")]
-    is_red = int(told[2]) == 0 or report_on(options.build, options.data, records)[0] == 1
-    return int(told[1]), int(told[2]), survivors, is_red, float(told[3])
+    told = r"^[\w.]+: (\d+) claims hold: beyond (\d+)/\d+.*; mutated for ([\d.]+) s$"
+    said = mutated(options, case, told, "--method", method, "--mutate-samples", "--records", records)
+    claims, seen, seconds = re.search(told, said, re.MULTILINE).groups()
+    survivors = [line for line in said.splitlines() if line.startswith("SURVIVED")]
+    is_red = int(seen) == 0 or report_on(options, records)[0] == 1
+    return int(claims), int(seen), survivors, is_red, float(seconds)
 
 
 def try_samples(options):
@@ -188,17 +186,17 @@ def mutate_all(options, records):
     index = [options.build / INDEX, records, "--claims", options.data / "claims"]
     with concurrent.futures.ThreadPoolExecutor(1) as pool:
         shown = pool.submit(run, index)
-        claims, counts, survivors = try_values(options.build, options.data, records, cases, options.jobs)
+        claims, counts, survivors = try_values(options, records, cases)
         shown = shown.result()
     print("\n".join(survivors + shown.stdout.splitlines()))
     for mutation, (seen, tried) in counts.items():
         print(f"{mutation}: {seen} of {tried} seen by the programs")
-    real, tried_for_real = try_for_real(options.build, options.data, files, options.for_real)
+    real = try_for_real(options, files)
     on_index = re.search(r"^value: (\d+) seen", shown.stdout, re.MULTILINE)
     print(f"{claims} claims that hold, {counts['beyond'][0]} made to fail, {on_index[1] if on_index else 'none'} seen by "
-          f"the index; {real} of {tried_for_real} for real; {time.monotonic() - began:.0f} s")
+          f"the index; {sum(real)} of {len(real)} for real; {time.monotonic() - began:.0f} s")
     is_seen = all(seen == tried for seen, tried in counts.values()) and counts["beyond"][1] == claims > 0
-    return 0 if is_seen and shown.returncode == 0 and real == tried_for_real else 1
+    return 0 if is_seen and shown.returncode == 0 and all(real) else 1
 
 
 if __name__ == "__main__":
