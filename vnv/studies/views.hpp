@@ -31,16 +31,6 @@ struct View {
   Start start(const Start& plain) const;
   Vectors places_on(const Vectors& lattice) const { return rearranged ? rearranged(lattice) : lattice; }
 
-  /// A scene without velocities, carried along from the places that its particles have in this view.
-  template <class AnyScene>
-  AnyScene carrying(AnyScene scene) const {
-    scene.start.velocity = [v = carried](const Vec2&) { return v; };
-    scene.start.places = [view = *this, plain = scene.start](const Vectors& lattice) {
-      return view.places_on(plain.places_on(lattice));
-    };
-    return scene;
-  }
-
   /// The particles of a run in this view, as they would be in the plain flow.
   Samples in_plain_flow(Samples s) const;
 };
