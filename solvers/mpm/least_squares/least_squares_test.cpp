@@ -57,7 +57,7 @@ TEST(FittedNodes, KnowAFieldOfSecondDegreeAtNodesAndAtParticlesAnywhere) {
   for_blocks(all, nodes, 1, [&](Index, const auto& block, int node) {
     for_particles_of(block, [&](int slot, const auto& write) {
       const Monomials X = all.place(0, slot), Y = all.place(1, slot);
-      const Between x = nodes.between(0, block.column, X.X), y = nodes.between(1, block.row, Y.X);
+      const HatsAlong x = nodes.hats_at(0, block.column, X.X), y = nodes.hats_at(1, block.row, Y.X);
       const Lanes by_fits = joined(nodes.around(node)[FittedNodes::v_x], x, y),
                   by_values = value_at(nodes.parabolas(values, node), X, Y);
       for (int lane = 0; lane < lanes; ++lane)
