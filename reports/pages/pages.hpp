@@ -22,8 +22,8 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
 /// are farthest off; then the tables of all flows and of all other cases, with what each method reaches and is called.
 Data overview_data(const std::vector<CaseRecords>& cases, const NightStatus& status);
 
-/// What was solved in a case, how it compares, and what is claimed. Stands in the case's folder, beside its figures; all
-/// others stand beside the index.
+/// What was solved in a case, how it compares, and what is claimed. Stands in the case's folder, beside its figures;
+/// all others stand beside the index.
 std::string case_page(const CaseRecords& records, const Plots& figures, const Plots& order_plots);
 
 /// How each method converges in each flow, and whether that shows a flow: it has an order of velocity or pressure.

@@ -39,7 +39,7 @@ std::string with_unit(const std::string& quantity, const std::string& unit);
 /// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
 std::string with_interval(double value, double half_width);
 
-/// The word for an enumerator. That for an outcome or a trend is also the class by which the style sheet knows its colour.
+/// The word for an enumerator; of an outcome or a trend also the class by which the style sheet knows its colour.
 std::string word(auto value) { return std::string(vnv::word_of(value)); }
 
 /// "↘ converging": where the errors go as the spacing decreases.

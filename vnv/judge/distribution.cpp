@@ -128,7 +128,7 @@ bool median_is_inside(const std::vector<double>& members, double low, double hig
 double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals) {
   if (!is_finite(a) || !is_finite(b)) return 0;
   Pooled both = pooled(a, b);
-  const double found = unlikeness_of(both) * (1 - 1e-12);  // a deal that is this one is as unlike, whatever sums round to
+  const double found = unlikeness_of(both) * (1 - 1e-12);  // a deal that is this one is as unlike, however sums round
   std::mt19937_64 random(20);                           // std::shuffle differs between standard libraries
   constexpr long enough = 2000;                         // the p-value is known to 2 % then
   long as_unlike = 0;
