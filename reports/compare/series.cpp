@@ -1,10 +1,10 @@
 #include "reports/compare/series.hpp"
 
+#include "vnv/record/median.hpp"
+
 #include <fmt/format.h>
-#include <boost/math/statistics/univariate_statistics.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
@@ -14,8 +14,6 @@ namespace touchstone::reports {
 namespace {
 
 using Kind = Series::Kind;
-
-double median(std::vector<double> values) { return boost::math::statistics::median(values); }
 
 /// Where a number stands in every night; times agree to nine digits.
 using Place = std::tuple<std::string, std::string, bool, std::string, std::string, std::string>;
@@ -127,7 +125,7 @@ class Level {
   }
   void restart() { values_.clear(); }
   bool is_known() const { return !values_.empty(); }
-  double middle() const { return median(values_); }
+  double middle() const { return vnv::median(values_); }
 
   bool holds(double value) const {
     const double level = middle();
@@ -149,7 +147,7 @@ class Level {
     if (values_.size() < enough) return 0;
     std::vector<double> differences;
     for (std::size_t i = 1; i < values_.size(); ++i) differences.push_back(std::abs(values_[i] - values_[i - 1]));
-    return 1.4826 / std::numbers::sqrt2 * median(differences);
+    return 1.4826 / std::numbers::sqrt2 * vnv::median(differences);
   }
 
   const Series& series_;

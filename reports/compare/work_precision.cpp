@@ -1,5 +1,6 @@
 #include "reports/compare/work_precision.hpp"
 
+#include "reports/text/notation.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <set>
 #include <tuple>
 
@@ -168,7 +168,7 @@ void choose_targets(WorkDiagram& diagram, const Points& points) {
 
 /// The diagram of a resource, with all that its declaration leaves to the page.
 WorkDiagram told(WorkDiagram diagram, double time, Resource resource, const Points& points) {
-  const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
+  const std::string name(word_of(resource));
   if (diagram.caption.empty())
     diagram.caption = fmt::format(
         "{}, at t = {:g} s, against {} time up to then (longer runs are charged pro rata); lower left is "
@@ -287,7 +287,7 @@ std::string with_unit_of(const WorkDiagram& diagram, double target) {
 }
 
 vnv::Table costs(const WorkDiagram& diagram, Resource resource, const Points& points) {
-  const std::string name(words(resource).at(static_cast<std::size_t>(resource)));
+  const std::string name(word_of(resource));
   vnv::Table table{
       diagram.id + "_prices",
       name + " time to a given error",
@@ -416,6 +416,8 @@ vnv::Table cost_ratios(const vnv::WorkDiagram& diagram, const Points& points) {
   }
   return table;
 }
+
+std::string rounded(const TimeToError& time) { return (time.at_most ? "≤\u202f" : "") + rounded(time.cpu, "s"); }
 
 std::optional<Cheapest> cheapest(const CaseRecords& records, const Subject& subject) {
   const auto own = [&](const vnv::Record& record) {

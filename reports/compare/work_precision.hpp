@@ -41,6 +41,9 @@ struct Cheapest {
   std::string machine;  // that ran both
 };
 
+/// "≤ 1.2 s"
+std::string rounded(const vnv::TimeToError& time);
+
 /// By all runs of the case, on ladders or not, each charged for as far as it went when its error was measured. Equal
 /// spacing would be no fair measure: a step of one method costs many times that of another. Nothing if fewer than two
 /// methods have errors and times. Where several machines ran them, those that one ran, the most, are compared.

@@ -105,10 +105,9 @@ std::string with_clause(const CurveSeries& series) {
   const LineStyle l = style_of(series);
   const bool is_line = curve.role == Role::exact || curve.role == Role::guide || curve.x.size() > few_points;
   const double size = curve.x.size() < many_points || !series.seen.empty() ? l.size : 0.6 * l.size;
-  const std::string line = fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", l.dash, l.width, l.colour);
   const std::string points = fmt::format("pointtype {} pointsize {:.3g}", l.mark, size);
   if (curve.points) return fmt::format("points {} linewidth {} linecolor rgb '{}'", points, l.width * 0.6, l.colour);
-  return is_line ? "lines " + line : fmt::format("linespoints {} {}", line, points);
+  return is_line ? "lines " + l.line() : fmt::format("linespoints {} {}", l.line(), points);
 }
 
 // `first` is the row of the data at which the curve starts.

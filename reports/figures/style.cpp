@@ -20,6 +20,10 @@ std::size_t letters(const std::string& text) {
 
 }  // namespace
 
+std::string LineStyle::line() const {
+  return fmt::format("dashtype {} linewidth {} linecolor rgb '{}'", dash, width, colour);
+}
+
 LineStyle style_of_method(std::size_t method, std::size_t member) {
   const std::size_t turn = member + method / palette.size();  // a second round of colours takes other marks
   const double size =

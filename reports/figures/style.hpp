@@ -26,6 +26,9 @@ struct LineStyle {
   int mark;
   const char* dash;
   double width, size;
+
+  /// As gnuplot has it: "dashtype 1 linewidth 2 linecolor rgb '#0072B2'".
+  std::string line() const;
 };
 
 /// Methods differ in colour, the curves of one method in mark and dash.

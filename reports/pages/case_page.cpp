@@ -1,6 +1,5 @@
-#include "reports/pages/case_page.hpp"
+#include "reports/pages/pages.hpp"
 
-#include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
 
 #include <fmt/format.h>

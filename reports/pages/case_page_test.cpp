@@ -1,7 +1,7 @@
 /// Each number on a page is that of the record, in the unit of its heading: numbers that are all different tell which
 /// is where.
 
-#include "reports/pages/case_page.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/testing.hpp"
 

@@ -1,6 +1,4 @@
-#include "reports/pages/fault_page.hpp"
-
-#include "reports/pages/template.hpp"
+#include "reports/pages/pages.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +42,7 @@ Data trial_data(const FaultTrial& trial) {
   const FaultTest* clearest = trial.clearest();
   const bool has_margin = clearest && !std::isnan(clearest->margin);
   return object("title"_ = trial.title, "files"_ = trial.files, "kind"_ = kind_of_conclusion(trial),
-                "conclusion"_ = std::string(name_of(trial.conclusion)), "why"_ = if_any(trial.why),
+                "conclusion"_ = word(trial.conclusion), "why"_ = if_any(trial.why),
                 "margin"_ = has_margin ? in_percent(clearest->margin) : "–",
                 "noticed"_ = std::ranges::count_if(trial.tests, &FaultTest::noticed), "run"_ = trial.tests.size(),
                 "noticed_by"_ = tests_data(trial, true),

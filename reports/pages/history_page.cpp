@@ -1,7 +1,6 @@
-#include "reports/pages/history_page.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/figures/sparkline.hpp"
-#include "reports/pages/template.hpp"
 #include "reports/read/csv.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +13,8 @@
 
 namespace touchstone::reports {
 namespace {
+
+constexpr std::size_t most_changes_listed = 100;  // all steps are in trend_steps.csv
 
 /// A step, and the series it is in.
 struct Change {

@@ -1,6 +1,6 @@
 /// Which of several nights, values and curves a page names, where each is another.
 
-#include "reports/pages/history_page.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/testing.hpp"
 

@@ -1,9 +1,6 @@
-#include "reports/pages/index.hpp"
+#include "reports/pages/pages.hpp"
 
-#include "reports/pages/overview.hpp"
-#include "reports/pages/order_matrix.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/pages/work_page.hpp"
 
 #include <fmt/format.h>
 
@@ -87,7 +84,7 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
   add_list(failures, "known", amber(status));
   add_list(inconclusive, "inconclusive", sentences(vnv::Outcome::inconclusive, verdicts));
   return page("index",
-              object("root"_ = "", "kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
+              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
                      "known"_ = when(!status.known.empty(), status.known.size()),
                      "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
                      "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,

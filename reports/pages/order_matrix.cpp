@@ -1,7 +1,6 @@
-#include "reports/pages/order_matrix.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/compare/work_precision.hpp"
-#include "reports/pages/template.hpp"
 #include "vnv/record/quantity.hpp"
 
 #include <fmt/format.h>
@@ -81,16 +80,12 @@ Data cell(const Column& flow, const std::string& method, std::set<char>& notes) 
                 "lines"_ = each(lines, order));
 }
 
-std::string cost(const Cheapest::Cost& cost) {
-  return (cost.time.at_most ? "≤\u202f" : "") + rounded(cost.time.cpu, "s");
-}
-
 Data cheapest_data(const Column& flow) {
   const auto found = cheapest(*flow.records, flow.comparison.subject);
   if (!found) return false;
-  return object("method"_ = found->best.method, "cost"_ = cost(found->best),
+  return object("method"_ = found->best.method, "cost"_ = rounded(found->best.time),
                 "error"_ = rounded(found->error, flow.unit()), "machine"_ = if_any(found->machine),
-                "next"_ = found->next.method, "next_cost"_ = cost(found->next));
+                "next"_ = found->next.method, "next_cost"_ = rounded(found->next.time));
 }
 
 Data heading(const Column& flow) {

@@ -1,4 +1,4 @@
-#include "reports/pages/order_matrix.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/testing.hpp"
 
@@ -38,7 +38,7 @@ TEST(OrderMatrix, TellsEachTrendBySignWordAndColour) {
                                      {vnv::Trend::inconclusive, "?\u00a0inconclusive"}}) {
     cases[0].records[0].orders[0].trend = trend;
     const std::string html = order_matrix_page(cases);
-    EXPECT_TRUE(contains(html, std::string("<td class=\"") + std::string(name_of(trend)) + "\">")) << words;
+    EXPECT_TRUE(contains(html, std::string("<td class=\"") + word(trend) + "\">")) << words;
     EXPECT_TRUE(contains(html, std::string(words) + "</td>")) << words;
   }
 }

@@ -1,7 +1,6 @@
-#include "reports/pages/overview.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/compare/standings.hpp"
-#include "reports/figures/figures.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
@@ -72,12 +71,11 @@ std::string claims(const Tally& sum) {
 Data method_data(const Standing& one, const Work& work, const NightStatus& status) {
   const Name name = stands(one, status);
   const bool has_order = one.order && !std::isnan(one.order->order);
-  const std::string cost = (one.cost.at_most ? "≤\u202f" : "") + rounded(one.cost.cpu, "s");
   return object("method"_ = one.record->method, "is_most_accurate"_ = one.is_most_accurate,
                 "error"_ = std::isnan(one.error) ? "–" : rounded(one.error, work.diagram.quantity.unit),
                 "order"_ = has_order ? with_interval(one.order->order, one.order->half_width) : "–",
                 "trend"_ = has_order ? word(one.order->trend) : "none", "is_cheapest"_ = one.is_cheapest,
-                "cost"_ = one.cost.is_reached() ? cost : "–", "kind"_ = name.kind, "name"_ = name.words,
+                "cost"_ = one.cost.is_reached() ? rounded(one.cost) : "–", "kind"_ = name.kind, "name"_ = name.words,
                 "wrong"_ = name.kind == "accepted" && one.at_end ? wrong(*one.at_end, work.time) : false,
                 "authors"_ = when(name.kind == "holds", authors(one.right_by)),
                 "claims"_ = claims(tally(one.record->verdicts)));

@@ -1,11 +1,11 @@
-#include "reports/pages/index.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/testing.hpp"
 
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
-namespace front_test {
+namespace overview_test {
 
 /// A method that is as wrong as accepted, by so much at 1 s in its finest run.
 vnv::Record wrong_by(const std::string& method, double error) {
@@ -62,5 +62,5 @@ TEST(Front, HasARowOfEachMethodBesideItsFlow) {
   EXPECT_TRUE(contains(html, "<tr><td>sph</td>"));
 }
 
-}  // namespace front_test
+}  // namespace overview_test
 }  // namespace touchstone::reports

@@ -1,17 +1,10 @@
 #include "reports/pages/site.hpp"
 
 #include "reports/compare/work_precision.hpp"
-#include "reports/figures/figures.hpp"
 #include "reports/figures/gnuplot.hpp"
-#include "reports/pages/case_page.hpp"
-#include "reports/pages/fault_page.hpp"
-#include "reports/pages/history_page.hpp"
-#include "reports/pages/index.hpp"
-#include "reports/pages/order_matrix.hpp"
+#include "reports/pages/pages.hpp"
 #include "reports/pages/staging.hpp"
-#include "reports/pages/template.hpp"
 #include "reports/pages/verdicts.hpp"
-#include "reports/pages/work_page.hpp"
 #include "reports/read/csv.hpp"
 #include "vnv/files/whole_file.hpp"
 

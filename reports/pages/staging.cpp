@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace touchstone::reports {

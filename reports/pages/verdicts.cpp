@@ -89,7 +89,7 @@ std::string verdicts_page(const std::vector<CaseRecords>& cases) {
     return object("case"_ = records.name, "height"_ = std::to_string(4 + 3 * rows), "claims"_ = claims_data(records));
   };
   return page("verdicts",
-              object("root"_ = "", "kind"_ = word(sum.worst()), "sentence"_ = sentence(sum),
+              object("kind"_ = word(sum.worst()), "sentence"_ = sentence(sum),
                      "cases"_ = each(cases, section)));
 }
 

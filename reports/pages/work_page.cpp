@@ -1,6 +1,5 @@
-#include "reports/pages/work_page.hpp"
+#include "reports/pages/pages.hpp"
 
-#include "reports/pages/template.hpp"
 #include "vnv/record/prices.hpp"
 
 #include <fmt/format.h>

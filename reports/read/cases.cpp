@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <map>
 #include <set>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 #include "reports/read/cases.hpp"
-#include "reports/pages/case_page.hpp"
+#include "reports/pages/pages.hpp"
 
 #include "reports/testing.hpp"
 

@@ -2,8 +2,6 @@
 
 #include "reports/text/notation.hpp"
 
-#include <fmt/format.h>
-
 namespace touchstone::reports {
 namespace {
 
@@ -25,7 +23,7 @@ std::string order_line(const vnv::Record& record, const vnv::ObservedOrder& o) {
   return csv_line({record.case_name, record.method, o.ladder, o.quantity, number(o.time),
                    std::to_string(o.errors.size()), has_levels ? number(o.spacings.back()) : "",
                    has_levels ? number(o.errors.back()) : "", number(o.order), number(o.half_width),
-                   std::string(vnv::name_of(o.trend)), o.asymptotic ? "yes" : "no", number_or_empty(o.floor),
+                   word(o.trend), o.asymptotic ? "yes" : "no", number_or_empty(o.floor),
                    number_or_empty(o.floor_half_width), number_or_empty(o.order_to_floor),
                    number_or_empty(o.order_to_floor_half_width)});
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <tuple>
@@ -16,10 +15,6 @@ namespace {
 
 const std::vector<std::string> trial_columns{"fault",   "title",      "files",    "conclusion", "why",      "test",
                                              "noticed", "margin [-]", "sentence", "revision",   "tried at", "digest"};
-
-// In the order of the enumerators.
-constexpr auto conclusions = std::to_array<std::string_view>(
-    {"survived", "does not compile", "false alarm", "noticed at night", "noticed", "stays green"});
 
 template <class Number>
 bool is_read(const std::string& text, Number& value) {
@@ -32,6 +27,7 @@ FaultTrial trial_on(const vnv::Sheet& sheet, const vnv::Sheet::Row& row) {
   const auto& c = row.cells;
   for (const std::size_t i : {0, 1, 5, 9, 10})
     if (c[i].empty()) refuse(fmt::format("no {}, expected one", trial_columns[i]));
+  constexpr auto conclusions = words(Conclusion{});
   const auto conclusion = std::ranges::find(conclusions, c[3]);
   if (conclusion == conclusions.end())
     refuse(fmt::format("conclusion '{}', expected one such as '{}'", c[3], conclusions.front()));
@@ -64,8 +60,6 @@ std::string percent_of(long part, long whole) {
 }
 
 }  // namespace
-
-std::string_view name_of(Conclusion conclusion) { return conclusions[static_cast<std::size_t>(conclusion)]; }
 
 const FaultTest* FaultTrial::clearest() const {
   const FaultTest* found = nullptr;

@@ -3,8 +3,10 @@
 
 #include "vnv/record/record.hpp"
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace touchstone::reports {
@@ -20,8 +22,10 @@ struct FaultTest {
 
 /// What came of a fault, or of a harmless change; the first are those that somebody has to look at.
 enum class Conclusion { survived, does_not_compile, false_alarm, noticed_at_night, noticed, stays_green };
-/// "does not compile", "noticed at night"
-std::string_view name_of(Conclusion conclusion);
+constexpr auto words(Conclusion) {
+  return std::to_array<std::string_view>(
+      {"survived", "does not compile", "false alarm", "noticed at night", "noticed", "stays green"});
+}
 
 /// A fault, or a harmless change, that was seeded alone.
 struct FaultTrial {

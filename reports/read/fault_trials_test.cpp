@@ -1,6 +1,6 @@
 #include "reports/read/fault_trials.hpp"
 
-#include "reports/pages/fault_page.hpp"
+#include "reports/pages/pages.hpp"
 #include "reports/testing.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "reports/read/known_failures.hpp"
 
-#include "reports/pages/index.hpp"
+#include "reports/pages/pages.hpp"
 #include "reports/testing.hpp"
 #include "vnv/files/data_folder.hpp"
 

@@ -21,24 +21,12 @@ namespace touchstone::reports {
 
 // Each kind of line is described once, for the writer and for the reader, so that the two cannot disagree.
 TOUCHSTONE_FIELDS(Night, suite, revision, compiler, flags, machine, finished_at)
-void describe(auto& field, vnv::json::A<NightRun> auto& item) {
-  field("case", item.case_name);
-  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time_step, finished, outcome, cpu, wall, peak_memory,
-                        particles, steps, particle_steps_per_second, machine)
-}
-void describe(auto& field, vnv::json::A<NightValue> auto& item) {
-  field("case", item.case_name);
-  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time, quantity, value)
-}
-void describe(auto& field, vnv::json::A<NightOrder> auto& item) {
-  field("case", item.case_name);
-  TOUCHSTONE_EACH_FIELD(field, item, method, ladder, quantity, time, levels, order, half_width)
-}
-void describe(auto& field, vnv::json::A<NightVerdict> auto& item) {
-  field("case", item.case_name);
-  TOUCHSTONE_EACH_FIELD(field, item, method, level, spacing, time, quantity, author, value, lower, upper, margin,
-                        outcome)
-}
+TOUCHSTONE_FIELDS_OF_A_CASE(NightRun, method, level, spacing, time_step, finished, outcome, cpu, wall, peak_memory,
+                            particles, steps, particle_steps_per_second, machine)
+TOUCHSTONE_FIELDS_OF_A_CASE(NightValue, method, level, spacing, time, quantity, value)
+TOUCHSTONE_FIELDS_OF_A_CASE(NightOrder, method, ladder, quantity, time, levels, order, half_width)
+TOUCHSTONE_FIELDS_OF_A_CASE(NightVerdict, method, level, spacing, time, quantity, author, value, lower, upper, margin,
+                            outcome)
 
 namespace {
 

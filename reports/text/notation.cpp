@@ -92,10 +92,6 @@ std::string with_interval(double value, double half_width) {
   return std::isfinite(half_width) ? fmt::format("{} ± {:.{}f}", middle, half_width, digits) : middle;
 }
 
-std::string word(vnv::Outcome outcome) { return std::string(words(outcome)[static_cast<std::size_t>(outcome)]); }
-std::string word(vnv::Resource resource) { return std::string(words(resource)[static_cast<std::size_t>(resource)]); }
-std::string word(vnv::Trend trend) { return std::string(vnv::name_of(trend)); }
-
 std::string sign_and_word(vnv::Trend trend) {
   constexpr std::array signs{"↘", "→", "↗", "?"};  // in the order of the enumerators
   return fmt::format("{}\u00a0{}", signs[static_cast<std::size_t>(trend)], word(trend));

@@ -39,11 +39,8 @@ std::string with_unit(const std::string& quantity, const std::string& unit);
 /// "2.02 ± 0.12", as plain text; without an interval that knows no bounds.
 std::string with_interval(double value, double half_width);
 
-/// "holds", "fails" or "inconclusive"; also the class by which the style sheet knows the colour, as of a trend.
-std::string word(vnv::Outcome outcome);
-std::string word(vnv::Trend trend);
-/// "CPU", "GPU" or "core"
-std::string word(vnv::Resource resource);
+/// The word for an enumerator; of an outcome or a trend also the class by which the style sheet knows its colour.
+std::string word(auto value) { return std::string(vnv::word_of(value)); }
 
 /// "↘ converging": where the errors go as the spacing decreases.
 std::string sign_and_word(vnv::Trend trend);

@@ -95,7 +95,7 @@ void print(const std::string& name, const ObservedOrder& order, std::optional<do
     return order.asymptotic && order.trend == Trend::converging && above_floor == has_floor ? ", asymptotic" : "";
   };
   fmt::print("{}: observed order {:.4g} +- {:.2g} over {} resolutions, {}{}{}\n", name, order.order, order.half_width,
-             order.errors.size(), name_of(order.trend),
+             order.errors.size(), word_of(order.trend),
              order.trend == Trend::stalled && !has_floor ? " (within 0.5 of 0)" : "", asymptotic(false));
   if (has_floor)
     fmt::print("  above a floor of {:.4g} +- {:.2g}: {:.4g} +- {:.2g}{}\n", order.floor, order.floor_half_width,
@@ -114,7 +114,7 @@ std::string why_not_above(const ObservedOrder& order, double limit) {
   const double middle = above_floor ? order.order_to_floor : order.order,
                half = above_floor ? order.order_to_floor_half_width : order.half_width;
   if (order.trend == Trend::stalled && above_floor) return "stalled at a floor, not trusted";
-  if (order.trend != Trend::converging && order.trend != Trend::stalled) return std::string(name_of(order.trend));
+  if (order.trend != Trend::converging && order.trend != Trend::stalled) return std::string(word_of(order.trend));
   if (!(middle - half > limit)) return fmt::format("may be {:.4g}", middle - half);
   return std::ranges::all_of(order.pairwise, [](double pair) { return pair > 0; }) ? "" : "not trusted";
 }

@@ -10,7 +10,7 @@ namespace {
 
 using vnv::Better, vnv::Outcome, vnv::Verdict;
 
-std::string_view word_of(Outcome outcome) {
+std::string_view predicate_of(Outcome outcome) {
   return outcome == Outcome::holds ? "holds" : outcome == Outcome::fails ? "fails" : "is inconclusive";
 }
 
@@ -49,7 +49,7 @@ Reason compare_verdicts(const Verdict& before, const Verdict& after) {
   const int rise = rank_of(after.outcome) - rank_of(before.outcome);
   if (rise < 0 && is_left_for_the_better(before, after))
     return {Change::better, "better than its baseline allows; to be accepted"};
-  const std::string words = fmt::format("{} before, {} now", word_of(before.outcome), word_of(after.outcome));
+  const std::string words = fmt::format("{} before, {} now", predicate_of(before.outcome), predicate_of(after.outcome));
   if (rise < 0) return {Change::worse, words};
   if (is_loosened(before, after)) return {Change::inconclusive, words + ", by limits that allow more"};
   return {rise > 0 ? Change::better : Change::same, words};

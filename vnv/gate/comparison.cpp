@@ -16,17 +16,14 @@ namespace {
 
 using vnv::Value, vnv::ObservedOrder, vnv::Record, vnv::RunSummary, vnv::Verdict;
 
-const char* const gone = "no longer there";
-const char* const added = "new";
-
 /// A thing of a method, before it is judged.
-Difference of_method(const Record& record, Kind kind, std::string quantity) {
-  Difference d;
-  d.case_name = record.case_name;
-  d.method = record.method;
-  d.kind = kind;
-  d.quantity = std::move(quantity);
-  return d;
+Difference of_method(const Record& record, Kind kind, std::string quantity, double time, std::string level = "") {
+  return {.case_name = record.case_name,
+          .method = record.method,
+          .level = std::move(level),
+          .time = time,
+          .quantity = std::move(quantity),
+          .kind = kind};
 }
 
 Difference concluded(Difference d, Reason reason) {
@@ -84,10 +81,7 @@ Reason compare_ends(const RunSummary& before, const RunSummary& after) {
 
 void compare_runs(const Record& before, const Record& after, std::vector<Difference>& found) {
   const auto place = [&](const RunSummary& run, const RunSummary*) {
-    Difference d = of_method(before, Kind::run, "run");
-    d.level = run.level;
-    d.time = run.end_time;
-    return d;
+    return of_method(before, Kind::run, "run", run.end_time, run.level);
   };
   compare_lists(
       before.runs, after.runs, [](const RunSummary& a, const RunSummary& b) { return a.level == b.level; }, place,
@@ -96,10 +90,8 @@ void compare_runs(const Record& before, const Record& after, std::vector<Differe
 
 void compare_errors(const Record& before, const Record& after, std::vector<Difference>& found) {
   const auto place = [&](const Value& error, const Value* now) {  // records of a former schema declare no kind
-    Difference d = of_method(before, kind_of((now ? now : &error)->quantity.kind), error.quantity.heading());
-    d.level = error.level;
-    d.time = error.time;
-    return d;
+    const Kind kind = kind_of((now ? now : &error)->quantity.kind);
+    return of_method(before, kind, error.quantity.heading(), error.time, error.level);
   };
   const auto judge = [&](const Value& was, const Value& is) {
     if (is.quantity.kind == vnv::Kind::cost) return Reason{Change::unjudged, "machine-dependent"};
@@ -126,9 +118,7 @@ void compare_orders_of(const Record& before, const Record& after, std::vector<Di
     return a.ladder == b.ladder && a.quantity == b.quantity && vnv::same_time(a.time, b.time);
   };
   const auto place = [&](const ObservedOrder& order, const ObservedOrder*) {
-    Difference d = of_method(before, Kind::order, fmt::format("order of {} over {}", order.quantity, order.ladder));
-    d.time = order.time;
-    return d;
+    return of_method(before, Kind::order, fmt::format("order of {} over {}", order.quantity, order.ladder), order.time);
   };
   const auto judge = [&](const ObservedOrder& was, const ObservedOrder& is) {
     return compare_orders(was, is, explained_by_tolerance(was, before));
@@ -165,10 +155,7 @@ void compare_claims(const Record& before, const Record& after, std::vector<Diffe
   const auto is_same = [](const Claimed& a, const Claimed& b) { return a.ordinal == b.ordinal && a.is_same(b); };
   const auto place = [&](const Claimed& claim, const Claimed*) {
     const Verdict& v = *claim.verdict;
-    Difference d = of_method(before, Kind::claim, fmt::format("claim on {} ({})", v.quantity, v.author));
-    d.level = v.level;
-    d.time = v.time;
-    return d;
+    return of_method(before, Kind::claim, fmt::format("claim on {} ({})", v.quantity, v.author), v.time, v.level);
   };
   compare_lists(
       claims_of(before), claims_of(after), is_same, place, [](const Claimed& claim) { return claim.verdict->value; },
@@ -183,8 +170,6 @@ void name_machines(const Record& before, const Record& after, Difference& d) {
                        before.machine, after.machine);
 }
 
-bool are_of_one_method(const Record& a, const Record& b) { return a.case_name == b.case_name && a.method == b.method; }
-
 void require_one_of_each(const Records& records) {
   for (std::size_t i = 0; i < records.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
@@ -194,8 +179,8 @@ void require_one_of_each(const Records& records) {
 }
 
 bool are_at_one_place(const Difference& a, const Difference& b) {
-  return a.case_name == b.case_name && a.method == b.method && a.kind == b.kind && a.level == b.level &&
-         a.quantity == b.quantity && vnv::same_time(a.time, b.time);
+  return are_of_one_method(a, b) && a.kind == b.kind && a.level == b.level && a.quantity == b.quantity &&
+         vnv::same_time(a.time, b.time);
 }
 
 /// What is not the same in all runs of one program.
@@ -218,7 +203,7 @@ std::vector<Difference> compare(const Records& before, const Records& after) {
   for (const Record& was : before) {
     const auto is = std::ranges::find_if(after, [&](const Record& other) { return are_of_one_method(was, other); });
     if (is == after.end()) {
-      found.push_back(concluded(of_method(was, Kind::run, "method"), {Change::worse, gone}));
+      found.push_back(of_whole_method(was.case_name, was.method, Change::worse));
       continue;
     }
     const auto first = std::ssize(found);
@@ -228,7 +213,7 @@ std::vector<Difference> compare(const Records& before, const Records& after) {
   }
   for (const Record& is : after)
     if (std::ranges::none_of(before, [&](const Record& other) { return are_of_one_method(other, is); }))
-      found.push_back(concluded(of_method(is, Kind::run, "method"), {Change::unjudged, added}));
+      found.push_back(of_whole_method(is.case_name, is.method, Change::unjudged));
   return found;
 }
 

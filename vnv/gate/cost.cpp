@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace touchstone::gate {
@@ -47,8 +47,7 @@ bool is_harmless(const Ratio& ratio) {
   return ratio.estimate < 1 + smallest_slowdown && ratio.highest < 1 + noticed_slowdown;
 }
 
-void conclude(CostChange& cost, bool is_slower, bool is_faster) {
-  const Ratio& ratio = cost.ratio;
+void conclude(Difference& cost, const Ratio& ratio, bool is_slower, bool is_faster) {
   cost.why = in_words(ratio);
   if (is_slower && ratio.estimate >= 1 + smallest_slowdown)
     cost.change = Change::worse;
@@ -64,16 +63,16 @@ std::vector<double> negated(std::vector<double> values) {
   return values;
 }
 
-Difference difference_of(const CostChange& cost, const Timing& timing) {
+/// Before it is judged.
+Difference difference_of(const Timing& timing) {
   return {
-      .case_name = cost.case_name,
-      .method = cost.method,
+      .case_name = timing.case_name,
+      .method = timing.method,
       .quantity = (timing.resource_after == vnv::Resource::cpu ? "user " : "") + vnv::heading_of(timing.resource_after),
       .kind = Kind::cost,
       .before = median(timing.before),
       .after = median(timing.after),
-      .change = cost.change,
-      .why = cost.why};
+      .why = why_not(timing)};
 }
 
 }  // namespace
@@ -84,20 +83,20 @@ bool is_settled(const Timing& timing) {
   return is_harmless(ratio) && ratio.estimate > 1 / (1 + smallest_slowdown);
 }
 
-std::vector<CostChange> judge_costs(const std::vector<Timing>& timings) {
-  std::vector<CostChange> costs;
+std::vector<Difference> judge_costs(const std::vector<Timing>& timings) {
+  std::vector<Difference> costs;
+  std::vector<Ratio> ratios;
   std::vector<double> slower, faster;
   for (const Timing& timing : timings) {
     const std::vector<double> logarithms = log_ratios(timing.before, timing.after);
-    costs.push_back({timing.case_name, timing.method, ratio_of(logarithms)});
-    slower.push_back(why_not(timing).empty() ? p_value(logarithms) : 1);
-    faster.push_back(why_not(timing).empty() ? p_value(negated(logarithms)) : 1);
+    const bool is_judged = costs.emplace_back(difference_of(timing)).why.empty();
+    ratios.push_back(ratio_of(logarithms));
+    slower.push_back(is_judged ? p_value(logarithms) : 1);
+    faster.push_back(is_judged ? p_value(negated(logarithms)) : 1);
   }
   const std::vector<bool> is_slower = ruled_out_by_holm(slower), is_faster = ruled_out_by_holm(faster);
-  for (std::size_t k = 0; k < costs.size(); ++k) {
-    costs[k].why = why_not(timings[k]);
-    if (costs[k].why.empty()) conclude(costs[k], is_slower[k], is_faster[k]);
-  }
+  for (std::size_t k = 0; k < costs.size(); ++k)
+    if (costs[k].why.empty()) conclude(costs[k], ratios[k], is_slower[k], is_faster[k]);
   return costs;
 }
 
@@ -105,11 +104,8 @@ std::vector<Difference> compare_costs(const std::vector<Timing>& first, const Ti
   std::vector<Timing> settled, doubtful;
   for (const Timing& timing : first) (is_settled(timing) ? settled : doubtful).push_back(timing);
   if (!doubtful.empty()) doubtful = time_again(doubtful);
-  std::vector<Difference> found;
-  for (const std::vector<Timing>& timings : {settled, doubtful}) {
-    const std::vector<CostChange> costs = judge_costs(timings);
-    for (std::size_t k = 0; k < timings.size(); ++k) found.push_back(difference_of(costs[k], timings[k]));
-  }
+  std::vector<Difference> found = judge_costs(settled);
+  std::ranges::move(judge_costs(doubtful), std::back_inserter(found));
   return found;
 }
 

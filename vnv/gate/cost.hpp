@@ -17,14 +17,6 @@ struct Timing {
   vnv::Resource resource_before = vnv::Resource::cpu, resource_after = vnv::Resource::cpu;  // unequal: not compared
 };
 
-/// What its times say of a method.
-struct CostChange {
-  std::string case_name, method;
-  Ratio ratio{};  // after over before
-  Change change = Change::unjudged;
-  std::string why{};
-};
-
 /// A change below this fraction matters to nobody.
 inline constexpr double smallest_slowdown = 0.02;
 /// A slow-down of this fraction must not be missed: while the interval reaches it, nothing is the same.
@@ -45,13 +37,13 @@ bool is_settled(const Timing& timing);
 /// Judges all rows timed together, by Holm's rule (Holm, Scand. J. Statist. 6 (1979), 65-70): worse or better
 /// where chance is ruled out and the estimate is off by `smallest_slowdown` or more. Else the same if the estimate is
 /// less off and the interval ends below `noticed_slowdown`, and inconclusive if not. Too short runs and times of two
-/// resources are unjudged.
-std::vector<CostChange> judge_costs(const std::vector<Timing>& timings);
+/// resources are unjudged. Times are reported as medians.
+std::vector<Difference> judge_costs(const std::vector<Timing>& timings);
 
 /// Times some methods anew, with more pairs.
 using TimeAgain = std::function<std::vector<Timing>(const std::vector<Timing>& doubtful)>;
 
-/// Compares all methods, those that the first timing does not settle by a second one. Times are reported as medians.
+/// Compares all methods, those that the first timing does not settle by a second one.
 std::vector<Difference> compare_costs(const std::vector<Timing>& first, const TimeAgain& time_again);
 
 }  // namespace touchstone::gate

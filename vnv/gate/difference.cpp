@@ -2,15 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace touchstone::gate {
-
-std::string_view name_of(Kind kind) {
-  constexpr std::array names{"run", "claim", "error", "order", "stability", "other", "cost"};
-  return names[static_cast<std::size_t>(kind)];
-}
 
 Kind kind_of(vnv::Kind quantity) {
   using Of = vnv::Kind;
@@ -29,9 +23,13 @@ Kind kind_of(vnv::Kind quantity) {
   }
 }
 
-std::string_view name_of(Change change) {
-  constexpr std::array names{"unjudged", "same", "better", "inconclusive", "worse"};
-  return names[static_cast<std::size_t>(change)];
+Difference of_whole_method(std::string case_name, std::string method, Change change) {
+  return {.case_name = std::move(case_name),
+          .method = std::move(method),
+          .quantity = "method",
+          .kind = Kind::run,
+          .change = change,
+          .why = change == Change::worse ? gone : added};
 }
 
 std::string sentence_of(const Difference& d) {
@@ -40,7 +38,7 @@ std::string sentence_of(const Difference& d) {
   const bool has_values = d.kind != Kind::run && d.kind != Kind::claim;
   const std::string values = has_values ? fmt::format(": {:.6g} before, {:.6g} after", d.before, d.after) : "";
   return fmt::format("{}.{}{}: {}{}{}: {}: {}", d.case_name, d.method, level, d.quantity, time, values,
-                     name_of(d.change), d.why);
+                     word_of(d.change), d.why);
 }
 
 }  // namespace touchstone::gate

@@ -48,7 +48,7 @@ double median_time(const std::vector<Records>& runs, const Record& method, const
   for (const Records& records : runs)
     for (const Record& record : records)
       for (const RunSummary& run : record.runs)
-        if (record.case_name == method.case_name && record.method == method.method && run.level == level)
+        if (are_of_one_method(record, method) && run.level == level)
           times.push_back(run.cost.spent());
   return vnv::median(times);
 }

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 namespace touchstone::gate {
+
+TOUCHSTONE_FIELDS_OF_A_CASE(Difference, method, level, time, quantity, kind, before, after, change, why)
+
 namespace {
 
 /// So many changes are named; the JSON holds the rest.
@@ -35,10 +37,10 @@ using vnv::json::Writer;
 std::string cell_of(const std::vector<const Difference*>& all) {
   if (all.empty()) return "–";
   const Change worst = (*std::ranges::max_element(all, {}, &Difference::change))->change;
-  if (all.front()->kind == Kind::cost) return fmt::format("{}: {}", name_of(worst), all.front()->why);
+  if (all.front()->kind == Kind::cost) return fmt::format("{}: {}", word_of(worst), all.front()->why);
   const auto count = std::ranges::count(all, worst, &Difference::change);
   const std::string counted = static_cast<std::size_t>(count) == all.size() ? "" : fmt::format("{} of ", count);
-  return fmt::format("{}, {}{}", name_of(worst), counted, all.size());
+  return fmt::format("{}, {}{}", word_of(worst), counted, all.size());
 }
 
 /// The headings, and below them a row for each method of each case.
@@ -117,11 +119,11 @@ Change conclusion_of(const Findings& findings) {
 std::string text_of(const Findings& findings) {
   const std::vector<Row> table = table_of(findings);
   return (table.size() > 1 ? aligned(table) + "\n" : "") + lines_of_changes(findings, "") +
-         fmt::format("{}: {}\n", name_of(conclusion_of(findings)), summary_of(findings));
+         fmt::format("{}: {}\n", word_of(conclusion_of(findings)), summary_of(findings));
 }
 
 std::string markdown_of(const Findings& findings) {
-  std::string text = fmt::format("**{}**: {}\n", name_of(conclusion_of(findings)), summary_of(findings));
+  std::string text = fmt::format("**{}**: {}\n", word_of(conclusion_of(findings)), summary_of(findings));
   const std::vector<Row> table = table_of(findings);
   if (table.size() > 1) {
     text.append("\n").append(markdown_row(table.front())).append(markdown_row(Row(table.front().size(), "---")));
@@ -147,7 +149,7 @@ std::vector<vnv::Verdict> verdicts_of(const Findings& findings) {
   };
   const Change conclusion = conclusion_of(findings);
   std::vector<vnv::Verdict> verdicts = {
-      verdict(conclusion, "no regression overall", fmt::format("{}: {}", name_of(conclusion), summary_of(findings)))};
+      verdict(conclusion, "no regression overall", fmt::format("{}: {}", word_of(conclusion), summary_of(findings)))};
   for (const Difference* change : changes_of(findings))
     if (change->change >= Change::inconclusive)
       verdicts.push_back(
@@ -167,20 +169,9 @@ vnv::Table page_table_of(const Findings& findings) {
 }
 
 std::string json_of(const Findings& findings) {
-  Json json = {{"before", findings.before},   {"after", findings.after},
-               {"suite", findings.suite},     {"conclusion", name_of(conclusion_of(findings))},
-               {"skipped", findings.skipped}, {"differences", Json::array()}};
-  for (const Difference& d : findings.differences)
-    json["differences"].push_back({{"case", d.case_name},
-                                   {"method", d.method},
-                                   {"level", d.level},
-                                   {"time", Writer::json(d.time)},
-                                   {"quantity", d.quantity},
-                                   {"kind", name_of(d.kind)},
-                                   {"before", Writer::json(d.before)},
-                                   {"after", Writer::json(d.after)},
-                                   {"change", name_of(d.change)},
-                                   {"why", d.why}});
+  const Json json = {{"before", findings.before},   {"after", findings.after},
+                     {"suite", findings.suite},     {"conclusion", word_of(conclusion_of(findings))},
+                     {"skipped", findings.skipped}, {"differences", Writer::json(findings.differences)}};
   return json.dump(1) + "\n";
 }
 

@@ -8,20 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 namespace touchstone::gate {
 namespace {
-
-Difference of_whole_method(const std::string& case_name, const std::string& method, Change change, std::string why) {
-  return {.case_name = case_name,
-          .method = method,
-          .quantity = "method",
-          .kind = Kind::run,
-          .change = change,
-          .why = std::move(why)};
-}
 
 RunExcerpt excerpts_of(const Program& program, const std::string& method, const std::string& suite) {
   return [=](const Excerpt& excerpt) { return run_of(program, method, suite, excerpt); };
@@ -45,7 +35,7 @@ std::vector<Contest> contests_of(const Build& before, const Build& after, const 
                             .excerpt_before = excerpts_of(program, method, request.suite),
                             .excerpt_after = excerpts_of(*other, method, request.suite)});
       else
-        found.differences.push_back(of_whole_method(program.case_name, method, Change::worse, "no longer there"));
+        found.differences.push_back(of_whole_method(program.case_name, method, Change::worse));
     }
   };
   const auto program_in = [](const Build& build, const std::string& case_name) -> const Program* {
@@ -57,7 +47,7 @@ std::vector<Contest> contests_of(const Build& before, const Build& after, const 
     const Program* other = program_in(before, program.case_name);
     for (const std::string& method : program.methods)
       if (!other || std::ranges::count(other->methods, method) == 0)
-        found.differences.push_back(of_whole_method(program.case_name, method, Change::unjudged, "new"));
+        found.differences.push_back(of_whole_method(program.case_name, method, Change::unjudged));
   }
   return contests;
 }
@@ -82,9 +72,7 @@ std::vector<Difference> compare_costs(const std::vector<Contest>& contests, cons
     progress << fmt::format("gate: {} methods whose cost is in doubt are run again\n", doubtful.size());
     std::vector<Contest> again;
     for (const Contest& contest : contests)
-      if (std::ranges::any_of(doubtful, [&](const Timing& timing) {
-            return timing.case_name == contest.case_name && timing.method == contest.method;
-          }))
+      if (std::ranges::any_of(doubtful, [&](const Timing& timing) { return are_of_one_method(timing, contest); }))
         again.push_back(contest);
     const Turns longer = take_turns(again, request.repeats * times_the_pairs, progress);
     std::vector<Timing> second;

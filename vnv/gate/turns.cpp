@@ -13,9 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const vnv::Record* record_in(const Records& records, const Contest& contest) {
-  const auto found = std::ranges::find_if(records, [&](const vnv::Record& record) {
-    return record.case_name == contest.case_name && record.method == contest.method;
-  });
+  const auto found = std::ranges::find_if(records, [&](const auto& one) { return are_of_one_method(one, contest); });
   return found == records.end() ? nullptr : &*found;
 }
 

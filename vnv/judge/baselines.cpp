@@ -60,14 +60,7 @@ void require_one_value_a_place(const Sheet& sheet, const Baselines& baselines) {
 
 Baselines baselines_in(const Sheet& sheet) {
   require_headings(sheet, columns);
-  require_keys(sheet, {"title", "revision", "date", "reason"});
-  Baselines baselines{.acceptance = {.title = sheet.key("title").value,
-                                     .revision = sheet.key("revision").value,
-                                     .date = sheet.key("date").value,
-                                     .reason = sheet.key("reason").value},
-                      .rows = {}};
-  for (const auto& key : sheet.keys)
-    if (key.name == "note") baselines.acceptance.notes.push_back(key.value);
+  Baselines baselines{Acceptance::read(sheet), {}};
   for (const auto& row : sheet.rows) baselines.rows.push_back(baseline_in(sheet, row));
   require_one_value_a_place(sheet, baselines);
   return baselines;
@@ -76,10 +69,7 @@ Baselines baselines_in(const Sheet& sheet) {
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string text_of(const std::vector<Baseline>& rows, const Acceptance& acceptance) {
-  std::string text = fmt::format("# title: {}\n# revision: {}\n# date: {}\n# reason: {}\n", acceptance.title,
-                                 acceptance.revision, acceptance.date, acceptance.reason);
-  for (const auto& note : acceptance.notes) text += fmt::format("# note: {}\n", note);
-  text += csv_line(columns);
+  std::string text = acceptance.text() + csv_line(columns);
   for (const auto& row : rows)
     text += csv_line({row.method, row.level, shortest(row.time), row.quantity, shortest(row.value), shortest(row.lower),
                       shortest(row.upper), row.basis});

@@ -13,7 +13,7 @@ std::string limits_of(const Verdict& v) {
   return v.lower ? fmt::format("expected at least {:.6g}", *v.lower) : "no limit";
 }
 
-std::string word_of(Outcome outcome) {
+std::string in_capitals(Outcome outcome) {
   return outcome == Outcome::holds ? "HOLDS" : outcome == Outcome::fails ? "FAILS" : "INCONCLUSIVE";
 }
 
@@ -52,7 +52,7 @@ Verdict concluded(Verdict v, std::string_view remark) {
   v.margin = margin_of(v);
   const std::string unit = v.unit.empty() ? "" : " " + v.unit;
   v.sentence = fmt::format("{}, {}{} ({}), margin {:.0f} %: {}", value_in_words(v, remark), limits_of(v), unit,
-                           v.author, 100 * v.margin, word_of(v.outcome));
+                           v.author, 100 * v.margin, in_capitals(v.outcome));
   return v;
 }
 
@@ -70,7 +70,7 @@ Verdict judge_convergence(const Claim& claim, const Place& place, const Observed
   v.trend = order.trend;
   const std::string floor = above_floor ? fmt::format(" above a floor of {:.3g}", order.floor) : "";
   const std::string remark = fmt::format(" +- {:.2g} over {} levels{}, {}, expected surely above {:g}", *v.half_width,
-                                         order.levels.size(), floor, name_of(order.trend), *claim.surely_above);
+                                         order.levels.size(), floor, word_of(order.trend), *claim.surely_above);
   return concluded(std::move(v), remark);
 }
 

@@ -29,23 +29,20 @@ struct Claim {
   std::optional<double> surely_above = std::nullopt;  // for an observed order: where its interval has to begin
   long least_levels = 2;                              // for an observed order: suites that run fewer are not asked
 
-  Claim on(std::string_view name) const {
-    Claim claim = *this;
-    claim.level = name;
-    return claim;
-  }
-  Claim at(double when) const {
-    Claim claim = *this;
-    claim.time = when;
-    return claim;
-  }
-  Claim with_at_least_levels(long levels) const {
-    Claim claim = *this;
-    claim.least_levels = levels;
-    return claim;
-  }
+  Claim on(std::string_view name) const { return with(&Claim::level, std::string(name)); }
+  Claim at(double when) const { return with(&Claim::time, when); }
+  Claim with_at_least_levels(long levels) const { return with(&Claim::least_levels, levels); }
+  Claim over(std::string_view its_ladder) const { return with(&Claim::ladder, std::string(its_ladder)); }
   /// Whether it speaks of a value; times agree to nine digits.
   bool covers(std::string_view its_level, double its_time) const;
+
+  /// The same claim with another value in one place.
+  template <class T>
+  Claim with(T Claim::*place, T value) const {
+    Claim claim = *this;
+    claim.*place = std::move(value);
+    return claim;
+  }
 };
 
 inline Claim at_most(const Quantity& quantity, double limit, Author author) {
@@ -60,9 +57,7 @@ inline Claim between(const Quantity& quantity, double low, double high, Author a
 /// The observed order of a quantity over a ladder. Judged only where its 95 % interval is narrower than 0.3 to each
 /// side; else the verdict is inconclusive, which is no pass.
 inline Claim order_between(std::string_view ladder, const Quantity& quantity, double low, double high, Author author) {
-  Claim claim = between(quantity, low, high, std::move(author));
-  claim.ladder = ladder;
-  return claim;
+  return between(quantity, low, high, std::move(author)).over(ladder);
 }
 
 /// The claim of a method that it converges: its order, above a floor if one was found, is no less than `low`, and the
@@ -70,10 +65,7 @@ inline Claim order_between(std::string_view ladder, const Quantity& quantity, do
 /// inconclusive here too; stalled or diverging errors fail.
 inline Claim order_at_least(std::string_view ladder, const Quantity& quantity, double low, double surely_above,
                             Author author) {
-  Claim claim = at_least(quantity, low, std::move(author));
-  claim.ladder = ladder;
-  claim.surely_above = surely_above;
-  return claim;
+  return at_least(quantity, low, std::move(author)).over(ladder).with(&Claim::surely_above, {surely_above});
 }
 
 /// Where a value was measured.

@@ -89,7 +89,7 @@ TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
        {std::pair(Trend::stalled, Outcome::fails), std::pair(Trend::diverging, Outcome::fails),
         std::pair(Trend::inconclusive, Outcome::inconclusive)}) {
     found.trend = trend;
-    EXPECT_EQ(judge(claim, here, found).outcome, outcome) << name_of(trend);
+    EXPECT_EQ(judge(claim, here, found).outcome, outcome) << word_of(trend);
   }
 }
 

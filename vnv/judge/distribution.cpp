@@ -1,11 +1,12 @@
 #include "vnv/judge/distribution.hpp"
 
+#include "vnv/record/quantity.hpp"
+
 #include <fmt/format.h>
 #include <gsl/gsl_randist.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -33,36 +34,14 @@ Pooled pooled(const std::vector<double>& a, const std::vector<double>& b) {
   return both;
 }
 
-/// By how much the first distribution function is ahead of the second before each value but the least, and how far that
-/// value is from the one before.
-template <class Visit>
-void each_gap(const Pooled& both, const Visit& visit) {
-  double first = 0, second = 0;  // members so far
-  for (std::size_t k = 0; k + 1 < both.values.size(); ++k) {
-    (both.of_first[k] ? first : second) += 1;
-    visit(first / both.first - second / both.second, both.values[k + 1] - both.values[k]);
-  }
-}
-
 /// The area between the two distribution functions.
 double distance_of(const Pooled& both) {
-  double area = 0;
-  each_gap(both, [&](double ahead, double gap) { area += std::abs(ahead) * gap; });
+  double first = 0, second = 0, area = 0;  // members so far
+  for (std::size_t k = 0; k + 1 < both.values.size(); ++k) {
+    (both.of_first[k] ? first : second) += 1;
+    area += std::abs(first / both.first - second / both.second) * (both.values[k + 1] - both.values[k]);
+  }
   return area;
-}
-
-double energy_of(const Pooled& both) {
-  double sum = 0;
-  each_gap(both, [&](double ahead, double gap) { sum += ahead * ahead * gap; });
-  return 2 * sum;
-}
-
-double largest_difference_of(const Pooled& both) {
-  double largest = 0;
-  each_gap(both, [&](double ahead, double gap) {
-    if (gap > 0) largest = std::max(largest, std::abs(ahead));
-  });
-  return largest;
 }
 
 /// Of Anderson & Darling, but for a factor; between equal values nothing is counted.
@@ -78,17 +57,6 @@ double unlikeness_of(const Pooled& both) {
     since_last = 0;
   }
   return sum;
-}
-
-double (*of(Statistic statistic))(const Pooled&) {
-  switch (statistic) {
-    case Statistic::kolmogorov_smirnov:
-      return largest_difference_of;
-    case Statistic::energy:
-      return energy_of;
-    default:
-      return unlikeness_of;
-  }
 }
 
 bool is_finite(const std::vector<double>& sample) {
@@ -109,16 +77,7 @@ double quantile(std::vector<double> sample, double fraction) {
 }
 
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  if (!is_finite(a) || !is_finite(b)) return std::numeric_limits<double>::quiet_NaN();
-  return distance_of(pooled(a, b));
-}
-
-double energy_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  return is_finite(a) && is_finite(b) ? energy_of(pooled(a, b)) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double kolmogorov_smirnov_distance(const std::vector<double>& a, const std::vector<double>& b) {
-  return is_finite(a) && is_finite(b) ? largest_difference_of(pooled(a, b)) : std::numeric_limits<double>::quiet_NaN();
+  return is_finite(a) && is_finite(b) ? distance_of(pooled(a, b)) : not_a_number;
 }
 
 AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std::vector<double>& quantiles,
@@ -132,9 +91,7 @@ AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std:
         fmt::format("quantiles: {} values at {} fractions, expected equally many, both strictly increasing, fractions "
                     "between 0 and 1",
                     quantiles.size(), of.size()));
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  if (sample.empty() || !std::ranges::all_of(sample, [](double x) { return std::isfinite(x); }))
-    return {unknown, unknown};
+  if (!is_finite(sample)) return {not_a_number, not_a_number};
   std::vector<double> between;  // the probability of each range
   for (std::size_t k = 0; k <= of.size(); ++k) between.push_back((k < of.size() ? of[k] : 1) - (k > 0 ? of[k - 1] : 0));
   const double n = static_cast<double>(sample.size());
@@ -169,21 +126,16 @@ bool median_is_inside(const std::vector<double>& members, double low, double hig
 }
 
 double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals) {
-  return p_value(a, b, Statistic::anderson_darling, deals);
-}
-
-double p_value(const std::vector<double>& a, const std::vector<double>& b, Statistic statistic, long deals) {
-  const auto unlikeness = of(statistic);
   if (!is_finite(a) || !is_finite(b)) return 0;
   Pooled both = pooled(a, b);
-  const double found = unlikeness(both) * (1 - 1e-12);  // a deal that is this one is as unlike, whatever sums round to
+  const double found = unlikeness_of(both) * (1 - 1e-12);  // a deal that is this one is as unlike, however sums round
   std::mt19937_64 random(20);                           // std::shuffle differs between standard libraries
   constexpr long enough = 2000;                         // the p-value is known to 2 % then
   long as_unlike = 0;
   for (long deal = 1; deal <= deals; ++deal) {
     for (std::size_t k = both.of_first.size() - 1; k > 0; --k)
       std::swap(both.of_first[k], both.of_first[random() % (k + 1)]);
-    as_unlike += unlikeness(both) >= found;
+    as_unlike += unlikeness_of(both) >= found;
     if (as_unlike == enough) return static_cast<double>(as_unlike) / static_cast<double>(deal);
   }
   return static_cast<double>(as_unlike + 1) / static_cast<double>(deals + 1);

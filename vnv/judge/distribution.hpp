@@ -13,16 +13,6 @@ double quantile(std::vector<double> sample, double fraction);
 /// make one of the other. Not a number if one of them is empty or holds what is not finite.
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b);
 
-/// The energy distance between two samples, in their unit: twice the mean distance between members of both, less the
-/// mean distances within each; 0 only for the same distribution, and in one dimension twice the integral of the squared
-/// difference of the distribution functions (Székely & Rizzo, J. Stat. Plan. Inference 143 (2013), 1249). Not a number
-/// if one of them is empty or holds what is not finite.
-double energy_distance(const std::vector<double>& a, const std::vector<double>& b);
-
-/// The largest difference of the distribution functions of two samples, 0 to 1, as the test of Kolmogorov & Smirnov has
-/// it. Not a number if one of them is empty or holds what is not finite.
-double kolmogorov_smirnov_distance(const std::vector<double>& a, const std::vector<double>& b);
-
 /// Whether the median of an ensemble lies within what an experiment shows over its repeats, such as its percentiles
 /// 2.5 % and 97.5 %, edges included. Never for an ensemble that is empty or holds what is not finite.
 bool median_is_inside(const std::vector<double>& members, double low, double high);
@@ -41,17 +31,11 @@ struct AgainstQuantiles {
 AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std::vector<double>& quantiles,
                                    const std::vector<double>& of);
 
-/// By what two samples are found unlike.
-enum class Statistic { anderson_darling, kolmogorov_smirnov, energy };
-
 /// How often two samples of one distribution are at least as unlike, in place or in spread: by the statistic of
 /// Anderson & Darling (Pettitt, Biometrika 63 (1976), 161), the fraction of random ways to deal all values to two
 /// samples of these sizes, never 0 (Phipson & Smyth, Stat. Appl. Genet. Mol. Biol. 9 (2010), 39), of no more ways than
 /// give 2000 as unlike (Besag & Clifford, Biometrika 78 (1991), 301). The same for the same samples. 0 where a sample
-/// is empty or holds what is not finite.
+/// is empty or holds what is not finite. Members are to be independent: repeats, not successive times of one series.
 double p_value(const std::vector<double>& a, const std::vector<double>& b, long deals = 100'000);
-
-/// The same by another statistic. All of them ask for independent members: repeats, not successive times of one series.
-double p_value(const std::vector<double>& a, const std::vector<double>& b, Statistic statistic, long deals = 100'000);
 
 }  // namespace touchstone::vnv

@@ -100,7 +100,6 @@ std::optional<ErrorLaw> search(Ladder& ladder, const std::array<double, paramete
   };
   law.order = gsl_vector_get(found, order);
   law.order_half_width = half_width(order);
-  law.scale = std::exp(gsl_vector_get(found, log_scale));
   law.floor = std::exp(gsl_vector_get(found, log_floor));
   law.floor_half_width = law.floor * half_width(log_floor);
   if (!std::isfinite(law.order_half_width) || !std::isfinite(law.floor_half_width)) return std::nullopt;

@@ -6,11 +6,10 @@
 
 namespace touchstone::vnv {
 
-/// e(h) = floor + scale (h / h_finest)^order, with 95 % intervals by Student's t.
+/// e(h) = floor + c (h / h_finest)^order, with 95 % intervals by Student's t.
 struct ErrorLaw {
   double order = not_a_number, order_half_width = not_a_number;
   double floor = not_a_number, floor_half_width = not_a_number;  // in the unit of the errors
-  double scale = not_a_number;                                   // in the unit of the errors
   double squares = not_a_number;                                 // sum of (log of error over law)²
 };
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "vnv/files/tables.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -13,6 +15,22 @@ namespace touchstone::vnv {
 struct Acceptance {
   std::string title, revision, date, reason;
   std::vector<std::string> notes{};
+
+  /// As those lines, and read from them; throws BadData where one of the four is missing.
+  std::string text() const {
+    std::string lines =
+        fmt::format("# title: {}\n# revision: {}\n# date: {}\n# reason: {}\n", title, revision, date, reason);
+    for (const std::string& note : notes) lines += fmt::format("# note: {}\n", note);
+    return lines;
+  }
+  static Acceptance read(const Sheet& sheet) {
+    require_keys(sheet, {"title", "revision", "date", "reason"});
+    Acceptance found{sheet.key("title").value, sheet.key("revision").value, sheet.key("date").value,
+                     sheet.key("reason").value};
+    for (const Sheet::Key& key : sheet.keys)
+      if (key.name == "note") found.notes.push_back(key.value);
+    return found;
+  }
 };
 
 /// What a test does must not change what it is judged by: throws std::invalid_argument where ctest has set one of these

@@ -32,9 +32,7 @@ std::string part_in_words(long accepted, long found, std::string_view author) {
 
 AcceptedClaims claims_of(const Sheet& sheet) {
   require_headings(sheet, columns_of_claims);
-  require_keys(sheet, {"title", "revision", "date", "reason"});
-  AcceptedClaims claims{
-      {sheet.key("title").value, sheet.key("revision").value, sheet.key("date").value, sheet.key("reason").value}, {}};
+  AcceptedClaims claims{Acceptance::read(sheet), {}};
   for (const Sheet::Row& row : sheet.rows) {
     const ClaimCount count{sheet.file.stem(),       row.cells[1],           row.cells[0], count_in(sheet, row, 2),
                            count_in(sheet, row, 3), count_in(sheet, row, 4)};
@@ -113,10 +111,7 @@ void write_accepted_claims(const fs::path& file, AcceptedClaims claims) {
     fs::remove(file);
     return;
   }
-  const Acceptance& a = claims.acceptance;
-  std::string text =
-      fmt::format("# title: {}\n# revision: {}\n# date: {}\n# reason: {}\n", a.title, a.revision, a.date, a.reason) +
-      csv_line(columns_of_claims);
+  std::string text = claims.acceptance.text() + csv_line(columns_of_claims);
   std::ranges::sort(claims.rows, {}, place_of);
   for (const ClaimCount& row : claims.rows)
     text += csv_line({row.suite, row.method, std::to_string(row.theory), std::to_string(row.literature),

@@ -3,6 +3,7 @@
 /// once, so that writer and reader cannot disagree. What does not fit is refused by its place: "runs[2].cost.cpu".
 
 #include "vnv/files/tables.hpp"
+#include "vnv/record/word_of.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -30,7 +30,12 @@
   void describe(auto& field, ::touchstone::vnv::json::A<Type> auto& object) { \
     TOUCHSTONE_EACH_FIELD(field, object, __VA_ARGS__)                         \
   }
-/// For a `describe` that is written out, where JSON has a name that C++ lets no member have.
+/// The same for what belongs to a case, its `case_name`: JSON calls that "case", as C++ lets no member be called.
+#define TOUCHSTONE_FIELDS_OF_A_CASE(Type, ...)                                \
+  void describe(auto& field, ::touchstone::vnv::json::A<Type> auto& object) { \
+    field("case", object.case_name);                                          \
+    TOUCHSTONE_EACH_FIELD(field, object, __VA_ARGS__)                         \
+  }
 #define TOUCHSTONE_EACH_FIELD(field, object, ...) \
   BOOST_PP_SEQ_FOR_EACH(TOUCHSTONE_FIELD, (field, object), BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__))
 #define TOUCHSTONE_FIELD(r, field_and_object, name) \
@@ -91,7 +96,7 @@ class Writer {
   static Json json(const std::variant<std::string, double>& cell) {
     return std::visit([](const auto& value) { return json(value); }, cell);
   }
-  static Json json(Enumeration auto value) { return words(value).at(static_cast<std::size_t>(value)); }
+  static Json json(Enumeration auto value) { return word_of(value); }
   template <class T>
   static Json json(const std::vector<T>& list) {
     Json array = Json::array();
@@ -162,7 +167,7 @@ class Reader {
   static void read(const Json& json, std::vector<T>& list) {
     require(json.is_array(), json, "a list");
     list.resize(json.size());
-    for (std::size_t i = 0; i < list.size(); ++i) read_item(i, json[i], list[i]);
+    for (std::size_t i = 0; i < list.size(); ++i) read_within(i, json[i], list[i]);
   }
   template <class T>
   static void read(const Json& json, std::map<std::string, T>& items) {
@@ -175,19 +180,13 @@ class Reader {
   }
 
  private:
-  static void read_within(const std::string& name, const Json& json, auto& value) {
+  /// `place` is a name, or the number of an item, spelled only when it is needed: a cloud has a hundred thousand.
+  static void read_within(const auto& place, const Json& json, auto& value) {
     try {
       read(json, value);
     } catch (const Misfit& misfit) {
-      throw misfit.within(name);
-    }
-  }
-  // Names its place only when it is needed: a cloud has a hundred thousand items.
-  static void read_item(std::size_t i, const Json& json, auto& value) {
-    try {
-      read(json, value);
-    } catch (const Misfit& misfit) {
-      throw misfit.within(fmt::format("[{}]", i));
+      constexpr bool is_number = std::integral<std::remove_cvref_t<decltype(place)>>;
+      throw misfit.within(fmt::format(is_number ? "[{}]" : "{}", place));
     }
   }
 

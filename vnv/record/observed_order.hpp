@@ -2,6 +2,7 @@
 /// What a ladder of errors says of the order of convergence.
 
 #include "vnv/record/quantity.hpp"
+#include "vnv/record/word_of.hpp"
 
 #include <array>
 #include <string>
@@ -12,10 +13,9 @@ namespace touchstone::vnv {
 
 /// What a ladder of errors says of a method; `observe_order` tells them apart.
 enum class Trend { converging, stalled, diverging, inconclusive };
-constexpr auto words(Trend) {  // in the order of the enumerators, as all such lists
+constexpr auto words(Trend) {
   return std::to_array<std::string_view>({"converging", "stalled", "diverging", "inconclusive"});
 }
-std::string_view name_of(Trend trend);
 
 /// An observed order of convergence with its 95 % interval, and the floor that the errors fall to, if one was found.
 struct ObservedOrder {

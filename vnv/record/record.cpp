@@ -135,8 +135,6 @@ void add_what_is_new(json::Json& json) {
     }
 }
 
-std::string word_of(Outcome outcome) { return std::string(words(outcome).at(static_cast<std::size_t>(outcome))); }
-
 }  // namespace
 
 std::string one_machine(const Record& record) {
@@ -200,8 +198,6 @@ Record record_from(json::Json json) {
 }
 
 }  // namespace
-
-std::string_view name_of(Trend trend) { return words(trend).at(static_cast<std::size_t>(trend)); }
 
 std::string as_json(const Record& record) { return json::Writer::json(record).dump(); }
 

@@ -2,6 +2,7 @@
 /// What a run cost and how it ended.
 
 #include "vnv/record/quantity.hpp"
+#include "vnv/record/word_of.hpp"
 
 #include <array>
 #include <string>
@@ -14,7 +15,7 @@ enum class Resource { cpu, gpu, core };
 constexpr auto words(Resource) { return std::to_array<std::string_view>({"CPU", "GPU", "core"}); }
 /// "GPU time [s]"
 inline std::string heading_of(Resource resource) {
-  return std::string(words(resource).at(static_cast<std::size_t>(resource))) + " time [s]";
+  return std::string(word_of(resource)) + " time [s]";
 }
 
 /// What one run cost. Times are medians over the repeats.

@@ -45,7 +45,6 @@ inline Case flow_along(const Flow& flow, const std::vector<int>& across, const s
   std::vector<Across> all;
   for (const int particles : across) all.push_back({particles, all.size() < 2 ? end : 0, 0, end});
   const std::vector<Level> levels = levels_across(H, all);
-  const std::vector<int> shown{across.front(), across.back()};
   Case declared{.title = flow.title(),
                 .description = flow.judged.description + " " + here,
                 .times = flow.judged.times,
@@ -53,7 +52,7 @@ inline Case flow_along(const Flow& flow, const std::vector<int>& across, const s
                 .methods = {},
                 .plots = {profiles({"profile",
                                     "Velocity profiles",
-                                    fmt::format("All particles of the runs with {} across.", fmt::join(shown, " and ")),
+                                    "All particles of the runs that the key names.",
                                     {"y [mm]", 1e3},
                                     {"v_x [mm/s]", 1e3}},
                                    by_particles, exact, H, {levels.front().name, levels.back().name})}};

@@ -2,7 +2,7 @@
 /// if its record said that it does not, or did not say so? Each is mutated as a text, one at a time, read as the report
 /// reads it, and its case put on an index.
 
-#include "reports/pages/index.hpp"
+#include "reports/pages/pages.hpp"
 #include "vnv/programs/command_line.hpp"
 #include "vnv/record/json.hpp"
 
