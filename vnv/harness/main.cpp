@@ -148,7 +148,9 @@ int explore(const Case& declared) {
 /// Makes today's values the baselines, and forgets those of methods and levels that are gone, unless a claim of theory
 /// or literature fails.
 int accept(const Case& declared) {
-  if (std::ranges::none_of(declared.methods, [](const Method& m) { return runs_in(options.suite, m); })) {
+  std::vector<const Method*> running = chosen_methods(declared);
+  std::erase_if(running, [](const Method* method) { return !runs_in(options.suite, *method); });
+  if (running.empty()) {
     fmt::print("{}: nothing runs in {}, nothing to accept\n", case_name, name_of(options.suite));
     return EXIT_SUCCESS;
   }
@@ -160,7 +162,7 @@ int accept(const Case& declared) {
   };
   std::erase_if(baselines.rows, is_gone);
   std::erase_if(claims.rows, is_gone);
-  for (const Method* method : chosen_methods(declared)) {
+  for (const Method* method : running) {
     const Results results = results_of(declared, *method, options.suite);
     const Record record = assess(case_name, declared, results, std::nullopt);
     print(record);

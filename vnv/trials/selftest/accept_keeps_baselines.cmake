@@ -1,4 +1,5 @@
-# A method whose claims fail is not accepted: PROGRAM leaves its baselines as they were. Here, and only here, a test goes
+# A method whose claims fail is not accepted: PROGRAM leaves its baselines as they were; nor is one that the suite does not
+# run, such as SPH of the case SPLASH. Here, and only here, a test goes
 # as a person, in a folder of its own.
 set(data ${BUILD}/selftest_data)
 set(file ${data}/baselines/wrong_oracle.csv)
@@ -14,5 +15,9 @@ if(result EQUAL 0 OR NOT output MATCHES "nothing is accepted while a claim does 
 endif()
 if(NOT after STREQUAL before)
   message(FATAL_ERROR "${file} was changed to:\n${after}")
+endif()
+execute_process(COMMAND ${SPLASH} --data ${data} --method sph --accept "because" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT result EQUAL 0 OR NOT output MATCHES "nothing runs in acceptance, nothing to accept")
+  message(FATAL_ERROR "ended with '${result}', expected nothing to accept; it said:\n${output}")
 endif()
 file(REMOVE_RECURSE ${data})
