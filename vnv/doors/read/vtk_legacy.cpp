@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "vnv/doors/read/numbers.hpp"
@@ -258,9 +257,7 @@ class Legacy {
       numbers(rows, components, kind, where, of_ == Of::fields ? of_fields : add_array(name, components));
       const std::optional<int> rank = of_fields.size() == 1 ? rank_as_time(name) : std::nullopt;
       if (!rank || (time_rank_ && *time_rank_ <= *rank)) continue;
-      if (!std::isfinite(of_fields[0]))
-        refuse(file_ + ": " + where, fmt::format("'{}', expected a time", of_fields[0]));
-      grid_.time = time_of(of_fields[0], kind);
+      grid_.time = time_of(of_fields[0], kind, file_ + ": " + where);
       time_rank_ = rank;
     }
   }

@@ -4,7 +4,6 @@
 #include <lz4.h>
 #include <zlib.h>
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -172,8 +171,7 @@ std::optional<double> XmlFile::time() {
   if (!best || components(best) != 1) return {};
   std::vector<double> time;
   append(best, 1, time);
-  if (!std::isfinite(time[0])) refuse(where(best), fmt::format("'{}', expected a time", time[0]));
-  return time_of(time[0], *type_named(best.attribute("type").value()));
+  return time_of(time[0], *type_named(best.attribute("type").value()), where(best));
 }
 
 std::size_t XmlFile::count(const pugi::xml_node& element, const char* attribute, bool may_lack) const {
