@@ -498,7 +498,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     Vectors all = Vectors::Constant(2, count, NAN);
     each_row([&](std::size_t row, Eigen::Index p) {
       for (int k = 0; k < (is_along_x ? 1 : 2); ++k) {
-        const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
+        const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[k]);
         if (field == "position" && !std::isfinite(value))  // a velocity is judged
           throw Unreadable(
               fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));

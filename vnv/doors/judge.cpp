@@ -1,6 +1,6 @@
 #include "vnv/doors/judge.hpp"
 
-#include "vnv/doors/diagnosis.hpp"
+#include "vnv/doors/diagnosis/diagnosis.hpp"
 #include "vnv/doors/filling.hpp"
 #include "vnv/harness/assess.hpp"
 #include "vnv/judge/baselines.hpp"

@@ -137,7 +137,7 @@ class Measuring {
     std::vector<Facet> facets;
     for (const std::vector<int>& face : faces_of(kind)) {
       std::vector<std::int64_t> of_face;
-      for (const int i : face) of_face.push_back(corners[static_cast<std::size_t>(i)]);
+      for (const int i : face) of_face.push_back(corners[i]);
       facets.push_back(facet_of(places(of_face)));
     }
     return body_of(facets);

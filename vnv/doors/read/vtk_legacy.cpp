@@ -142,7 +142,7 @@ class Legacy {
       std::copy(three.begin(), three.end(), (keyword == "ORIGIN" ? origin_ : spacing_).begin());
     } else if (keyword == "X_COORDINATES" || keyword == "Y_COORDINATES" || keyword == "Z_COORDINATES") {
       const std::size_t places = count(keyword);
-      numbers(places, 1, type(keyword), keyword, axes_[static_cast<std::size_t>(keyword[0] - 'X')]);
+      numbers(places, 1, type(keyword), keyword, axes_[keyword[0] - 'X']);
     } else if (keyword == "CELL_TYPES") {
       const std::size_t cells = count(keyword);
       std::vector<std::int64_t> kinds;
