@@ -68,31 +68,6 @@ std::string plain_name(std::string_view heading) {
   return name;
 }
 
-constexpr std::array spacing_names{"h",
-                                   "hmax",
-                                   "hmin",
-                                   "dx",
-                                   "dy",
-                                   "dz",
-                                   "dr",
-                                   "ds",
-                                   "dp",
-                                   "dp0",
-                                   "dx0",
-                                   "delta",
-                                   "spacing",
-                                   "gridspacing",
-                                   "gridsize",
-                                   "meshsize",
-                                   "meshwidth",
-                                   "cellsize",
-                                   "cellwidth",
-                                   "elementsize",
-                                   "particlespacing",
-                                   "initialspacing",
-                                   "particledistance",
-                                   "interparticledistance",
-                                   "interparticlespacing"};
 constexpr std::array across_names{
     "n", "nx", "ny", "nz", "cells", "ncells", "ncell", "across", "cellsacross", "particlesacross", "cellsperside"};
 constexpr std::array either_names{"n", "cells", "ncells", "ncell"};  // across, if nothing says that they are all
@@ -113,6 +88,14 @@ constexpr std::array time_names{"t", "time", "times"};
 constexpr std::array work_words{"solve", "solver", "compute", "computing", "computation", "computational", "execution"};
 constexpr std::array norm_words{"l1", "l2", "linf", "lmax", "inf", "infty", "h1", "rms", "rmse"};
 constexpr std::array field_words{"e", "u", "velocity", "pressure"};
+
+/// "h", "dx" and "cellsize".
+bool is_spacing(const std::string& name) {
+  static const std::regex names{
+      "h(max|min)?|d[xyzrsp]|d[px]0|delta|(grid|mesh|cell|element)size|(mesh|cell)width|"
+      "(grid|initial|(inter)?particle)?spacing|(inter)?particledistance"};
+  return std::regex_match(name, names);
+}
 
 bool is_in(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -172,7 +155,7 @@ std::optional<Quotient> quotient_in(std::string_view heading) {
 /// One capital letter is a length of the flow: H of "h/H" and of "H/h".
 bool names_spacing(std::string_view text) {
   const std::string name = plain_name(text);
-  return is_in(spacing_names, name) && !(name.size() == 1 && has_capital(text));
+  return is_spacing(name) && !(name.size() == 1 && has_capital(text));
 }
 
 std::optional<ToldBy> told_by(std::string_view heading) {
@@ -186,7 +169,7 @@ std::optional<ToldBy> told_by(std::string_view heading) {
     }
   }
   const std::string name = plain_name(heading);
-  if (is_in(spacing_names, name) || is_in(step_names, name)) return ToldBy::spacing;
+  if (is_spacing(name) || is_in(step_names, name)) return ToldBy::spacing;
   if (is_in(across_names, name)) return ToldBy::across;
   if (is_in(all_names, name)) return ToldBy::all;
   return std::nullopt;

@@ -146,9 +146,7 @@ std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::stri
   Table table(file, bytes, limits);
   const char* kept = bytes.data();
   for (long at = 1; !bytes.empty(); ++at) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    table.add(bytes.substr(0, end), at);
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    table.add(next_line(bytes), at);
     if (const auto read = static_cast<std::size_t>(bytes.data() - kept); read >= piece) {
       done({kept, read});
       kept = bytes.data();

@@ -37,11 +37,8 @@ class Dump {
 
   std::string_view next_line() {
     if (rest_.empty()) refuse_here("ends within a frame, expected more lines");
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++at_;
-    return line;
+    return doors::next_line(rest_);
   }
 
   double next_number(std::string_view& line, std::string_view of) {

@@ -120,6 +120,9 @@ void append_bytes(std::string_view bytes, Type type, std::endian order, std::vec
 /// The text up to the next blank, which is cut off with what stands before it; empty at the end.
 std::string_view next_word(std::string_view& text);
 
+/// The text up to the end of a line, which is cut off.
+std::string_view next_line(std::string_view& text);
+
 /// Without the blanks at its ends.
 std::string_view trimmed(std::string_view text);
 

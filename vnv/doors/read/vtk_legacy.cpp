@@ -77,11 +77,7 @@ class Legacy {
  private:
   enum class Of { fields, points, cells };
 
-  std::string_view next_line() {
-    const std::string_view line = rest_.substr(0, rest_.find('\n'));
-    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-    return line;
-  }
+  std::string_view next_line() { return doors::next_line(rest_); }
   std::string word() { return std::string(next_word(rest_)); }
   std::size_t count(const std::string& keyword) { return whole_number(next_word(rest_), file_ + ": " + keyword); }
   Type type(const std::string& keyword) {

@@ -188,18 +188,8 @@ std::string XmlFile::where(const pugi::xml_node& array) const {
   return fmt::format("{}: {} '{:.80}'", name_, array.parent().name(), array.attribute("Name").value());
 }
 
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<double>& to) {
-  append_as(array, rows, to);
-}
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<std::int64_t>& to) {
-  append_as(array, rows, to);
-}
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<std::uint8_t>& to) {
-  append_as(array, rows, to);
-}
-
 template <class To>
-void XmlFile::append_as(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to) {
+void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to) {
   const std::string place = where(array);
   const std::string_view type_name = array.attribute("type").value(), format = array.attribute("format").value();
   const std::optional<Type> type = type_named(type_name);
@@ -289,5 +279,9 @@ void XmlFile::append_compressed(Bytes& bytes, std::size_t count, Type type, cons
     block.erase(0, numbers);
   }
 }
+
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<double>&);
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<std::int64_t>&);
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<std::uint8_t>&);
 
 }  // namespace touchstone::vnv::doors::vtk
