@@ -1,5 +1,6 @@
 #include "vnv/command/order_table.hpp"
 
+#include "vnv/doors/read/numbers.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/quantity.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <regex>
 #include <span>
@@ -24,60 +24,31 @@ using Words = std::vector<std::string>;
 
 enum class ToldBy { spacing, across, all };
 
-constexpr std::string_view whitespace = " \t\r";
-
-std::string_view stripped(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(whitespace);
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(whitespace) - first + 1);
-}
-
 /// Also 1.5D-03, as Fortran writes it, and 1,5 where commas do not separate cells.
 std::optional<double> number_in(std::string_view cell, char separator) {
-  std::string digits(cell.substr(cell.starts_with('+') ? 1 : 0));
+  std::string digits(cell);
   for (char& c : digits) c = c == 'D' || c == 'd' ? 'e' : c == ',' && separator != ',' ? '.' : c;
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return error == std::errc{} && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
+  return doors::number_in(digits);
 }
 
-/// Where a separator stands that is not between the double quotes in which the text begins; npos if nowhere.
-std::size_t end_of_cell(std::string_view text, std::string_view separator) {
-  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
-  const std::size_t closing = text.substr(first).starts_with('"') ? text.find('"', first + 1) : 0;
-  return text.find(separator, closing == text.npos ? 0 : closing);
-}
-
-/// What separates the cells of a line: the first of these that is in it, else blanks.
-char separator_in(std::string_view line) {
-  std::string unquoted;
-  bool is_quoted = false;
-  for (const char c : line) {
-    is_quoted ^= c == '"';
-    if (!is_quoted) unquoted += c;
-  }
-  for (const char separator : {'|', '&', ';', '\t', ','})
-    if (unquoted.find(separator) != unquoted.npos) return separator;
-  return ' ';
-}
+char separator_in(std::string_view line) { return doors::separator_of(line, "|&;\t,"); }
 
 /// Where blanks separate, so many of them do at least.
 Words cells_in(std::string_view line, char separator, std::size_t blanks = 1) {
-  line = stripped(line);
-  if (line.ends_with("\\\\")) line = stripped(line.substr(0, line.size() - 2));  // of LaTeX
-  if (separator == '|' && line.starts_with('|')) {                               // of Markdown
+  line = doors::trimmed(line);
+  if (line.ends_with("\\\\")) line = doors::trimmed(line.substr(0, line.size() - 2));  // of LaTeX
+  if (separator == '|' && line.starts_with('|')) {                                     // of Markdown
     line.remove_prefix(1);
     if (line.ends_with('|')) line.remove_suffix(1);
   }
   const std::string parting(separator == ' ' ? blanks : 1, separator);
   Words cells;
   for (;;) {
-    const std::size_t end = end_of_cell(line, parting);
-    std::string_view cell = stripped(line.substr(0, end));
-    if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
-    cells.emplace_back(cell);
+    const std::size_t end = doors::end_of_cell(line, parting);
+    cells.emplace_back(doors::unquoted(doors::trimmed(line.substr(0, end))));
     if (end == line.npos) return cells;
     line.remove_prefix(end + parting.size());
-    if (separator == ' ') line = stripped(line);
+    if (separator == ' ') line = doors::trimmed(line);
   }
 }
 
@@ -97,31 +68,6 @@ std::string plain_name(std::string_view heading) {
   return name;
 }
 
-constexpr std::array spacing_names{"h",
-                                   "hmax",
-                                   "hmin",
-                                   "dx",
-                                   "dy",
-                                   "dz",
-                                   "dr",
-                                   "ds",
-                                   "dp",
-                                   "dp0",
-                                   "dx0",
-                                   "delta",
-                                   "spacing",
-                                   "gridspacing",
-                                   "gridsize",
-                                   "meshsize",
-                                   "meshwidth",
-                                   "cellsize",
-                                   "cellwidth",
-                                   "elementsize",
-                                   "particlespacing",
-                                   "initialspacing",
-                                   "particledistance",
-                                   "interparticledistance",
-                                   "interparticlespacing"};
 constexpr std::array across_names{
     "n", "nx", "ny", "nz", "cells", "ncells", "ncell", "across", "cellsacross", "particlesacross", "cellsperside"};
 constexpr std::array either_names{"n", "cells", "ncells", "ncell"};  // across, if nothing says that they are all
@@ -142,6 +88,14 @@ constexpr std::array time_names{"t", "time", "times"};
 constexpr std::array work_words{"solve", "solver", "compute", "computing", "computation", "computational", "execution"};
 constexpr std::array norm_words{"l1", "l2", "linf", "lmax", "inf", "infty", "h1", "rms", "rmse"};
 constexpr std::array field_words{"e", "u", "velocity", "pressure"};
+
+/// "h", "dx" and "cellsize".
+bool is_spacing(const std::string& name) {
+  static const std::regex names{
+      "h(max|min)?|d[xyzrsp]|d[px]0|delta|(grid|mesh|cell|element)size|(mesh|cell)width|"
+      "(grid|initial|(inter)?particle)?spacing|(inter)?particledistance"};
+  return std::regex_match(name, names);
+}
 
 bool is_in(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -201,7 +155,7 @@ std::optional<Quotient> quotient_in(std::string_view heading) {
 /// One capital letter is a length of the flow: H of "h/H" and of "H/h".
 bool names_spacing(std::string_view text) {
   const std::string name = plain_name(text);
-  return is_in(spacing_names, name) && !(name.size() == 1 && has_capital(text));
+  return is_spacing(name) && !(name.size() == 1 && has_capital(text));
 }
 
 std::optional<ToldBy> told_by(std::string_view heading) {
@@ -215,7 +169,7 @@ std::optional<ToldBy> told_by(std::string_view heading) {
     }
   }
   const std::string name = plain_name(heading);
-  if (is_in(spacing_names, name) || is_in(step_names, name)) return ToldBy::spacing;
+  if (is_spacing(name) || is_in(step_names, name)) return ToldBy::spacing;
   if (is_in(across_names, name)) return ToldBy::across;
   if (is_in(all_names, name)) return ToldBy::all;
   return std::nullopt;
@@ -279,10 +233,10 @@ std::vector<TableColumn> columns_of(const std::filesystem::path& file, bool are_
   long at = 0;
   for (std::size_t begin = 0; begin < text.size(); ++at) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string_view line = stripped(std::string_view(text).substr(begin, end - begin));
+    std::string_view line = doors::trimmed(std::string_view(text).substr(begin, end - begin));
     begin = end + 1;
     const bool is_comment = line.starts_with('#') || line.starts_with('%');
-    if (is_comment) line = stripped(line.substr(std::min(line.find_first_not_of("#%"), line.size())));
+    if (is_comment) line = doors::trimmed(line.substr(std::min(line.find_first_not_of("#%"), line.size())));
     if (line.find_first_not_of("-+=|:_& \t\\") == line.npos) continue;  // empty, or a rule below a heading
     const char separator = separator_in(line);
     const Words cells = cells_in(line, separator);

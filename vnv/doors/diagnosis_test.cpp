@@ -1,7 +1,7 @@
 /// Errors with a known cause are planted into exact samples beside a rest of the error, and diagnosed. The day's test
 /// draws few; TOUCHSTONE_PLANTS=20 draws so many of each kind, by TOUCHSTONE_SEED, and prints the table of README.md.
 
-#include "vnv/doors/diagnosis.hpp"
+#include "vnv/doors/diagnosis/diagnosis.hpp"
 
 #include "solvers/lattice.hpp"
 #include "solvers/walls/navier_slip.hpp"

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -226,19 +225,20 @@ std::vector<bool> chosen_rows(const Dataset& data, const std::string& only) {
   double value = 0;
   if (!only.empty()) {
     by = data.array(only.substr(0, sign));
-    const std::string number = sign == only.npos ? "" : only.substr(sign + 1);
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    const bool is_number = error == std::errc{} && end == number.data() + number.size();
+    const std::string word = sign == only.npos ? "" : only.substr(sign + 1);
+    const std::optional<double> number = number_in(word);
     if (by && !by->labels.empty() && relation == '=') {
-      const auto label = std::ranges::find(by->labels, number);
+      const auto label = std::ranges::find(by->labels, word);
       if (label == by->labels.end())
-        throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, number,
+        throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, word,
                                      fmt::join(by->labels, ", ")));
       value = static_cast<double>(label - by->labels.begin());
-    } else if (!by || by->components != 1 || !is_number || !by->labels.empty())
+    } else if (!by || by->components != 1 || !number || !by->labels.empty())
       throw Unreadable(
           fmt::format("{}: --only '{}', expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component",
                       data.source, only));
+    else
+      value = *number;
   }
   std::vector<bool> chosen(data.rows(), true);
   for (std::size_t row = 0; by && row < chosen.size(); ++row)
@@ -498,7 +498,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     Vectors all = Vectors::Constant(2, count, NAN);
     each_row([&](std::size_t row, Eigen::Index p) {
       for (int k = 0; k < (is_along_x ? 1 : 2); ++k) {
-        const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[static_cast<std::size_t>(k)]);
+        const double value = plane.way[k] * found(row, is_along_x ? 0 : plane[k]);
         if (field == "position" && !std::isfinite(value))  // a velocity is judged
           throw Unreadable(
               fmt::format("{}: row {}: {} = {}, expected a finite number", data.source, row + 1, found.words, value));

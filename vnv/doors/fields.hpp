@@ -6,6 +6,7 @@
 #include "vnv/doors/read/dataset.hpp"
 #include "vnv/flows/flow.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -49,16 +50,21 @@ struct Extent {
 };
 using ExtentAt = std::function<Extent(double t, double rows)>;
 
+/// Whether a name is among those of fields, norms or quantities.
+inline bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 /// The particles of a file at a time, and what was read as what, line by line.
 struct Reading {
   Samples samples{};
   std::vector<std::string> fields{};  // "velocity", "pressure", ...: what was found; "particles": not cells of a mesh
   std::string file{};                 // in words
   std::vector<std::string> words{};
-  bool has_volumes = true;    // else densities are the fluid's and masses equal
-  std::string fits_with{};    // "; they fit with ...": what puts rows that are elsewhere where the fluid is
+  bool has_volumes = true;     // else densities are the fluid's and masses equal
+  std::string fits_with{};     // "; they fit with ...": what puts rows that are elsewhere where the fluid is
   Vec2 beside = Vec2::Zero();  // m  by which rows that span a periodic box lie beside it
-  std::string put_right{};    // " --origin ...", so that they lie in it
+  std::string put_right{};     // " --origin ...", so that they lie in it
 };
 
 /// `density` [kg/m³] is that of the fluid at rest. Where the user names a field "fraction", volumes are multiplied by

@@ -16,10 +16,6 @@ constexpr double densest_lattice = 1.2;  // rows of one by a lattice of squares;
 constexpr double least_rows = 4;         // fewer cannot show that they fill a plane
 constexpr double other_depth = 3;        // masses by such a factor off are of a layer of another depth
 
-bool holds(const std::vector<std::string>& fields, const std::string& name) {
-  return std::ranges::find(fields, name) != fields.end();
-}
-
 /// What the scene holds at a resolution: rows, and the area [m²] that they stand for.
 struct Expected {
   double rows, fewest, most, area;
@@ -66,17 +62,15 @@ class Worst {
   void claim(const Claim& claim) {
     const auto known = std::ranges::find(found_.claims, claim.quantity, &Claim::quantity);
     if (known == found_.claims.end())
-      found_.claims.push_back(claim.on(level_));
+      found_.claims.push_back(claim.on(found_.level));
     else if (claim.upper > known->upper)  // of a cloud, which stood on a grid at another time
       known->upper = claim.upper;
   }
   void tell(const std::string& line) {
-    if (!holds(found_.told, line)) found_.told.push_back(line);
+    if (!has(found_.told, line)) found_.told.push_back(line);
   }
 
-  explicit Worst(std::string level) : level_(std::move(level)) {}
-  Filling found_{};
-  std::string level_;
+  Filling found_;
 };
 
 }  // namespace
@@ -88,7 +82,7 @@ bool is_of_filling(const std::string& quantity) {
 
 Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel& given,
                    const std::vector<std::string>& fields) {
-  Worst worst(level);
+  Worst worst{{.level = level}};
   if (given.at.empty()) return worst.found_;
   const Expected expected(flow, given.spacing);
   const Samples& first = given.at.begin()->second;
@@ -105,7 +99,7 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       return Value{level, given.spacing, at, quantity, found};
     };
     const double rows = static_cast<double>(samples.size());
-    const Index components = holds(fields, "velocity") ? 2 : holds(fields, velocity_along_x) ? 1 : 0;
+    const Index components = has(fields, "velocity") ? 2 : has(fields, velocity_along_x) ? 1 : 0;
     if (const auto none = (!samples.v.topRows(components).array().isFinite()).colwise().any().count(); none > 0) {
       worst.take(value(without_velocity, static_cast<double>(none)), "");
       worst.claim(at_most(without_velocity, 0, theory("a velocity is a number")));
@@ -145,8 +139,8 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       for (const Claim& claim : fills_its_region(coverage, rows_at_first))
         if (region || claim.quantity == rows_in_one_place || claim.quantity == rows_crowded) worst.claim(claim);
     }
-    if (holds(fields, "density")) {
-      const bool has_pressure = holds(fields, "pressure") && samples.pressure.allFinite();
+    if (has(fields, "density")) {
+      const bool has_pressure = has(fields, "pressure") && samples.pressure.allFinite();
       const double law = has_pressure ? flow.fluid.density_at(median(samples.pressure)) : flow.fluid.density;
       worst.take(value(density_found, 100 * (median(samples.density) / law - 1)), "");
       worst.claim(between(density_found, -100 * room, 100 * room, theory("the density follows from the pressure")));

@@ -1,8 +1,7 @@
 #pragma once
 /// Whether all the fluid of a flow is in what files hold, at every time: a claim on any code, whatever its errors.
 
-#include "vnv/flows/flow.hpp"
-#include "vnv/doors/judge.hpp"
+#include "vnv/doors/given.hpp"
 
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@ namespace touchstone::vnv::doors {
 
 /// What is found of one level: the worst of its times, by its quantities, with what is claimed of them.
 struct Filling {
+  std::string level{};
   std::vector<Value> values{};
   std::vector<Claim> claims{};                               // on the level
   std::vector<std::pair<std::string, std::string>> where{};  // a quantity, and where its value is from

@@ -2,7 +2,7 @@
 /// is named and its interval holds the truth, and how wide it is beside the actual error. The day's test draws few;
 /// TOUCHSTONE_GRIDS=400 draws so many, by TOUCHSTONE_SEED, and prints the table of README.md.
 
-#include "vnv/doors/diagnosis.hpp"
+#include "vnv/doors/diagnosis/diagnosis.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

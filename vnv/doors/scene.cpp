@@ -32,15 +32,15 @@ std::set<std::string> fields_of(const Flow& flow) {
   return fields;
 }
 
-Vectors places_at_start(const Flow& flow, double spacing) {
-  return places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
-}
-
 std::string oscillation(double angular_frequency) {
   return angular_frequency == 0 ? "" : fmt::format(" times cos({:.10g} t)", angular_frequency);
 }
 
 }  // namespace
+
+Vectors places_at_start(const Flow& flow, double spacing) {
+  return places_in(flow.domain.box, flow.start, lattice(flow.filled, spacing));
+}
 
 std::string scene_in_words(const Flow& flow, double spacing) {
   std::string text = fmt::format("{}: {}\n{}\n\n", flow.name, flow.judged.title, flow.judged.description);

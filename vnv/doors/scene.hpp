@@ -18,6 +18,9 @@ std::string scene_as_json(const Flow& flow, double spacing);
 /// resolved levels alone.
 Description describe(const Flow& flow);
 
+/// Where the particles are at the start [m].
+Vectors places_at_start(const Flow& flow, double spacing);
+
 /// The particles at the start, a row each, with the mass [kg/m] of a plane flow: "x [m],y [m],v_x [m/s],...".
 std::string particles_as_csv(const Flow& flow, double spacing);
 

@@ -256,6 +256,11 @@ namespace {
 
 using Field = std::pair<const char*, void (*)(Run&, double)>;
 
+template <auto field>
+void scale(Run& run, double factor) {
+  for (Samples& s : run.samples) s.*field *= factor;
+}
+
 void scale_position(Run& run, double factor) {
   for (Samples& s : run.samples) {
     const Vec2 centre = s.x.rowwise().mean();
@@ -312,18 +317,9 @@ void move_found(Run& run, double factor) {
 }
 
 constexpr std::array<Field, 12> fields{{
-    {"velocity",
-     [](Run& run, double factor) {
-       for (Samples& s : run.samples) s.v *= factor;
-     }},
-    {"density",
-     [](Run& run, double factor) {
-       for (Samples& s : run.samples) s.density *= factor;
-     }},
-    {"pressure",
-     [](Run& run, double factor) {
-       for (Samples& s : run.samples) s.pressure *= factor;
-     }},
+    {"velocity", scale<&Samples::v>},
+    {"density", scale<&Samples::density>},
+    {"pressure", scale<&Samples::pressure>},
     {"position", scale_position},
     {"monitored", scale_monitored},
     {"monitored, growing with time,", tilt_monitored},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -14,48 +13,19 @@ namespace touchstone::vnv::doors {
 namespace {
 
 constexpr std::string_view known_formats = "VTP, VTU, legacy VTK, PVD, NPY, NPZ, HDF5 or a dump of LAMMPS";
-constexpr std::string_view blanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::optional<double> number(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
-/// What separates the cells of a line: the first of these that is in it, else blanks.
-char separator_of(std::string_view line) {
-  for (const char separator : {';', '\t', ','})
-    if (line.find(separator) != line.npos) return separator;
-  return ' ';
-}
 
 /// The next cell of a line, which is taken from it; names may stand between double quotes.
 std::string_view next_cell(std::string_view& line, char separator) {
-  if (separator == ' ') {
-    line = trimmed(line);
-    const std::string_view cell = line.substr(0, line.find_first_of(blanks));
-    line.remove_prefix(cell.size());
-    return cell;
-  }
-  const std::size_t from = line.starts_with('"') ? line.find('"', 1) : 0;
-  const std::size_t end = std::min(line.find(separator, from == line.npos ? 0 : from), line.size());
-  const std::string_view cell = line.substr(0, end);
-  line.remove_prefix(std::min(end + 1, line.size()));
+  if (separator == ' ') line = trimmed(line);
+  const std::string_view cell = line.substr(0, end_of_cell(line, {&separator, 1}));
+  line.remove_prefix(std::min(cell.size() + 1, line.size()));
   return cell;
 }
 
 std::vector<std::string> names_in(std::string_view line, char separator) {
   std::vector<std::string> names;
   for (line = trimmed(line); !line.empty();) {
-    std::string_view cell = trimmed(next_cell(line, separator));
-    if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
+    const std::string_view cell = unquoted(trimmed(next_cell(line, separator)));
     if (separator == ' ' && (cell.starts_with('[') || cell.starts_with('(')) && !names.empty())
       names.back() += fmt::format(" {}", cell);  // a unit apart from its name
     else
@@ -78,7 +48,7 @@ std::optional<Time> time_in(std::string_view words) {
   for (const auto& [name, seconds] : units_of_time)
     if (value.ends_with(" " + name)) unit = name;
   if (value.ends_with(" " + unit)) value = trimmed(value.substr(0, value.size() - unit.size()));
-  const std::optional<double> time = number(value);
+  const std::optional<double> time = number_in(value);
   return time && std::isfinite(*time) ? std::optional(Time{*time, unit}) : std::nullopt;
 }
 
@@ -101,7 +71,7 @@ class Table {
       }
       std::string_view rest = trimmed(words);
       separator_ = separator_of(rest);
-      if (is_comment || !number(next_cell(rest, separator_))) {
+      if (is_comment || !number_in(trimmed(next_cell(rest, separator_)))) {
         heading_ = std::string(words);
         return;
       }
@@ -110,7 +80,7 @@ class Table {
     std::string_view rest = trimmed(line);
     for (Array& column : columns_) {
       const std::string_view cell = next_cell(rest, separator_);
-      const std::optional<double> value = number(cell);
+      const std::optional<double> value = number_in(trimmed(cell));
       if (!value)
         refuse(at_line(at), fmt::format("column {}: '{}', expected a number", column.name, cell.substr(0, 40)));
       column.values.push_back(*value);
@@ -176,9 +146,7 @@ std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::stri
   Table table(file, bytes, limits);
   const char* kept = bytes.data();
   for (long at = 1; !bytes.empty(); ++at) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    table.add(bytes.substr(0, end), at);
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+    table.add(next_line(bytes), at);
     if (const auto read = static_cast<std::size_t>(bytes.data() - kept); read >= piece) {
       done({kept, read});
       kept = bytes.data();

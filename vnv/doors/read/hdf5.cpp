@@ -5,7 +5,6 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/in_a_child.hpp"
@@ -157,8 +156,7 @@ class File {
   }
 
   double as_time(double time, const Extent& is, const std::string& name) const {
-    if (!std::isfinite(time)) refuse(where(name), fmt::format("'{}', expected a time", time));
-    return time_of(time, is.is_single ? Type::float32 : Type::float64);
+    return time_of(time, is.is_single ? Type::float32 : Type::float64, where(name));
   }
 
   /// All numbers of a dataset, as large as what the file stores of it allows.

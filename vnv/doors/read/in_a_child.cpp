@@ -20,116 +20,83 @@
 namespace touchstone::vnv::doors {
 namespace {
 
-/// What goes through a pipe, or comes; after the first failure nothing does.
+/// One end of a pipe, from which what is passed comes or into which it goes; after the first failure nothing does.
 class Pipe {
  public:
+  enum class Way { in, out };
+
   /// Of what comes it takes no more than `most_bytes` for one list of numbers.
-  explicit Pipe(int end, std::size_t most_bytes = 0) : end_(end), most_bytes_(most_bytes) {}
+  Pipe(int end, Way way, std::size_t most_bytes = 0) : end_(end), way_(way), most_bytes_(most_bytes) {}
   ~Pipe() { close(end_); }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
   bool is_whole() const { return is_whole_; }
 
+  void pass(std::uint64_t& number) { transfer(reinterpret_cast<char*>(&number), sizeof number); }
   template <class Number>
-  void put(const Number* numbers, std::size_t count) {
-    transfer(reinterpret_cast<char*>(const_cast<Number*>(numbers)), count * sizeof(Number), ::write);
+  void pass(std::optional<Number>& maybe) {
+    std::uint64_t is_there = maybe.has_value(), bits = std::bit_cast<std::uint64_t>(maybe.value_or(0));
+    pass(is_there), pass(bits);
+    if (is_there) maybe = std::bit_cast<Number>(bits);
   }
-  void put(std::uint64_t number) { put(&number, 1); }
-  void put(const std::string& text) {
-    put(text.size());
-    put(text.data(), text.size());
+  void pass(std::string& text) {
+    std::vector<char> letters(text.begin(), text.end());
+    pass_numbers(letters, [&] { transfer(letters.data(), letters.size()); });
+    text.assign(letters.begin(), letters.end());
+  }
+  /// Of what goes the numbers are gone then.
+  void pass(Array& array) {
+    std::uint64_t components = static_cast<std::uint64_t>(array.components);
+    pass(array.name), pass(components);
+    array.components = std::max(1, static_cast<int>(components));
+    pass_numbers(array.values, [&] {
+      consume_rows(array, [&](std::size_t, std::span<const double> some) {
+        transfer(reinterpret_cast<char*>(const_cast<double*>(some.data())), some.size_bytes());  // which it only reads
+      });
+    });
+    pass(array.labels);
+  }
+  void pass(Dataset& one) { pass(one.source), pass(one.format), pass(one.time), pass(one.index), pass(one.arrays); }
+  template <class One>
+  void pass(std::vector<One>& all) {
+    std::uint64_t count = all.size();
+    pass(count);
+    for (std::uint64_t k = 0; is_whole_ && k < count; ++k) pass(way_ == Way::in ? all.emplace_back() : all[k]);
   }
 
+ private:
   template <class Number>
-  std::vector<Number> get_all() {
-    std::vector<Number> numbers;
-    std::uint64_t left = get();
+  void pass_numbers(std::vector<Number>& numbers, const auto& give) {
+    std::uint64_t left = numbers.size();
+    pass(left);
+    if (way_ == Way::out) return give();
     if (left > most_bytes_ / sizeof(Number)) is_whole_ = false;
     if (is_whole_) reserve_more(numbers, left);
     while (is_whole_ && left > 0) {  // a broken count fills no more memory than comes
       const std::size_t first = numbers.size(), count = std::min<std::uint64_t>(left, 1 << 20);
       numbers.resize(first + count);
-      transfer(reinterpret_cast<char*>(numbers.data() + first), count * sizeof(Number), ::read);
+      transfer(reinterpret_cast<char*>(numbers.data() + first), count * sizeof(Number));
       left -= count;
     }
-    return numbers;
-  }
-  std::uint64_t get() {
-    std::uint64_t number = 0;
-    transfer(reinterpret_cast<char*>(&number), sizeof number, ::read);
-    return is_whole_ ? number : 0;
-  }
-  std::string get_text() {
-    const std::vector<char> text = get_all<char>();
-    return {text.begin(), text.end()};
   }
 
- private:
-  template <class Call>
-  void transfer(char* bytes, std::size_t left, Call call) {
+  void transfer(char* bytes, std::size_t left) {
     while (is_whole_ && left > 0) {
-      const ssize_t done = call(end_, bytes, left);
+      const ssize_t done = way_ == Way::in ? ::read(end_, bytes, left) : ::write(end_, bytes, left);
       if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) {
-        is_whole_ = false;
-      } else {
-        bytes += done;
-        left -= static_cast<std::size_t>(done);
-      }
+      is_whole_ = done > 0;
+      if (!is_whole_) return;
+      bytes += done;
+      left -= static_cast<std::size_t>(done);
     }
   }
 
   int end_;
+  Way way_;
   std::size_t most_bytes_;
   bool is_whole_ = true;
 };
-
-/// Their numbers are gone then.
-void put(Pipe& pipe, std::vector<Dataset>& datasets) {
-  pipe.put(datasets.size());
-  for (Dataset& dataset : datasets) {
-    pipe.put(dataset.source);
-    pipe.put(dataset.format);
-    pipe.put(dataset.time.has_value());
-    pipe.put(std::bit_cast<std::uint64_t>(dataset.time.value_or(0)));
-    pipe.put(dataset.index.has_value());
-    pipe.put(static_cast<std::uint64_t>(dataset.index.value_or(0)));
-    pipe.put(dataset.arrays.size());
-    for (Array& array : dataset.arrays) {
-      pipe.put(array.name);
-      pipe.put(static_cast<std::uint64_t>(array.components));
-      pipe.put(array.values.size());
-      consume_rows(array, [&](std::size_t, std::span<const double> some) { pipe.put(some.data(), some.size()); });
-      pipe.put(array.labels.size());
-      for (const std::string& label : array.labels) pipe.put(label);
-    }
-  }
-}
-
-std::vector<Dataset> get(Pipe& pipe) {
-  std::vector<Dataset> datasets;
-  for (std::uint64_t left = pipe.get(); pipe.is_whole() && left > 0; --left) {
-    Dataset& dataset = datasets.emplace_back();
-    dataset.source = pipe.get_text();
-    dataset.format = pipe.get_text();
-    const bool has_time = pipe.get() != 0;
-    const auto time = std::bit_cast<double>(pipe.get());
-    if (has_time) dataset.time = time;
-    const bool has_index = pipe.get() != 0;
-    const auto index = static_cast<long>(pipe.get());
-    if (has_index) dataset.index = index;
-    for (std::uint64_t arrays = pipe.get(); pipe.is_whole() && arrays > 0; --arrays) {
-      Array& array = dataset.arrays.emplace_back();
-      array.name = pipe.get_text();
-      array.components = std::max(1, static_cast<int>(pipe.get()));
-      array.values = pipe.get_all<double>();
-      for (std::uint64_t labels = pipe.get(); pipe.is_whole() && labels > 0; --labels)
-        array.labels.push_back(pipe.get_text());
-    }
-  }
-  return datasets;
-}
 
 /// Of this process: what it may write and shares with no other.
 std::size_t bytes_of_data() {
@@ -155,16 +122,18 @@ std::size_t bytes_of_data() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
-  Pipe pipe(end);
+  Pipe pipe(end, Pipe::Way::out);
+  std::string refusal;
+  std::vector<Dataset> datasets;
   try {
-    std::vector<Dataset> datasets = read();
-    pipe.put("");
-    put(pipe, datasets);
+    datasets = read();
   } catch (const std::bad_alloc&) {
-    pipe.put(fmt::format("{}: takes more than {} bytes of memory", where, bytes));
+    refusal = fmt::format("{}: takes more than {} bytes of memory", where, bytes);
   } catch (const std::exception& error) {
-    pipe.put(error.what());
+    refusal = error.what();
   }
+  pipe.pass(refusal);
+  if (refusal.empty()) pipe.pass(datasets);
   _exit(pipe.is_whole() ? 0 : 1);
 }
 
@@ -184,10 +153,10 @@ std::vector<Dataset> read_in_a_child(const std::string& where, unsigned seconds,
   std::vector<Dataset> datasets;
   bool is_whole = false;
   {  // which closes the pipe, so that a child that is astray does not wait for it
-    Pipe pipe(ends[0], bytes);
+    Pipe pipe(ends[0], Pipe::Way::in, bytes);
     if (child < 0) refuse(where, fmt::format("no process of its own: {}", std::strerror(errno)));
-    refusal = pipe.get_text();
-    if (refusal.empty()) datasets = get(pipe);
+    pipe.pass(refusal);
+    if (refusal.empty()) pipe.pass(datasets);
     is_whole = pipe.is_whole();
   }
   int status = 0;

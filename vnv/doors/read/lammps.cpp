@@ -37,11 +37,8 @@ class Dump {
 
   std::string_view next_line() {
     if (rest_.empty()) refuse_here("ends within a frame, expected more lines");
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++at_;
-    return line;
+    return doors::next_line(rest_);
   }
 
   double next_number(std::string_view& line, std::string_view of) {
@@ -78,8 +75,7 @@ class Dump {
         count = whole_number(next_word(words), fmt::format("{}:{}: NUMBER OF ATOMS", file_.string(), at_));
       } else if (line.starts_with("TIME")) {
         std::string_view words = next_line();
-        frame.time = next_number(words, "TIME");
-        if (!std::isfinite(*frame.time)) refuse_here(fmt::format("'{}', expected a time", *frame.time));
+        frame.time = time_of(next_number(words, "TIME"), Type::float64, fmt::format("{}:{}", file_.string(), at_));
       } else if (line.starts_with("UNITS")) {
         std::string_view words = next_line();
         units_ = fmt::format(", units {:.40}", next_word(words));
@@ -118,13 +114,11 @@ class Dump {
   double cell(std::string_view& line, Array& column, bool is_first) {
     std::string_view rest = line;
     const std::string_view word = next_word(rest);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool is_number = error == std::errc{} && end == word.data() + word.size();
-    const bool is_word = !word.empty() && (is_first ? !is_number && column.name == "element" : !column.labels.empty());
-    if (!is_number && !is_word) return next_number(line, column.name);  // or says that it is none
+    const std::optional<double> value = number_in(word);
+    const bool is_word = !word.empty() && (is_first ? !value && column.name == "element" : !column.labels.empty());
+    if (!value && !is_word) return next_number(line, column.name);  // or says that it is none
     line = rest;
-    if (!is_word) return value;
+    if (!is_word) return *value;
     const auto known = std::ranges::find(column.labels, word);
     if (known != column.labels.end()) return static_cast<double>(known - column.labels.begin());
     if (column.labels.size() == most_labels)

@@ -162,8 +162,7 @@ Dataset plain_dataset(std::map<std::string, std::string> entries, const fs::path
       blocks.push_back({name, array.shape, numpy::numbers_of(array, budget, where)});
     } else if (names_time(name)) {
       const Type type = array.kind.letter == 'f' && array.kind.bytes == 4 ? Type::float32 : Type::float64;
-      dataset.time = time_of(numpy::numbers_of({array.kind, {}, false, array.bytes}, budget, where)[0], type);
-      if (!std::isfinite(*dataset.time)) refuse(where, fmt::format("'{}', expected a time", *dataset.time));
+      dataset.time = time_of(numpy::numbers_of({array.kind, {}, false, array.bytes}, budget, where)[0], type, where);
     }
   }
   dataset.arrays = rows_of(std::move(blocks), file.string());

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <cmath>
+
 namespace touchstone::vnv::doors {
 
 void refuse(const std::string& where, const std::string& what) { throw Unreadable(printable(where + ": " + what)); }
@@ -53,7 +55,50 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-double time_of(double stored, Type type) {
+std::string_view next_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+char separator_of(std::string_view line, std::string_view separators) {
+  std::string bare;
+  bool is_quoted = false;
+  for (const char c : line) {
+    is_quoted ^= c == '"';
+    if (!is_quoted) bare += c;
+  }
+  for (const char separator : separators)
+    if (bare.find(separator) != bare.npos) return separator;
+  return ' ';
+}
+
+std::size_t end_of_cell(std::string_view text, std::string_view separator) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  const std::size_t closing = text.substr(first).starts_with('"') ? text.find('"', first + 1) : 0;
+  const std::size_t from = closing == text.npos ? 0 : closing;
+  return separator == " " ? text.find_first_of(" \t", from) : text.find(separator, from);
+}
+
+std::string_view unquoted(std::string_view cell) {
+  return cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"') ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+double time_of(double stored, Type type, const std::string& where) {
+  if (!std::isfinite(stored)) refuse(where, fmt::format("'{}', expected a time", stored));
   return type == Type::float32 ? std::strtod(fmt::format("{}", static_cast<float>(stored)).c_str(), nullptr) : stored;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Numbers as files hold them: of ten types, as text or as bytes of either order, and how many a file may claim.
+/// Numbers as files hold them: of ten types, as text and in its cells or as bytes of either order, and how many a file
+/// may claim.
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,25 @@ void append_bytes(std::string_view bytes, Type type, std::endian order, std::vec
 /// The text up to the next blank, which is cut off with what stands before it; empty at the end.
 std::string_view next_word(std::string_view& text);
 
+/// The text up to the end of a line, which is cut off.
+std::string_view next_line(std::string_view& text);
+
+/// Without the blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
+/// The number that all of a text is, with a "+" before it or not.
+std::optional<double> number_in(std::string_view text);
+
+/// What separates the cells of a line: the first of these that stands in it outside double quotes, else blanks.
+char separator_of(std::string_view line, std::string_view separators = ";\t,");
+
+/// Where the cell ends with which a text begins, in double quotes or not; npos where nothing follows it. A single blank
+/// stands for any.
+std::size_t end_of_cell(std::string_view text, std::string_view separator);
+
+/// A cell without the double quotes about it.
+std::string_view unquoted(std::string_view cell);
+
 /// Appends `count` numbers and cuts them off the text. Throws Unreadable.
 template <class To>
 void append_text(std::string_view& text, std::size_t count, Type type, const std::string& where, std::vector<To>& to) {
@@ -144,8 +164,9 @@ void append_text(std::string_view& text, std::size_t count, Type type, const std
   });
 }
 
-/// A time of single precision is the shortest decimal that is stored so: 0.01, not 0.00999999977648258.
-double time_of(double stored, Type type);
+/// A time of single precision is the shortest decimal that is stored so: 0.01, not 0.00999999977648258. Throws
+/// Unreadable where it is not finite.
+double time_of(double stored, Type type, const std::string& where);
 
 /// How well the name of an array of fields says that it is the time, 0 best; none where it says so not at all.
 std::optional<int> rank_as_time(std::string_view name);

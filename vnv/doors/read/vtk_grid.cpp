@@ -25,42 +25,25 @@ struct Shape {
 };
 
 std::optional<Shape> shape_of(std::uint8_t kind) {
-  switch (kind) {
-    case 0:
-      return Shape{0, 0, 0};  // nothing
-    case 1:
-      return Shape{0, 1, 1};
-    case poly_vertex:
-      return Shape{0, 0, 1};
-    case 3:
-      return Shape{1, 2, 2};
-    case poly_line:
-      return Shape{1, 0, 2};
-    case 5:
-      return Shape{2, 3, 3};
-    case triangle_strip:
-      return Shape{2, 0, 3};
-    case polygon:
-      return Shape{2, 0, 3};
-    case 8:
-      return Shape{2, 4, 4};  // pixel
-    case 9:
-      return Shape{2, 4, 4};  // quadrilateral
-    case 10:
-      return Shape{3, 4, 4};  // tetrahedron
-    case 11:
-      return Shape{3, 8, 8};  // voxel
-    case 12:
-      return Shape{3, 8, 8};  // hexahedron
-    case 13:
-      return Shape{3, 6, 6};  // wedge
-    case 14:
-      return Shape{3, 5, 5};  // pyramid
-    case polyhedron:
-      return Shape{3, 0, 4};
-    default:
-      return {};
-  }
+  constexpr std::array<Shape, 15> shapes{{
+      {0, 0, 0},  // nothing
+      {0, 1, 1},  // vertex
+      {0, 0, 1},  // vertices
+      {1, 2, 2},  // line
+      {1, 0, 2},  // lines
+      {2, 3, 3},  // triangle
+      {2, 0, 3},  // strip of triangles
+      {2, 0, 3},  // polygon
+      {2, 4, 4},  // pixel
+      {2, 4, 4},  // quadrilateral
+      {3, 4, 4},  // tetrahedron
+      {3, 8, 8},  // voxel
+      {3, 8, 8},  // hexahedron
+      {3, 6, 6},  // wedge
+      {3, 5, 5},  // pyramid
+  }};
+  if (kind == polyhedron) return Shape{3, 0, 4};
+  return kind < shapes.size() ? std::optional(shapes[kind]) : std::nullopt;
 }
 
 using Faces = std::vector<std::vector<int>>;
@@ -137,7 +120,7 @@ class Measuring {
     std::vector<Facet> facets;
     for (const std::vector<int>& face : faces_of(kind)) {
       std::vector<std::int64_t> of_face;
-      for (const int i : face) of_face.push_back(corners[static_cast<std::size_t>(i)]);
+      for (const int i : face) of_face.push_back(corners[i]);
       facets.push_back(facet_of(places(of_face)));
     }
     return body_of(facets);

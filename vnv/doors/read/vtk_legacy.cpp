@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "vnv/doors/read/numbers.hpp"
@@ -78,11 +77,7 @@ class Legacy {
  private:
   enum class Of { fields, points, cells };
 
-  std::string_view next_line() {
-    const std::string_view line = rest_.substr(0, rest_.find('\n'));
-    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-    return line;
-  }
+  std::string_view next_line() { return doors::next_line(rest_); }
   std::string word() { return std::string(next_word(rest_)); }
   std::size_t count(const std::string& keyword) { return whole_number(next_word(rest_), file_ + ": " + keyword); }
   Type type(const std::string& keyword) {
@@ -143,7 +138,7 @@ class Legacy {
       std::copy(three.begin(), three.end(), (keyword == "ORIGIN" ? origin_ : spacing_).begin());
     } else if (keyword == "X_COORDINATES" || keyword == "Y_COORDINATES" || keyword == "Z_COORDINATES") {
       const std::size_t places = count(keyword);
-      numbers(places, 1, type(keyword), keyword, axes_[static_cast<std::size_t>(keyword[0] - 'X')]);
+      numbers(places, 1, type(keyword), keyword, axes_[keyword[0] - 'X']);
     } else if (keyword == "CELL_TYPES") {
       const std::size_t cells = count(keyword);
       std::vector<std::int64_t> kinds;
@@ -258,9 +253,7 @@ class Legacy {
       numbers(rows, components, kind, where, of_ == Of::fields ? of_fields : add_array(name, components));
       const std::optional<int> rank = of_fields.size() == 1 ? rank_as_time(name) : std::nullopt;
       if (!rank || (time_rank_ && *time_rank_ <= *rank)) continue;
-      if (!std::isfinite(of_fields[0]))
-        refuse(file_ + ": " + where, fmt::format("'{}', expected a time", of_fields[0]));
-      grid_.time = time_of(of_fields[0], kind);
+      grid_.time = time_of(of_fields[0], kind, file_ + ": " + where);
       time_rank_ = rank;
     }
   }

@@ -4,7 +4,6 @@
 #include <lz4.h>
 #include <zlib.h>
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -172,8 +171,7 @@ std::optional<double> XmlFile::time() {
   if (!best || components(best) != 1) return {};
   std::vector<double> time;
   append(best, 1, time);
-  if (!std::isfinite(time[0])) refuse(where(best), fmt::format("'{}', expected a time", time[0]));
-  return time_of(time[0], *type_named(best.attribute("type").value()));
+  return time_of(time[0], *type_named(best.attribute("type").value()), where(best));
 }
 
 std::size_t XmlFile::count(const pugi::xml_node& element, const char* attribute, bool may_lack) const {
@@ -190,18 +188,8 @@ std::string XmlFile::where(const pugi::xml_node& array) const {
   return fmt::format("{}: {} '{:.80}'", name_, array.parent().name(), array.attribute("Name").value());
 }
 
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<double>& to) {
-  append_as(array, rows, to);
-}
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<std::int64_t>& to) {
-  append_as(array, rows, to);
-}
-void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<std::uint8_t>& to) {
-  append_as(array, rows, to);
-}
-
 template <class To>
-void XmlFile::append_as(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to) {
+void XmlFile::append(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to) {
   const std::string place = where(array);
   const std::string_view type_name = array.attribute("type").value(), format = array.attribute("format").value();
   const std::optional<Type> type = type_named(type_name);
@@ -291,5 +279,9 @@ void XmlFile::append_compressed(Bytes& bytes, std::size_t count, Type type, cons
     block.erase(0, numbers);
   }
 }
+
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<double>&);
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<std::int64_t>&);
+template void XmlFile::append(const pugi::xml_node&, std::size_t, std::vector<std::uint8_t>&);
 
 }  // namespace touchstone::vnv::doors::vtk

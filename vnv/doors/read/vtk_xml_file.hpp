@@ -33,14 +33,11 @@ class XmlFile {
   std::size_t components(const pugi::xml_node& array) const;
 
   /// Appends `rows` rows of the array. Throws Unreadable where it holds more or fewer.
-  void append(const pugi::xml_node& array, std::size_t rows, std::vector<double>& to);
-  void append(const pugi::xml_node& array, std::size_t rows, std::vector<std::int64_t>& to);
-  void append(const pugi::xml_node& array, std::size_t rows, std::vector<std::uint8_t>& to);
+  template <class To>  // double, std::int64_t or std::uint8_t
+  void append(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to);
 
  private:
   class Bytes;
-  template <class To>
-  void append_as(const pugi::xml_node& array, std::size_t rows, std::vector<To>& to);
   template <class To>
   void append_plain(Bytes& bytes, std::size_t count, Type type, const std::string& where, std::vector<To>& to);
   template <class To>

@@ -1,4 +1,4 @@
-#include "vnv/doors/mistakes.hpp"
+#include "vnv/doors/diagnosis/mistakes.hpp"
 
 #include <fmt/format.h>
 
@@ -30,8 +30,6 @@ std::string unit_of(const std::string& field, int power) {
   return size == 2 ? ": cm/s?" : size == 3 ? ": mm/s?" : size == 6 ? ": µm/s?" : "";
 }
 
-double wrapped(double place, double low, double length) { return place - length * std::floor((place - low) / length); }
-
 /// The output before and after a time; of the first and the last as far off as the next is.
 double before(const std::vector<double>& times, double t) {
   const auto at = std::ranges::lower_bound(times, t);
@@ -55,7 +53,7 @@ std::vector<Mistake> mistakes_of_scale(const Exact& exact, double found) {
   const double most_off = std::abs(power) == 1 ? 0.03 : 0.3;  // nobody reads one unit for another ten times as large
   if (std::abs(std::abs(found) / size - 1) > most_off) size = std::abs(found), power = 0;
   if (found > 0 && power == 0) return all;  // an amplitude
-  std::string sentence = found > 0    ? fmt::format("the {} is", exact.field)
+  std::string sentence = found > 0   ? fmt::format("the {} is", exact.field)
                          : size == 1 ? fmt::format("the {} has the wrong sign", exact.field)
                                      : fmt::format("the {} has the wrong sign and is", exact.field);
   if (size != 1)
@@ -75,9 +73,13 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
   const std::string field = "the " + exact.field;
   const bool is_plane = exact.components == 2;
   std::vector<Mistake> all;
-  const auto add = [&](std::string cause, std::string sentence, auto seen) {
-    all.push_back({.cause = std::move(cause), .sentence = std::move(sentence), .seen = std::move(seen)});
+  const auto add_of_place = [&](std::string cause, std::string sentence, auto from, auto as) {
+    all.push_back({.cause = std::move(cause),
+                   .sentence = std::move(sentence),
+                   .seen = [=](const auto& truth, const Vec2& x, double t) -> Vec2 { return as(truth(from(x), t)); }});
   };
+  const auto same = [](const Vec2& v) { return v; };
+  const auto swapped = [](const Vec2& v) -> Vec2 { return v.reverse(); };
   const auto quarters = [](int n) {
     return n == 0 ? "no part" : n == 2 ? "half" : n == 1 ? "a quarter" : "three quarters";
   };
@@ -90,16 +92,21 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
                               : fmt::format("{} of the box along x and {} along y", quarters(i), quarters(j));
     const Vec2 shift = 0.25 * size.cwiseProduct(Vec2(i, j));
     const Vec2 origin = shift - size.cwiseProduct(Vec2(i > 1, j > 1));  // of the data: the nearest, but for periods
-    add("shifted",
+    add_of_place(
+        "shifted",
         fmt::format("{} is shifted by {}: with its origin at ({:.4g}, {:.4g}) m it fits", field, by, origin.x(),
                     origin.y()),
-        [=, periodic = domain](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-          Vec2 from = x - shift;
-          for (const int axis : {0, 1})
-            if (periodic.periodic(axis)) from[axis] = wrapped(from[axis], low[axis], size[axis]);
-          return truth(from, t);
-        });
+        [=](const Vec2& x) -> Vec2 {
+          return {domain.wrapped(0, x.x() - shift.x()), domain.wrapped(1, x.y() - shift.y())};
+        },
+        same);
   }
+  const auto negated = [](int axis) {
+    return [axis](Vec2 v) {
+      v[axis] *= -1;
+      return v;
+    };
+  };
   for (const int axis : {0, 1}) {
     const char* name = axis == 0 ? "x" : "y";
     const auto mirrored = [=](Vec2 x) {
@@ -107,33 +114,27 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
       return x;
     };
     if (is_plane)
-      add(fmt::format("mirrored along {}", name), fmt::format("{} is mirrored along {}", field, name),
-          [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-            Vec2 v = truth(mirrored(x), t);
-            v[axis] *= -1;
-            return v;
-          });
-    add(fmt::format("places mirrored along {}", name),
-        is_plane ? fmt::format("the places are mirrored along {}, the velocities are not", name)
-                 : fmt::format("{} is mirrored along {}", field, name),
-        [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(mirrored(x), t); });
+      add_of_place(fmt::format("mirrored along {}", name), fmt::format("{} is mirrored along {}", field, name),
+                   mirrored, negated(axis));
+    add_of_place(fmt::format("places mirrored along {}", name),
+                 is_plane ? fmt::format("the places are mirrored along {}, the velocities are not", name)
+                          : fmt::format("{} is mirrored along {}", field, name),
+                 mirrored, same);
   }
   if (is_plane) {
-    add("v_x reversed", "v_x has the wrong sign",
-        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).cwiseProduct(Vec2(-1, 1)); });
-    add("v_y reversed", "v_y has the wrong sign",
-        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).cwiseProduct(Vec2(1, -1)); });
-    add("components swapped", "v_x and v_y are swapped",
-        [](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, t).reverse(); });
+    add_of_place("v_x reversed", "v_x has the wrong sign", same, negated(0));
+    add_of_place("v_y reversed", "v_y has the wrong sign", same, negated(1));
+    add_of_place("components swapped", "v_x and v_y are swapped", same, swapped);
     if (std::abs(size.x() / size.y() - 1) < 1e-9)
-      add("axes swapped", "x and y are swapped", [=](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 {
-        return truth(low + (x - low).reverse(), t).reverse();
-      });
+      add_of_place(
+          "axes swapped", "x and y are swapped", [low](const Vec2& x) -> Vec2 { return low + (x - low).reverse(); },
+          swapped);
   }
   const auto add_of_time = [&](std::string cause, std::string sentence, auto time) {
-    add(std::move(cause), std::move(sentence),
-        [time](const FieldTruth& truth, const Vec2& x, double t) -> Vec2 { return truth(x, time(t)); });
-    all.back().of_time = true;
+    all.push_back({.cause = std::move(cause),
+                   .sentence = std::move(sentence),
+                   .of_time = true,
+                   .seen = [=](const auto& truth, const Vec2& x, double t) -> Vec2 { return truth(x, time(t)); }});
   };
   add_of_time("frozen", fmt::format("{} is that of the start: nothing changes", field), [](double) { return 0.0; });
   for (const auto& [factor, words] : {std::pair(2.0, "twice"), std::pair(0.5, "half")})
@@ -145,11 +146,11 @@ std::vector<Mistake> mistakes_of_place_and_time(const Exact& exact, const Domain
     add_of_time("one output early", fmt::format("{} is one output ahead", field),
                 [times](double t) { return after(times, t); });
   }
-  for (const Instead& one : exact.instead) {
-    add(one.cause, one.sentence,
-        [truth = one.truth](const FieldTruth&, const Vec2& x, double t) -> Vec2 { return truth(x, t); });
-    all.back().of_time = true;
-  }
+  for (const Instead& one : exact.instead)
+    all.push_back({.cause = one.cause,
+                   .sentence = one.sentence,
+                   .of_time = true,
+                   .seen = [truth = one.truth](const auto&, const Vec2& x, double t) -> Vec2 { return truth(x, t); }});
   return all;
 }
 

@@ -1,4 +1,4 @@
-#include "vnv/doors/where.hpp"
+#include "vnv/doors/diagnosis/where.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::string where_it_lies(const std::vector<Located>& all, const Domain& domain,
   std::vector<Region> regions;
   const std::string within = fmt::format("within {:g} spacings of ", near_spacings);
   for (const int axis : {0, 1}) {
-    if (!walled[static_cast<std::size_t>(axis)]) {
+    if (!walled[axis]) {
       regions.push_back({within + fmt::format("the seam of the periodic box along {}", axis == 0 ? "x" : "y"),
                          [&, axis](const Vec2& x) { return at_either(x, axis); }});
       continue;
