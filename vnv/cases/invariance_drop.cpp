@@ -18,11 +18,7 @@ const View turned = views::turned(Eigen::Rotation2Dd(std::numbers::pi / 6).toRot
 const SeveralViews in_views =
     several_views({mirrored, views::carried_along({0.3, 0.2}), turned}, 2 * R / 30, end, axes_error);
 
-Scene<Tait> scene_in(const View& view) {
-  auto seen = scene_of<Tait>(flow_named("elliptic_drop"));
-  seen.start = view.start(seen.start);
-  return seen;
-}
+auto scene_in(const View& view) { return view.scene(scene_of<Tait>(flow_named("elliptic_drop"))); }
 
 }  // namespace
 

@@ -26,11 +26,7 @@ const View turned = turned_with_its_lattice();
 const SeveralViews in_views = several_views({views::mirrored_about_x(0), views::carried_along({0.5, 0.3}), turned},
                                             L / 24, end, {"kinetic energy over that of a rigidly rotating square"});
 
-Scene<Tait> scene_in(const View& view) {
-  auto seen = scene_of<Tait>(flow_named("rotating_patch"));
-  seen.start = view.start(seen.start);
-  return seen;
-}
+auto scene_in(const View& view) { return view.scene(scene_of<Tait>(flow_named("rotating_patch"))); }
 
 }  // namespace
 

@@ -14,11 +14,7 @@ constexpr double end = 1;  // s
 
 const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, depth / 20, end, l2_p);
 
-Scene<Tait, Uniform> scene_in(const View& view) {
-  auto seen = scene_of<Tait, Uniform>(flow_named("hydrostatic"));
-  seen.start = view.start(seen.start);
-  return seen;
-}
+auto scene_in(const View& view) { return view.scene(scene_of<Tait, Uniform>(flow_named("hydrostatic"))); }
 
 }  // namespace
 

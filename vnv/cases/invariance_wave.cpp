@@ -14,11 +14,7 @@ constexpr double end = 0.6;  // s  three quarters of a period: the wave is faste
 
 const SeveralViews in_views = several_views({views::carried_along({0.5, 0})}, published.L / 40, end, l2_velocity);
 
-Scene<Newtonian, Uniform> scene_in(const View& view) {
-  auto seen = scene_of<Newtonian, Uniform>(flow_named("standing_wave"));
-  seen.start = view.start(seen.start);
-  return seen;
-}
+auto scene_in(const View& view) { return view.scene(scene_of<Newtonian, Uniform>(flow_named("standing_wave"))); }
 
 std::vector<Method> methods_on(const Scene<Newtonian, Uniform>& seen) {
   return free_surface_methods(seen, output_interval);

@@ -7,18 +7,14 @@
 namespace touchstone::vnv::flows {
 
 Flow taylor_green(Settings& set) {
-  const double L = set.positive("L", square::side, "m", "side of the periodic square");
-  const double U = set.positive("U", 1, "m/s", "largest velocity at t = 0");
-  const double rho = set.positive("rho", 1000, "kg/m³", "density at rest");
-  const double Re = set.positive("Re", 100, "-", "Reynolds number U L / nu");
-  const double c = set.positive("c", 80, "m/s", "speed of sound at rest");
+  const DecaysInSquare box(set, "", "largest velocity at t = 0", 80);
   const auto exact = [=](const Changes& by) {
-    return reference::TaylorGreen{.L = L, .U = U, .nu = U * L / Re * by.factor(Cause::viscosity), .rho = rho};
+    return reference::TaylorGreen{.L = box.L, .U = box.U, .nu = box.nu(by), .rho = box.rho};
   };
   const PressureWith pressure = [=](const Changes& by) -> PressureTruth {
     return [now = exact(by)](const Vec2& x, double t) { return now.p(x.x(), x.y(), t); };
   };
-  Flow flow = in_square(L, fluid_of(rho, c, exact({}).nu),
+  Flow flow = in_square(box.L, box.fluid(),
                         [=](const Changes& by) -> VelocityTruth {
                           return [now = exact(by)](const Vec2& x, double t) -> Vec2 {
                             return {now.v_x(x.x(), x.y(), t), now.v_y(x.x(), x.y(), t)};
@@ -30,7 +26,7 @@ Flow taylor_green(Settings& set) {
   flow.judged.title = "Taylor-Green vortices";
   flow.judged.description =
       "Four vortices in a periodic square decay. The oracle is Taylor's (1923) solution for an incompressible fluid.";
-  flow.judged.times = {vnv::taylor_green::early * L / U, vnv::taylor_green::end * L / U};
+  flow.judged.times = {vnv::taylor_green::early * box.L / box.U, vnv::taylor_green::end * box.L / box.U};
   flow.judged.plots = errors_of_velocity("order", "L2 v [%]", l2_velocity, flow.judged.times.front());
   return flow;
 }

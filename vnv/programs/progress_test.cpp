@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace touchstone::programs {
 namespace progress_test {
@@ -19,6 +22,12 @@ void turn(Work& work, const std::string& from, const std::string& to, int second
   work.begin(to, start + seconds(second));
 }
 
+/// Parts that each took so many seconds last time.
+Work expecting(const std::vector<std::pair<std::string, double>>& parts, Work work = {}) {
+  for (const auto& [name, last] : parts) work.expect(name, last);
+  return work;
+}
+
 TEST(Durations, AreToldInTwoUnitsAtMost) {
   EXPECT_EQ(duration_in_words(0.4), "0 s");
   EXPECT_EQ(duration_in_words(59.4), "59 s");
@@ -28,9 +37,7 @@ TEST(Durations, AreToldInTwoUnitsAtMost) {
 }
 
 TEST(WorkThatIsLeft, IsWhatItsPartsTookLast) {
-  Work work;
-  work.expect("a", 30);
-  work.expect("b", 60);
+  Work work = expecting({{"a", 30}, {"b", 60}});
   work.begin("a", start);
   EXPECT_EQ(work.left(start), 90);
   EXPECT_EQ(work.left(start + seconds(20)), 70);
@@ -45,18 +52,14 @@ TEST(WorkThatIsLeft, IsSharedByWhatRunsBesideEachOtherAndEndsWithTheLongest) {
   work.begin("a", start);
   work.begin("b", start);
   EXPECT_EQ(work.left(start), 120 / 2 + 10);
-  Work unequal;
-  unequal.expect("long", 100);
-  unequal.expect("short", 10);
+  Work unequal = expecting({{"long", 100}, {"short", 10}});
   unequal.begin("long", start);
   unequal.begin("short", start);
   EXPECT_EQ(unequal.left(start), 100);
 }
 
 TEST(WorkThatIsLeft, TakesAsMuchLongerAsWhatHasEndedDid) {
-  Work work;
-  work.expect("a", 90);
-  work.expect("b", 50);
+  Work work = expecting({{"a", 90}, {"b", 50}});
   work.begin("a", start);
   turn(work, "a", "b", 190);  // twice as long, were ten seconds more expected and taken
   EXPECT_EQ(work.left(start + seconds(190)), 100);
@@ -64,9 +67,7 @@ TEST(WorkThatIsLeft, TakesAsMuchLongerAsWhatHasEndedDid) {
 }
 
 TEST(WorkThatIsLeft, IsUnknownBeforeAnythingIsKnownOrRuns) {
-  Work work;
-  work.expect("a", 10);
-  EXPECT_EQ(work.sentence(start), "0 of 1 done; none runs yet");
+  EXPECT_EQ(expecting({{"a", 10}}).sentence(start), "0 of 1 done; none runs yet");
   Work first_time;
   first_time.expect("a", std::nullopt);
   first_time.begin("a", start);
@@ -74,9 +75,7 @@ TEST(WorkThatIsLeft, IsUnknownBeforeAnythingIsKnownOrRuns) {
 }
 
 TEST(WorkThatIsLeft, IsToldByOtherMeasuresOnceAPartHasEnded) {
-  Work files(0);  // by their bytes
-  files.expect("a", 1e6);
-  files.expect("b", 3e6);
+  Work files = expecting({{"a", 1e6}, {"b", 3e6}}, Work(0));  // by their bytes
   files.begin("a", start);
   EXPECT_EQ(files.left(start), std::nullopt);
   turn(files, "a", "b", 2);
@@ -84,8 +83,7 @@ TEST(WorkThatIsLeft, IsToldByOtherMeasuresOnceAPartHasEnded) {
 }
 
 TEST(WorkThatIsLeft, IsCalledAGuessWhileAnyOfItIs) {
-  Work work;
-  work.expect("a", 10);
+  Work work = expecting({{"a", 10}});
   work.guess("b", 20);
   work.begin("b", start);
   EXPECT_EQ(work.sentence(start), "0 of 2 done, perhaps 30 s left; now b 0 s");
@@ -94,9 +92,7 @@ TEST(WorkThatIsLeft, IsCalledAGuessWhileAnyOfItIs) {
 }
 
 TEST(WorkThatIsLeft, IsToldWithWhatRunsAndWhatNobodyKnows) {
-  Work work;
-  work.expect("a.mpm", 10);
-  work.expect("b.sph", 300);
+  Work work = expecting({{"a.mpm", 10}, {"b.sph", 300}});
   work.expect("c.sph", std::nullopt);
   work.begin("a.mpm", start);
   work.end("a.mpm", start + seconds(10));

@@ -29,6 +29,11 @@ struct View {
   }
   /// The start of a flow that starts so in the plain view.
   Start start(const Start& plain) const;
+  template <class AnyScene>
+  AnyScene scene(AnyScene plain) const {
+    plain.start = start(plain.start);
+    return plain;
+  }
   Vectors places_on(const Vectors& lattice) const { return rearranged ? rearranged(lattice) : lattice; }
 
   /// The particles of a run in this view, as they would be in the plain flow.
