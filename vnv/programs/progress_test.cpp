@@ -23,7 +23,7 @@ void turn(Work& work, const std::string& from, const std::string& to, int second
 }
 
 /// Parts that each took so many seconds last time.
-Work expecting(const std::vector<std::pair<std::string, double>>& parts, Work work = {}) {
+Work expecting(const std::vector<std::pair<std::string, double>>& parts, Work work = Work()) {
   for (const auto& [name, last] : parts) work.expect(name, last);
   return work;
 }
