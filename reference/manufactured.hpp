@@ -29,13 +29,13 @@ struct Manufactured {
   double density(double x, double y) const { return rho0 * at(x, y).R; }
   double pressure(double x, double y) const { return K * (std::pow(at(x, y).R, 7) - 1); }
   std::array<double, 2> velocity(double x, double y, double t) const {
-    const Place p = at(x, y);
+    const Terms p = at(x, y);
     return {a(t) * p.g[0].v, a(t) * p.g[1].v};
   }
 
   /// The force [m/s²] that sustains it: Dv/Dt + grad P / rho - (mu / rho) (laplacian v + grad div v / 3).
   std::array<double, 2> force(double x, double y, double t) const {
-    const Place p = at(x, y);
+    const Terms p = at(x, y);
     const double now = a(t), rate = omega / 2 * std::cos(omega * t);
     const double push = 7 * K / rho0 * (p.R * p.R) * (p.R * p.R) * p.R;
     const std::array<double, 2> R_along{p.R_x, p.R_y},
@@ -54,7 +54,7 @@ struct Manufactured {
   struct Field {
     double v, x, y, xx, xy, yy;  // value and derivatives
   };
-  struct Place {
+  struct Terms {
     double R, R_x, R_y;      // density over rho0
     std::array<Field, 2> g;  // M / R
   };
@@ -77,7 +77,7 @@ struct Manufactured {
     return g;
   }
 
-  Place at(double x, double y) const {
+  Terms at(double x, double y) const {
     require_positive("Manufactured", {{"L [m]", L}, {"rho0 [kg/m³]", rho0}, {"K [Pa]", K}, {"mu [Pa s]", mu}});
     if (!(ripple >= 0 && ripple < 1)) refuse("Manufactured", "ripple", ripple, "a number from 0 to below 1");
     require_finite("Manufactured", {{"U [m/s]", U}, {"x [m]", x}, {"y [m]", y}});

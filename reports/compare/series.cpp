@@ -16,7 +16,7 @@ namespace {
 using Kind = Series::Kind;
 
 /// Where a number stands in every night; times agree to nine digits.
-using Place = std::tuple<std::string, std::string, bool, std::string, std::string, std::string>;
+using Key = std::tuple<std::string, std::string, bool, std::string, std::string, std::string>;
 
 class Collector {
  public:
@@ -24,27 +24,27 @@ class Collector {
 
   Series& at(Kind kind, const std::string& case_name, const std::string& method, const std::string& level, double time,
              const std::string& quantity) {
-    const Place place{case_name, method, kind == Kind::cost, quantity, level, fmt::format("{:.9g}", time)};
-    return by_place_
-        .try_emplace(place, Series{.kind = kind,
-                                   .case_name = case_name,
-                                   .method = method,
-                                   .level = level,
-                                   .time = time,
-                                   .quantity = quantity,
-                                   .points = std::vector<SeriesPoint>(nights_)})
+    const Key key{case_name, method, kind == Kind::cost, quantity, level, fmt::format("{:.9g}", time)};
+    return by_key_
+        .try_emplace(key, Series{.kind = kind,
+                                 .case_name = case_name,
+                                 .method = method,
+                                 .level = level,
+                                 .time = time,
+                                 .quantity = quantity,
+                                 .points = std::vector<SeriesPoint>(nights_)})
         .first->second;
   }
 
   std::vector<Series> sorted() && {
     std::vector<Series> sorted;
-    for (auto& [place, series] : by_place_) sorted.push_back(std::move(series));
+    for (auto& [key, series] : by_key_) sorted.push_back(std::move(series));
     return sorted;
   }
 
  private:
   std::size_t nights_;
-  std::map<Place, Series> by_place_;
+  std::map<Key, Series> by_key_;
 };
 
 void put(Series& series, std::size_t night, double value) {

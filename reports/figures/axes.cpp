@@ -77,7 +77,7 @@ bool is_drawable(double value, const vnv::Axis& axis) {
   return std::isfinite(value) && (!axis.logarithmic || value > 0);
 }
 
-void Extent::add(const std::vector<double>& si_values) {
+void AxisRange::add(const std::vector<double>& si_values) {
   for (const double si : si_values) {
     const double value = si * axis_.scale;
     if (!is_drawable(value, axis_)) continue;
@@ -86,7 +86,7 @@ void Extent::add(const std::vector<double>& si_values) {
   }
 }
 
-std::pair<double, double> Extent::range(double air) const {
+std::pair<double, double> AxisRange::range(double air) const {
   const double low = axis_.low.value_or(is_empty() ? 1 : axis_.logarithmic ? below(low_) : low_);
   const double high = axis_.high.value_or(is_empty() ? 10 : axis_.logarithmic ? above(high_) : high_);
   if (low < high) return {axis_.low ? low : low - air * (high - low), axis_.high ? high : high + air * (high - low)};
@@ -99,7 +99,7 @@ std::string range_command(const char* name, double low, double high) {
   return fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, low, high);
 }
 
-std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent) {
+std::string axis_commands(const char* name, const vnv::Axis& axis, const AxisRange& extent) {
   const auto [low, high] = extent.range();
   return fmt::format("set {0}label {1}\n", name, label_in_lines(axis.label)) +
          (axis.logarithmic ? logarithmic_commands(name, low, high) : linear_commands(name, axis, low, high));

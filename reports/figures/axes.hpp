@@ -13,9 +13,9 @@ namespace touchstone::reports {
 bool is_drawable(double value, const vnv::Axis& axis);
 
 /// Smallest and largest drawable value, in the unit of the label; {1, 0} if there is none.
-class Extent {
+class AxisRange {
  public:
-  explicit Extent(const vnv::Axis& axis) : axis_(axis) {}
+  explicit AxisRange(const vnv::Axis& axis) : axis_(axis) {}
   void add(const std::vector<double>& si_values);
 
   bool is_empty() const { return high_ < low_; }
@@ -35,6 +35,6 @@ double tick_step(double span, double at_most);
 std::string range_command(const char* name, double low, double high);
 
 /// The commands for one axis, named "x" or "y".
-std::string axis_commands(const char* name, const vnv::Axis& axis, const Extent& extent);
+std::string axis_commands(const char* name, const vnv::Axis& axis, const AxisRange& extent);
 
 }  // namespace touchstone::reports

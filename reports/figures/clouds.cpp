@@ -37,7 +37,7 @@ struct Panel {
 struct Panels {
   std::vector<Panel> all;
   std::vector<std::string> columns, rows;
-  Extent x, y, colour;
+  AxisRange x, y, colour;
 
   Panels(const vnv::Figure& figure, const CaseRecords& records) : x(figure.x), y(figure.y), colour(figure.colour) {
     for_each(records, &vnv::Record::clouds, [&](const auto&, const auto& cloud) {
@@ -60,10 +60,10 @@ struct Panels {
 };
 
 // A little air, so that particles at a wall are seen whole.
-std::pair<double, double> aired(const Extent& extent) { return extent.range(0.02); }
+std::pair<double, double> aired(const AxisRange& extent) { return extent.range(0.02); }
 
-double span(const Extent& extent) { return aired(extent).second - aired(extent).first; }
-std::string aired_range(const char* name, const Extent& extent) {
+double span(const AxisRange& extent) { return aired(extent).second - aired(extent).first; }
+std::string aired_range(const char* name, const AxisRange& extent) {
   return range_command(name, aired(extent).first, aired(extent).second);
 }
 

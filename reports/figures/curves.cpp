@@ -138,8 +138,9 @@ std::string plot_command(const std::vector<CurveSeries>& all, const vnv::Figure&
   return "plot " + elements + "\n";
 }
 
-Extent extent_of(const std::vector<CurveSeries>& all, const vnv::Axis& axis, std::vector<double> vnv::Curve::*values) {
-  Extent extent(axis);
+AxisRange extent_of(const std::vector<CurveSeries>& all, const vnv::Axis& axis,
+                    std::vector<double> vnv::Curve::*values) {
+  AxisRange extent(axis);
   for (const auto& series : all) extent.add(series.curve->*values);
   return extent;
 }
@@ -152,7 +153,7 @@ long pixel(double value, const vnv::Axis& axis, const std::pair<double, double>&
 
 /// Of marks that would cover each other one is drawn, of the curve that has had fewest, so that each is seen. What
 /// stands apart by more than a line is wide is always drawn.
-void choose_seen(std::vector<CurveSeries*> marks, const vnv::Figure& figure, const Extent& x, const Extent& y) {
+void choose_seen(std::vector<CurveSeries*> marks, const vnv::Figure& figure, const AxisRange& x, const AxisRange& y) {
   constexpr long near_x = 10, near_y = 2;  // px
   std::size_t longest = 0;
   for (CurveSeries* s : marks) {
@@ -178,7 +179,7 @@ void choose_seen(std::vector<CurveSeries*> marks, const vnv::Figure& figure, con
 }
 
 /// All methods together, and each dense measurement by itself.
-void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Extent& x, const Extent& y) {
+void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const AxisRange& x, const AxisRange& y) {
   std::vector<CurveSeries*> ours;
   for (CurveSeries& s : all) {
     if (s.curve->points && s.curve->role == Role::ours) ours.push_back(&s);
@@ -189,7 +190,7 @@ void choose_seen(std::vector<CurveSeries>& all, const vnv::Figure& figure, const
 }
 
 std::string script(std::vector<CurveSeries>& all, const vnv::Figure& figure, const Frame& frame) {
-  const Extent x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
+  const AxisRange x = extent_of(all, figure.x, &vnv::Curve::x), y = extent_of(all, figure.y, &vnv::Curve::y);
   choose_seen(all, figure, x, y);
   return frame.commands(figure, x, y) + plot_command(all, figure) + "set output\n";
 }

@@ -98,8 +98,7 @@ long drawable_points(const LadderSeries& series, const vnv::Figure& figure) {
 
 std::string line_element(const LadderSeries& series, const vnv::Figure& figure) {
   const LineStyle& l = series.style;
-  const std::string with =
-      fmt::format("linespoints {} pointtype {} pointsize {:.3g}", l.line(), l.mark, l.size);
+  const std::string with = fmt::format("linespoints {} pointtype {} pointsize {:.3g}", l.line(), l.mark, l.size);
   const std::string label = gnuplot_string(shortened(series.label));
   if (drawable_points(series, figure) == 0) return fmt::format("NaN with {} title {}", with, label);
   return fmt::format("{}2:3 with {} title {}", series.data_in(figure.id), with, label);
@@ -154,7 +153,7 @@ struct Guides {
 };
 
 std::string script(const std::vector<LadderSeries>& all, const vnv::Figure& figure, const Frame& frame) {
-  Extent x(figure.x), y(figure.y);
+  AxisRange x(figure.x), y(figure.y);
   for (const auto& series : all) {
     x.add(series.order->spacings);
     y.add(series.order->errors);

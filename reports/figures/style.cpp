@@ -48,7 +48,7 @@ Frame::Frame(int plot_height, const std::vector<std::string>& labels) {
   height_ = plot_height + key_row * static_cast<int>(key_rows_);
 }
 
-std::string Frame::commands(const vnv::Figure& figure, const Extent& x, const Extent& y) const {
+std::string Frame::commands(const vnv::Figure& figure, const AxisRange& x, const AxisRange& y) const {
   std::string text =
       fmt::format(R"(# Redraws {0}.svg from {0}.csv: gnuplot {0}.gp
 if (!exists("image")) image = '{0}.svg'

@@ -48,7 +48,7 @@ class Frame {
   int height() const { return height_; }  // px
 
   /// All that stands before the plot command.
-  std::string commands(const vnv::Figure& figure, const Extent& x, const Extent& y) const;
+  std::string commands(const vnv::Figure& figure, const AxisRange& x, const AxisRange& y) const;
 
  private:
   std::size_t longest_label_ = 1, key_rows_ = 1;

@@ -13,10 +13,10 @@ namespace touchstone::reports {
 namespace {
 
 // Records made in the same place stand in one line.
-using Place = std::array<std::string, 4>;
+using Origin = std::array<std::string, 4>;
 
 List places(const std::vector<CaseRecords>& cases) {
-  std::map<Place, std::pair<std::set<std::string>, long>> finished;
+  std::map<Origin, std::pair<std::set<std::string>, long>> finished;
   for (const auto& records : cases)
     for (const auto& r : records.records) {
       auto& [times, count] = finished[{r.revision, r.compiler, r.flags, r.machine}];
@@ -83,14 +83,14 @@ std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus&
   add_list(failures, "fails", red(status));
   add_list(failures, "known", amber(status));
   add_list(inconclusive, "inconclusive", sentences(vnv::Outcome::inconclusive, verdicts));
-  return page("index",
-              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
-                     "known"_ = when(!status.known.empty(), status.known.size()),
-                     "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
-                     "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,
-                     "overview"_ = overview_data(cases, status),
-                     "has_orders"_ = std::ranges::any_of(cases, is_in_matrix), "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,
-                     "faults"_ = if_any(faults ? faults->sentence() : ""), "places"_ = places(cases)));
+  return page("index", object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
+                              "known"_ = when(!status.known.empty(), status.known.size()),
+                              "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
+                              "failures"_ = failures, "note"_ = if_any(status.claims.note),
+                              "inconclusive"_ = inconclusive, "overview"_ = overview_data(cases, status),
+                              "has_orders"_ = std::ranges::any_of(cases, is_in_matrix),
+                              "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,
+                              "faults"_ = if_any(faults ? faults->sentence() : ""), "places"_ = places(cases)));
 }
 
 }  // namespace touchstone::reports

@@ -33,8 +33,8 @@ bool accept_one(const Build& build, const AcceptOptions& options, const Chosen& 
     fmt::print(stderr, "vnv: {}: not accepted: {}\n", one.name(), captured.complaint());
     return false;
   }
-  const std::vector<Change> found = changes(before, accepted_of(*one.of));
-  for (const Change& change : found)
+  const std::vector<BaselineChange> found = changes(before, accepted_of(*one.of));
+  for (const BaselineChange& change : found)
     fmt::print("{}\n", coloured(change.margin() < 0 ? Colour::yellow : Colour::green, change.sentence(one.of->name)));
   fmt::print("{}: {} baselines changed\n", one.name(), found.size());
   return true;

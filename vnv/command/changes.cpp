@@ -16,7 +16,7 @@ bool is_equal(const Baseline& a, const Baseline& b) {
   return a.value == b.value && a.lower == b.lower && a.upper == b.upper;
 }
 
-std::string values(const Change& change) {
+std::string values(const BaselineChange& change) {
   if (!change.before) return fmt::format("{:.6g}, new", change.after->value);
   if (!change.after) return fmt::format("{:.6g}, gone", change.before->value);
   const double margin = change.margin();
@@ -26,14 +26,14 @@ std::string values(const Change& change) {
 
 }  // namespace
 
-double Change::margin() const {
+double BaselineChange::margin() const {
   if (!before || !after) return std::numeric_limits<double>::quiet_NaN();
   const double moved = after->value - before->value;
   if (moved == 0) return 1;
   return 1 - std::abs(moved) / (moved > 0 ? before->upper - before->value : before->value - before->lower);
 }
 
-std::string Change::sentence(const std::string& case_name) const {
+std::string BaselineChange::sentence(const std::string& case_name) const {
   const Baseline& row = after ? *after : *before;
   std::string place = fmt::format("{}.{}", case_name, row.method);
   if (!row.level.empty()) place += " " + row.level;
@@ -41,8 +41,8 @@ std::string Change::sentence(const std::string& case_name) const {
   return fmt::format("{}, {}: {}", place, row.quantity, values(*this));
 }
 
-std::vector<Change> changes(const Baselines& before, const Baselines& after) {
-  std::vector<Change> found;
+std::vector<BaselineChange> changes(const Baselines& before, const Baselines& after) {
+  std::vector<BaselineChange> found;
   for (const Baseline& row : after.rows) {
     const Baseline* old = same_place(before, row);
     if (!old)

@@ -10,7 +10,7 @@
 namespace touchstone::vnv::command {
 
 /// A baseline that is new, gone or other than it was.
-struct Change {
+struct BaselineChange {
   std::optional<Baseline> before, after;
 
   /// What is left of the old tolerance on the side the value went to, over it; negative beyond the old limits, and not
@@ -21,6 +21,6 @@ struct Change {
 };
 
 /// The baselines whose value or limits differ, in the order of the new ones, then those that are gone.
-std::vector<Change> changes(const Baselines& before, const Baselines& after);
+std::vector<BaselineChange> changes(const Baselines& before, const Baselines& after);
 
 }  // namespace touchstone::vnv::command

@@ -19,7 +19,7 @@ struct Solver {
   bool is_for_shell = false;
   std::vector<std::string> output{};  // patterns of files, in the folder of a run
   Mapping mapping{};
-  programs::Limits limits{};
+  programs::ProgramLimits limits{};
   Resource resource = Resource::cpu;  // that a run occupies as long as it takes
   double resources = 0;               // how many of it
   std::optional<double> at_most{}, order_at_least{};

@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What verdicts are made of.
-struct Parts {
+struct RecordParts {
   std::vector<RunSummary> runs;
   std::vector<Value> values;                     // measured of the runs
   std::vector<Value> found;                      // over all runs
@@ -34,8 +34,8 @@ bool is_read_by(const Verdict& v, const Value& value) {
 bool is_end(const Verdict& v) { return v.quantity == end_time_reached; }
 
 /// Of values that were found over all runs a record keeps only what was claimed of them.
-Parts parts_of(const Case& declared, const Method& method, const Record& record) {
-  Parts parts{record.runs, record.values, {}};
+RecordParts parts_of(const Case& declared, const Method& method, const Record& record) {
+  RecordParts parts{record.runs, record.values, {}};
   for (const Verdict& v : record.verdicts) {
     if (v.quantity == rows_in_one_place.name) parts.of_simulations.try_emplace(v.level, false);
     if (v.quantity == largest_hole.name) parts.of_simulations[v.level] = true;
@@ -69,7 +69,7 @@ class Replay {
   }
   Replay(const Replay&) = delete;
 
-  Record operator()(const Parts& parts) {
+  Record operator()(const RecordParts& parts) {
     parts_ = &parts;
     results_.runs.clear();
     for (const RunSummary& run : parts.runs) {
@@ -87,7 +87,7 @@ class Replay {
   std::string case_name_;
   Results results_;
   std::optional<Baselines> baselines_;
-  const Parts* parts_ = nullptr;
+  const RecordParts* parts_ = nullptr;
 };
 
 bool is_same_claim(const Verdict& a, const Verdict& b) {
@@ -121,7 +121,7 @@ double just_beyond(const Verdict& v) {
 }
 
 /// The values that a claim reads, where it reads several.
-std::vector<Value*> read_together(Parts& parts, const Verdict& v, const Record& judged) {
+std::vector<Value*> read_together(RecordParts& parts, const Verdict& v, const Record& judged) {
   std::vector<Value*> read;
   const auto add = [&](const std::string& level, const std::string& quantity, double time) {
     for (Value& value : parts.values)
@@ -138,7 +138,7 @@ std::vector<Value*> read_together(Parts& parts, const Verdict& v, const Record& 
 }
 
 /// The values that a claim reads: one, those of a ladder, or those of an ensemble.
-std::vector<Value*> read_by(const Verdict& v, Parts& parts, const Record& judged) {
+std::vector<Value*> read_by(const Verdict& v, RecordParts& parts, const Record& judged) {
   for (std::vector<Value>* values : {&parts.values, &parts.found})
     for (Value& value : *values)
       if (is_read_by(v, value)) return {&value};
@@ -147,8 +147,8 @@ std::vector<Value*> read_by(const Verdict& v, Parts& parts, const Record& judged
 
 /// Whether some factor makes the claim fail, up or down, each farther from 1 than the one before: twice for an order;
 /// four times for an ensemble, whose p-values take long and do not feel a per cent.
-bool fails_by_a_factor(const Verdict& v, const Parts& parts, const Record& judged, Replay& replay) {
-  Parts mutated = parts;
+bool fails_by_a_factor(const Verdict& v, const RecordParts& parts, const Record& judged, Replay& replay) {
+  RecordParts mutated = parts;
   const std::vector<Value*> read = read_by(v, mutated, judged);
   const std::size_t together = v.half_width ? 1 : read.size();
   const bool is_ensemble = !v.half_width;
@@ -168,13 +168,13 @@ bool fails_by_a_factor(const Verdict& v, const Parts& parts, const Record& judge
 }
 
 /// Whether a method does not pass that is judged by these parts; what cannot be assessed does not.
-bool is_red(const Parts& parts, const AcceptedClaims& accepted, Replay& replay) try {
+bool is_red(const RecordParts& parts, const AcceptedClaims& accepted, Replay& replay) try {
   return !complaints(replay(parts), accepted).empty();
 } catch (const std::exception&) {
   return true;
 }
 
-bool fails_beyond(const Verdict& v, Parts parts, const Record& judged, Replay& replay) {
+bool fails_beyond(const Verdict& v, RecordParts parts, const Record& judged, Replay& replay) {
   if (is_end(v)) {
     std::ranges::find(parts.runs, v.level, &RunSummary::level)->finished = false;
     return fails_in(replay(parts), v);
@@ -186,7 +186,7 @@ bool fails_beyond(const Verdict& v, Parts parts, const Record& judged, Replay& r
 }
 
 /// The parts with one mutation that leaves no value to judge; nothing where it makes no sense.
-std::optional<Parts> spoilt(Mutation mutation, const Verdict& v, Parts parts, const Record& judged) {
+std::optional<RecordParts> spoilt(Mutation mutation, const Verdict& v, RecordParts parts, const Record& judged) {
   if (is_end(v)) {  // its only other mutation is a run that is not there
     if (mutation != Mutation::missing) return std::nullopt;
     std::erase_if(parts.runs, [&](const RunSummary& run) { return run.level == v.level; });
@@ -231,7 +231,7 @@ Mutations mutate_record(const Case& declared, const Method& method, const Record
                       : record.suite == name_of(Suite::report)   ? Suite::report
                                                                  : Suite::nightly;
   Replay replay(declared, method, record.case_name, suite, baselines);
-  const Parts parts = parts_of(declared, method, record);
+  const RecordParts parts = parts_of(declared, method, record);
   const Record judged = replay(parts);
   require_judged_alike(judged, record);
   Mutations all;
@@ -246,7 +246,7 @@ Mutations mutate_record(const Case& declared, const Method& method, const Record
     ++all.claims;
     note(Mutation::beyond, fails_beyond(v, parts, judged, replay), v);
     for (const Mutation mutation : {Mutation::no_number, Mutation::missing, Mutation::elsewhere, Mutation::unmeasured})
-      if (const std::optional<Parts> mutated = spoilt(mutation, v, parts, judged))
+      if (const std::optional<RecordParts> mutated = spoilt(mutation, v, parts, judged))
         note(mutation, is_red(*mutated, accepted, replay), v);
   }
   return all;

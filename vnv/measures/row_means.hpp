@@ -13,7 +13,7 @@ namespace touchstone::vnv {
 
 namespace rows {
 
-struct Row {
+struct RowSum {
   double count = 0, y = 0, value = 0;  // sums over the members
 };
 
@@ -21,7 +21,7 @@ struct Row {
 struct Below {
   bool operator()(double a, double b) const { return std::weak_order(a, b) < 0; }
 };
-using Rows = std::map<double, Row, Below>;
+using Rows = std::map<double, RowSum, Below>;
 
 /// The particles with k height <= y < (k + 1) height [m] are row k.
 inline Rows parted(const ParticleField& field, double height, const Samples& samples) {

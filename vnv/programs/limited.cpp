@@ -31,7 +31,7 @@ double user_time_of_children() {  // s
 std::string ProcessResult::sentence() const { return stopped.empty() ? ending.sentence() : "was ended: " + stopped; }
 
 ProcessResult run_limited(const std::string& name, const Words& words, const fs::path& folder, const fs::path& log,
-                          const Limits& limits, const Meanwhile& meanwhile) {
+                          const ProgramLimits& limits, const Meanwhile& meanwhile) {
   constexpr std::chrono::milliseconds between_looks{50};
   ProcessResult result;
   const double user_before = user_time_of_children();

@@ -9,7 +9,7 @@
 
 namespace touchstone::programs {
 
-struct Limits {
+struct ProgramLimits {
   double wall = 600;                                          // s
   double memory = 8e9;                                        // bytes  resident, of the program and all that it started
   double output = 64e6;                                       // bytes  of what it says
@@ -33,6 +33,7 @@ struct ProcessResult {
 /// where that left its process group. `name` is what it is called where this program is interrupted. It must be the
 /// only program that is run at the time. Throws std::runtime_error if it cannot be started.
 ProcessResult run_limited(const std::string& name, const Words& words, const std::filesystem::path& folder,
-                          const std::filesystem::path& log, const Limits& limits, const Meanwhile& meanwhile = {});
+                          const std::filesystem::path& log, const ProgramLimits& limits,
+                          const Meanwhile& meanwhile = {});
 
 }  // namespace touchstone::programs

@@ -17,7 +17,7 @@ namespace {
 
 class ALimitedProgram : public testing::Test {
  protected:
-  ProcessResult shell(const std::string& script, const Limits& limits = {}) const {
+  ProcessResult shell(const std::string& script, const ProgramLimits& limits = {}) const {
     return run_limited("script", {"sh", "-c", script}, folder.path(), folder / "log", limits);
   }
   pid_t written(const std::string& file) const { return std::stoi(last_lines(folder / file, 1)); }

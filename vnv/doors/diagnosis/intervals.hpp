@@ -108,7 +108,7 @@ class Rest {
     if (!(all > 0)) return MatrixXd::Zero(energy.rows(), energy.cols());
     std::array<VectorXd, 2> along;
     for (std::size_t k : {0u, 1u}) {
-      const Axis& axis = waves.axes[k];
+      const HarmonicsAlong& axis = waves.axes[k];
       VectorXd strength = VectorXd::Zero(axis.count), waves_of = strength;
       for (int i = 0; i < axis.count; ++i) ++waves_of[axis.number(i)];
       for (Index w = 0; w < energy.rows(); ++w) {

@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Harmonics along one axis of a box, by their number: cosines between walls, and sines too where it is periodic.
-struct Axis {
+struct HarmonicsAlong {
   double low, length;
   bool periodic;
   int count;
@@ -33,7 +33,7 @@ struct Harmonic {
 
 /// Those of both axes, the longest first; at most a quarter as many as there are samples.
 struct Harmonics {
-  std::array<Axis, 2> axes;
+  std::array<HarmonicsAlong, 2> axes;
   std::vector<Harmonic> all{};
 
   Harmonics(const Domain& domain, Index samples) {

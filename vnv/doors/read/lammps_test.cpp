@@ -27,7 +27,7 @@ TEST(LammpsDumps, GiveEachFrameToTheLastDigit) {
   }
 }
 
-using Place = std::pair<double, double>;
+using Point = std::pair<double, double>;
 
 TEST(LammpsDumps, GivePlacesScaledOrUnwrappedByTheBoxOfTheirFrame) {
   const auto places = [](const std::string& columns, const std::string& row) {
@@ -36,14 +36,14 @@ TEST(LammpsDumps, GivePlacesScaledOrUnwrappedByTheBoxOfTheirFrame) {
         "ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp ff\n-1 3\n10 20\n-2 2\nITEM: ATOMS id " +
             columns + "\n1 " + row + "\n",
         {});
-    return Place(frames[0].array("x")->values[0], frames[0].array("y")->values[0]);
+    return Point(frames[0].array("x")->values[0], frames[0].array("y")->values[0]);
   };
-  EXPECT_EQ(places("x y z", "0.25 0.5 0"), Place(0.25, 0.5));
-  EXPECT_EQ(places("xs ys zs", "0.25 0.5 0"), Place(0, 15));
-  EXPECT_EQ(places("xu yu zu", "7 -3 0"), Place(7, -3));
-  EXPECT_EQ(places("xsu ysu zsu", "1.25 -0.5 0"), Place(4, 5)) << "beyond a period";
-  EXPECT_EQ(places("xs ys xu yu", "0.25 0.5 7 -3"), Place(7, -3)) << "as they are, where both are there";
-  EXPECT_EQ(places("xsu ysu xs ys x y", "0 0 0 0 1 2"), Place(1, 2));
+  EXPECT_EQ(places("x y z", "0.25 0.5 0"), Point(0.25, 0.5));
+  EXPECT_EQ(places("xs ys zs", "0.25 0.5 0"), Point(0, 15));
+  EXPECT_EQ(places("xu yu zu", "7 -3 0"), Point(7, -3));
+  EXPECT_EQ(places("xsu ysu zsu", "1.25 -0.5 0"), Point(4, 5)) << "beyond a period";
+  EXPECT_EQ(places("xs ys xu yu", "0.25 0.5 7 -3"), Point(7, -3)) << "as they are, where both are there";
+  EXPECT_EQ(places("xsu ysu xs ys x y", "0 0 0 0 1 2"), Point(1, 2));
 }
 
 TEST(LammpsDumps, GiveTimesUnitsAndElementsWhereTheyAreThere) {

@@ -6,8 +6,8 @@
 
 namespace touchstone::vnv::doors::numpy {
 
-Kind kind_named(std::string_view name, const std::string& where) {
-  Kind kind;
+NumberType kind_named(std::string_view name, const std::string& where) {
+  NumberType kind;
   std::string_view rest = name;
   if (rest.starts_with('>')) kind.order = std::endian::big;
   if (!rest.empty() && std::string_view("<>|=").find(rest[0]) != rest.npos) rest.remove_prefix(1);
@@ -41,7 +41,7 @@ std::size_t size_of(const NumpyArray& array, const std::string& where) {
 }
 
 /// Appends numbers of the kind, all that the bytes hold.
-static void append(std::string_view bytes, const Kind& kind, std::vector<double>& to) {
+static void append(std::string_view bytes, const NumberType& kind, std::vector<double>& to) {
   if (kind.letter == 'f' && kind.bytes == 2) {
     const std::size_t size = bytes.size() / 2;
     reserve_more(to, size);

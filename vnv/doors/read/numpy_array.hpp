@@ -10,7 +10,7 @@
 namespace touchstone::vnv::doors::numpy {
 
 /// What numpy calls a dtype: '<f8' is a number of the kind 'f', of 8 bytes, the lowest first.
-struct Kind {
+struct NumberType {
   char letter = 'f';  // b f i u as numpy names them; O, S and U are no numbers
   std::size_t bytes = 8;
   std::endian order = std::endian::little;
@@ -19,10 +19,10 @@ struct Kind {
 };
 
 /// Throws Unreadable for what is none of f2 f4 f8 i1 to i8 u1 to u8 b1 O S U.
-Kind kind_named(std::string_view name, const std::string& where);
+NumberType kind_named(std::string_view name, const std::string& where);
 
 struct NumpyArray {
-  Kind kind{};
+  NumberType kind{};
   std::vector<std::size_t> shape{};  // of none: one number
   bool is_fortran = false;           // the first index runs fastest
   std::string_view bytes{};

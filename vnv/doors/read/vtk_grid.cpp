@@ -16,7 +16,7 @@ namespace touchstone::vnv::doors::vtk {
 namespace {
 
 using Corners = std::span<const std::int64_t>;
-using Place = Eigen::Vector3d;
+using Point = Eigen::Vector3d;
 
 struct Shape {
   int dimension;
@@ -59,14 +59,14 @@ const Faces& faces_of(std::uint8_t kind) {
 
 /// Of a polygon, in a plane or nearly so: triangles about the mean of its corners.
 struct Facet {
-  Place centre, area;
+  Point centre, area;
 };
 
-Facet facet_of(std::span<const Place> corners) {
-  Place mean = Place::Zero(), area = Place::Zero(), moment = Place::Zero();
-  for (const Place& corner : corners) mean += corner;
+Facet facet_of(std::span<const Point> corners) {
+  Point mean = Point::Zero(), area = Point::Zero(), moment = Point::Zero();
+  for (const Point& corner : corners) mean += corner;
   mean /= static_cast<double>(corners.size());
-  const auto triangle = [&](std::size_t i) -> Place {
+  const auto triangle = [&](std::size_t i) -> Point {
     return 0.5 * (corners[i] - mean).cross(corners[(i + 1) % corners.size()] - mean);
   };
   for (std::size_t i = 0; i < corners.size(); ++i) area += triangle(i);
@@ -78,23 +78,23 @@ Facet facet_of(std::span<const Place> corners) {
 }
 
 struct Measured {
-  Place centre = Place::Zero();
+  Point centre = Point::Zero();
   double volume = 0;
 };
 
 /// Parts weighted by their sizes; their plain mean where those are nought.
 Measured together(std::span<const Measured> parts) {
-  Place mean = Place::Zero(), moment = Place::Zero();
+  Point mean = Point::Zero(), moment = Point::Zero();
   double volume = 0;
   for (const Measured& part : parts) mean += part.centre / static_cast<double>(parts.size());
   for (const Measured& part : parts) volume += part.volume;
   for (const Measured& part : parts) moment += part.volume * (part.centre - mean);
-  return {volume > 0 ? Place(mean + moment / volume) : mean, volume};
+  return {volume > 0 ? Point(mean + moment / volume) : mean, volume};
 }
 
 /// Pyramids from the faces to the mean of their centres, which lies inside of what is convex.
 Measured body_of(std::span<const Facet> facets) {
-  Place inside = Place::Zero();
+  Point inside = Point::Zero();
   for (const Facet& facet : facets) inside += facet.centre / static_cast<double>(facets.size());
   std::vector<Measured> pyramids;
   for (const Facet& facet : facets)
@@ -150,17 +150,17 @@ class Measuring {
   }
 
  private:
-  static Measured flat(std::span<const Place> corners) {
+  static Measured flat(std::span<const Point> corners) {
     const Facet facet = facet_of(corners);
     return {facet.centre, facet.area.norm()};
   }
-  static Measured mean(std::span<const Place> corners) {
+  static Measured mean(std::span<const Point> corners) {
     Measured measured;
-    for (const Place& corner : corners) measured.centre += corner;
+    for (const Point& corner : corners) measured.centre += corner;
     if (corners.size() > 1) measured.centre /= static_cast<double>(corners.size());
     return measured;
   }
-  std::span<const Place> places(Corners corners) {
+  std::span<const Point> places(Corners corners) {
     places_.clear();
     for (const std::int64_t corner : corners) {
       if (corner < 0 || static_cast<std::size_t>(corner) >= points_.size() / 3)
@@ -172,7 +172,7 @@ class Measuring {
 
   std::span<const double> points_;
   const std::string& where_;
-  std::vector<Place> places_{};
+  std::vector<Point> places_{};
 };
 
 /// [from, to) of a list whose parts end there.
@@ -230,7 +230,7 @@ bool is_mesh(const std::vector<std::uint8_t>& kinds) {
   return std::any_of(kinds.begin(), kinds.end(), [](std::uint8_t kind) { return kind > poly_line; });
 }
 
-void Grid::add_cells(const Cells& cells, std::size_t first_point, const std::string& where) {
+void VtkGrid::add_cells(const Cells& cells, std::size_t first_point, const std::string& where) {
   if (cells.ends.size() != cells.kinds.size())
     refuse(where, fmt::format("'{}' offsets, expected {}, one a cell", cells.ends.size(), cells.kinds.size()));
   Measuring measuring(std::span<const double>(points.values).subspan(3 * first_point), where);
@@ -262,7 +262,7 @@ void Grid::add_cells(const Cells& cells, std::size_t first_point, const std::str
   }
 }
 
-std::vector<Dataset> datasets_of(Grid grid, const std::string& source, const std::string& format) {
+std::vector<Dataset> datasets_of(VtkGrid grid, const std::string& source, const std::string& format) {
   const int most = grid.dimensions.empty() ? 0 : *std::max_element(grid.dimensions.begin(), grid.dimensions.end());
   const std::array<double, 3> layer = most == 3 ? layer_of(grid.points.values) : std::array<double, 3>{};
   std::vector<Dataset> datasets;

@@ -22,7 +22,7 @@ inline constexpr std::uint8_t poly_vertex = 2, poly_line = 4, triangle_strip = 6
 bool is_mesh(const std::vector<std::uint8_t>& kinds);
 
 /// Pieces put together, points and cells in their order.
-struct Grid {
+struct VtkGrid {
   Array points{points_array, 3};
   std::vector<Array> of_points{}, of_cells{};
   std::vector<int> dimensions{};                                         // of each cell
@@ -35,6 +35,6 @@ struct Grid {
 
 /// Particles, where the points have arrays or there is no mesh, then the mesh: its cells of most dimensions. Rows that
 /// are marked as ghosts, which another piece owns, are left out. Throws Unreadable.
-std::vector<Dataset> datasets_of(Grid grid, const std::string& source, const std::string& format);
+std::vector<Dataset> datasets_of(VtkGrid grid, const std::string& source, const std::string& format);
 
 }  // namespace touchstone::vnv::doors::vtk

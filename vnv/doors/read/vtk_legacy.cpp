@@ -306,7 +306,7 @@ class Legacy {
   std::size_t rows_ = 0;
   std::optional<int> time_rank_{};
   Cells cells_{};
-  Grid grid_{};
+  VtkGrid grid_{};
   std::array<std::size_t, 3> dimensions_{};
   std::array<double, 3> origin_{}, spacing_{1, 1, 1};
   std::array<std::vector<double>, 3> axes_{};

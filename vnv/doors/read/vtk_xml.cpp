@@ -161,7 +161,7 @@ class Pieces {
   Limits limits_;
   std::size_t points_ = 0, cells_ = 0;  // of all pieces
   std::size_t bytes_ = 0;               // of all files, for which no space is reserved yet
-  Grid grid_{};
+  VtkGrid grid_{};
   std::string encoding_ = {};
 };
 

@@ -147,14 +147,14 @@ Scene<Tait, Uniform> collapse(const Inputs& inputs) {
       .start = {.pressure = [=](const Vec2& x) { return inputs.density * inputs.gravity * (inputs.height - x.y()); }}};
 }
 
-Observed observed_in(const Run& run, const Inputs& inputs, const Reading& reading) {
+Observed observed_in(const Run& run, const Inputs& inputs, const ReadOut& read_out) {
   const double unit = inputs.unit_of_time();
-  Observed observed{.front = scaled(followed(run, reading.front), unit, column_length, inputs.height)};
+  Observed observed{.front = scaled(followed(run, read_out.front), unit, column_length, inputs.height)};
   for (std::size_t k = 0; k < gauges.size(); ++k)
-    observed.levels[k] = scaled(followed(run, column::level + 3 * k + reading.place), unit, 0, inputs.height);
+    observed.levels[k] = scaled(followed(run, column::level + 3 * k + read_out.place), unit, 0, inputs.height);
   for (std::size_t k = 0; k < sensors.size(); ++k)
     observed.pressures[k] =
-        scaled(followed(run, reading.pressures + 3 * k + reading.place), unit, 0, inputs.unit_of_pressure());
+        scaled(followed(run, read_out.pressures + 3 * k + read_out.place), unit, 0, inputs.unit_of_pressure());
   return observed;
 }
 

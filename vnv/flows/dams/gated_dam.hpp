@@ -76,10 +76,10 @@ struct Observed {
 };
 
 /// Which of the followed columns, and whose place: nominal, or off it by its uncertainty to one side or the other.
-struct Reading {
+struct ReadOut {
   std::size_t front = column::front_slab, pressures = column::fit, place = 0;
 };
-Observed observed_in(const Run& run, const Inputs& inputs, const Reading& reading = {});
+Observed observed_in(const Run& run, const Inputs& inputs, const ReadOut& read_out = {});
 
 /// The experiment at H = 0.3 m: front, levels of one of two runs, pressures of one event.
 Observed measured_300(int run = 1);

@@ -119,7 +119,7 @@ TEST(Validation, FindsAnErrorOfTheModelAndWhatResolutionLeavesOpen) {
   Results results{method, Suite::validation, {}};
   for (const Level& level : method.levels)  // of first order: 4 to 1/4 % too far, and 10 % in any case
     results.runs.push_back(run_with(level.name, level.spacing, 0.1 + 0.01 * level.spacing / (0.3 / 80)));
-  const Judgement front = judgements(results, with_300)[2];
+  const ValidatedObservable front = judgements(results, with_300)[2];
   ASSERT_EQ(front.observable.quantity.name, "front x/H at T_H = 2");
   const double D = front.observable.measured;
   EXPECT_NEAR(front.validation.error, 0.1025 * D, 1e-9);

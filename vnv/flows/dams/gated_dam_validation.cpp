@@ -90,17 +90,17 @@ std::string level_name(const Group& group, int start) { return fmt::format("{}, 
 
 /// Where water is so deep that the number is the same on all grids: a slab that shrinks with the spacing finds the tip
 /// of an ever thinner film, by which u_num would be of the operator.
-constexpr Reading on_all_grids{.front = column::front_of_film};
+constexpr ReadOut on_all_grids{.front = column::front_of_film};
 
-Reading at_place(std::size_t place) {
-  Reading reading = on_all_grids;
-  reading.place = place;
-  return reading;
+ReadOut at_place(std::size_t place) {
+  ReadOut read_out = on_all_grids;
+  read_out.place = place;
+  return read_out;
 }
 
 /// The observable in each run of a group, with the clock set later [T_H] or read at another place.
 std::vector<double> members(const Results& results, const Inputs& filled, const std::string& group,
-                            const Observable& observable, const Reading& reading = on_all_grids, double clock = 0) {
+                            const Observable& observable, const ReadOut& read_out = on_all_grids, double clock = 0) {
   std::vector<double> found;
   for (const Run& run : results.runs) {
     if (!run.summary.level.starts_with(group + ", start ")) continue;
@@ -108,7 +108,7 @@ std::vector<double> members(const Results& results, const Inputs& filled, const 
       found.push_back(not_a_number);
       continue;
     }
-    Observed observed = observed_in(run, filled, reading);
+    Observed observed = observed_in(run, filled, read_out);
     if (clock != 0) {
       observed.front = shifted(observed.front, clock);
       for (Series& level : observed.levels) level = shifted(level, clock);
@@ -157,13 +157,13 @@ int across_varied(const Results& results, double height) {
 
 bool is_pressure(const Observable& observable) { return observable.place == height_of_sensors; }
 
-Judgement judge(const Results& results, const Experiment& experiment, const UncertainInputs& uncertain,
-                const Observable& observable) {
+ValidatedObservable judge(const Results& results, const Experiment& experiment, const UncertainInputs& uncertain,
+                          const Observable& observable) {
   const Inputs& filled = experiment.inputs;
-  const auto of = [&](const std::string& group, const Reading& reading = on_all_grids, double clock = 0) {
-    return middle(members(results, filled, group, observable, reading, clock));
+  const auto of = [&](const std::string& group, const ReadOut& read_out = on_all_grids, double clock = 0) {
+    return middle(members(results, filled, group, observable, read_out, clock));
   };
-  Judgement judged{.observable = observable, .simulated = not_a_number, .validation = {}};
+  ValidatedObservable judged{.observable = observable, .simulated = not_a_number, .validation = {}};
 
   std::vector<AtSpacing> ladder;  // of the finest three
   int finest = 0;
@@ -222,10 +222,10 @@ std::vector<Value> values_of(const Results& results, const Experiment& experimen
   const auto add = [&](const Quantity& quantity, double value) {
     found.push_back({"", not_a_number, experiment.end, quantity, value});
   };
-  const std::vector<Judgement> all = judgements(results, experiment);
+  const std::vector<ValidatedObservable> all = judgements(results, experiment);
   double agree = 0, wrong = 0, pressures = 0, converged = 0, worst = 0;
   std::map<std::string, bool> noticed;
-  for (const Judgement& one : all) {
+  for (const ValidatedObservable& one : all) {
     Quantity error = one.observable.quantity;
     error.name = "E = S - D, " + error.name;
     error.kind = Kind::deviation;
@@ -300,9 +300,9 @@ std::vector<const Run*> ensemble_of(const Results& results) {
   return largest;
 }
 
-std::vector<Judgement> judgements(const Results& results, const Experiment& experiment) {
+std::vector<ValidatedObservable> judgements(const Results& results, const Experiment& experiment) {
   const UncertainInputs uncertain = uncertain_inputs_of(experiment);
-  std::vector<Judgement> all;
+  std::vector<ValidatedObservable> all;
   for (const Observable& observable : experiment.observables())
     all.push_back(judge(results, experiment, uncertain, observable));
   return all;
@@ -348,7 +348,7 @@ Plot tables_of(const Experiment& experiment) {
       return std::isfinite(by) ? Cell(fmt::format("{:+.3g}{}", by, remark)) : Cell("");
     };
     const auto known = [](double x) { return std::isfinite(x) ? Cell(fmt::format("{:.3g}", x)) : Cell(""); };
-    for (const Judgement& one : judgements(results, experiment)) {
+    for (const ValidatedObservable& one : judgements(results, experiment)) {
       const Validation& v = one.validation;
       verdicts.rows.push_back({name, one.observable.quantity.name, verdict_of(v), known(one.observable.measured),
                                known(one.simulated), known(v.error), known(v.uncertainty), known(v.parts.numerical),

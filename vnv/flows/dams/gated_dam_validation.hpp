@@ -59,7 +59,7 @@ struct Moves {
 };
 
 /// What came of it for one observable.
-struct Judgement {
+struct ValidatedObservable {
   Observable observable;
   double simulated;
   Validation validation;
@@ -70,7 +70,7 @@ struct Judgement {
   std::vector<std::pair<double, double>> by_friction{};   // the same of skin friction, by its coefficient
   Moves moves{};
 };
-std::vector<Judgement> judgements(const Results& results, const Experiment& experiment);
+std::vector<ValidatedObservable> judgements(const Results& results, const Experiment& experiment);
 
 /// A case whose tables are these judgements and whose findings are E of each observable and how all came out together.
 Case validation_by(const Experiment& experiment, std::string title, std::string description,
