@@ -15,8 +15,8 @@ Case vnv::the_case() {
   Case declared = square::in_several_views<ForceField>(
       "Invariance: manufactured solution",
       "The manufactured solution, 34 particles across a period, under symmetry transformations that include the body force that "
-      "sustains it: mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. " +
-          square::claimed_of_views,
+      "sustains it: " +
+          square::the_views,
       flow, manufactured::end, force_in);
   for (Method& method : declared.methods)
     if (method.name == "sph_transport_velocity") method.claims.push_back(manufactured::parted_by_transport);

@@ -11,11 +11,20 @@ namespace touchstone::vnv::square {
 /// ten periods repeats.
 inline Mat2 oblique() { return (Mat2() << 2, -1, 1, 2).finished() / std::sqrt(5); }
 
+/// The views, and what methods claim of them.
+inline const std::string the_views =
+    "mirrored, in a moving frame, rotated, from a disturbed lattice, with renumbered particles. ";
+inline const std::string claimed_of_views =
+    "The equations are invariant. A method claims what follows from its discretisation: every method invariance under "
+    "reflection and renumbering; SPH, which has no grid, also Galilean invariance, except with the transport velocity, "
+    "whose drift carries momentum as seen in the rest frame. None is isotropic or independent of the lattice: for "
+    "these the table shows the loss of accuracy.";
+
 /// At `end` [s], with 34 particles across a side: of these 2.236 times as many are a whole number, and so are
 /// those of the cells.
 template <class Force = NoForce>
 Case in_several_views(
-    std::string title, std::string description, const Flow& flow, double end,
+    std::string title, const std::string& description, const Flow& flow, double end,
     const std::function<Force(const View&)>& force_in = [](const View&) { return Force{}; }) {
   constexpr double spacing = side / 34;
   const View turned = views::turned(oblique());
@@ -31,17 +40,10 @@ Case in_several_views(
             .start = view.start(flow.start)};
   };
   return flows.declared(
-      std::move(title), std::move(description), velocity_errors(flow.velocity()),
+      std::move(title), description + claimed_of_views, velocity_errors(flow.velocity()),
       flows.methods(scene_in, methods_on<Force>, {"sph", "sph_second_order"}),
       "Carried along: a uniform velocity of (1, 0.5) m/s is added. Turned: rotated by 26.6 degrees relative to the "
       "lattice.");
 }
-
-/// What methods claim of the views, for the description of a case.
-inline const std::string claimed_of_views =
-    "The equations are invariant. A method claims what follows from its discretisation: every method invariance under "
-    "reflection and renumbering; SPH, which has no grid, also Galilean invariance, except with the transport velocity, "
-    "whose drift carries momentum as seen in the rest frame. None is isotropic or independent of the lattice: for "
-    "these the table shows the loss of accuracy.";
 
 }  // namespace touchstone::vnv::square
