@@ -13,18 +13,16 @@ Flow cavity(Settings& set) {
   using namespace lid_driven;
   const double L = set.positive("L", lid_driven::cavity.side, "m", "side of the box");
   const double V = set.positive("V", lid_driven::cavity.lid_speed, "m/s", "velocity of the lid from t = 0 on");
-  const double rho = set.positive("rho", 1000, "kg/m³", "density at rest");
-  const double c = set.positive("c", 5, "m/s", "speed of sound at rest");
+  Flow flow;
+  flow.fluid = fluid_of(set, 1000, 5, "at rest");
   const double Re = set.positive("Re", tabulated[0].Re, "-", "Reynolds number V L / nu: 100, 400 or 1000");
   const auto* const known = std::ranges::find(tabulated, Re, &Tabulated::Re);
   if (known == tabulated.end()) throw std::invalid_argument(fmt::format("Re = {:g}, expected 100, 400 or 1000", Re));
   const Cavity box{.side = L, .lid_speed = V, .span = steady_for * L / V};
   const double end = known->end * L / V, last = box.span;  // s
-  Flow flow;
   flow.filled = {.high = {L, L}};
   flow.domain = {.box = flow.filled};
-  flow.fluid = fluid_of(rho, c);
-  flow.fluid.viscosity = rho * V * L / Re;
+  flow.fluid.viscosity = flow.fluid.density * V * L / Re;
   // Where walls meet the last one holds: the lid reaches from wall to wall.
   flow.walls = {floor_at(0, no_slip()), left_at(0, no_slip()), right_at(L, no_slip()), ceiling_at(L, no_slip({V, 0}))};
   flow.across = L;

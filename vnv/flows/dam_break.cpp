@@ -22,8 +22,8 @@ Flow dam_break(Settings& set) {
   const double H = set.positive("H", tank.y(), "m", "height of the domain");
   const double L = set.positive("L", tank.x(), "m", "length of the tank");
   const double g = set.positive("g", vnv::dam_break::g, "m/s²", "gravity, down");
-  const double rho = set.positive("rho", water.density, "kg/m³", "density without pressure");
-  const double c = set.positive("c", water.sound_speed(), "m/s", "speed of sound without pressure");
+  const Newtonian fluid = fluid_of(set, water.density, water.sound_speed(), "without pressure");
+  const double rho = fluid.density;
   const DamFront dam{.column_length = l0,
                      .column_height = h0,
                      .tank_length = L,
@@ -34,7 +34,7 @@ Flow dam_break(Settings& set) {
   const bool is_published = Vec2(l0, h0) == column && Vec2(L, H) == tank;     // those of Lobovský et al.
   const double scale = dam_break::front.scaled_time(1) / dam.scaled_time(1);  // of times
   Flow flow;
-  const auto scene = collapse({l0, h0}, {L, H}, fluid_of(rho, c), g);
+  const auto scene = collapse({l0, h0}, {L, H}, fluid, g);
   flow.domain = scene.domain;
   flow.fluid = scene.fluid;
   flow.filled = scene.filled;

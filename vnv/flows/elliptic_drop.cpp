@@ -33,20 +33,18 @@ auto found_once(const reference::EllipticDrop& drop) {
 
 Flow elliptic_drop(Settings& set) {
   using namespace drop;
-  const reference::EllipticDrop drop{
-      .R = set.positive("R", drop::R, "m", "radius at the start"),
-      .s0 = set.positive("s", 1, "1/s", "strain rate at the start, extension along x"),
-      .rho = set.positive("rho", 1000, "kg/m³", "density at zero pressure")};
-  const double c = set.positive("c", 60, "m/s", "speed of sound at zero pressure");
-  const double R = drop.R, until = end / drop.s0, far = 2.6 * R;
+  const double R = set.positive("R", drop::R, "m", "radius at the start");
+  const double s0 = set.positive("s", 1, "1/s", "strain rate at the start, extension along x");
+  Flow flow;
+  flow.fluid = fluid_of(set, 1000, 60);
+  const reference::EllipticDrop drop{.R = R, .s0 = s0, .rho = flow.fluid.density};
+  const double until = end / drop.s0, far = 2.6 * R;
   const VelocityTruth velocity = [at = found_once(drop)](const Vec2& x, double t) mutable -> Vec2 {
     const double s = at(t).s;
     return {s * x.x(), -s * x.y()};
   };
-  Flow flow;
   flow.exact_solution = drop;
   flow.domain = {.box = {.low = {-far, -far}, .high = {far, far}}};
-  flow.fluid = fluid_of(drop.rho, c);
   flow.filled = {.low = {-R, -R}, .high = {R, R}};
   flow.shape = "those points of a lattice that lie within the radius R of (0, 0),";
   flow.area = std::numbers::pi * R * R;

@@ -96,6 +96,11 @@ Newtonian fluid_of(double rho, double c, double nu) {
   return {{.density = rho, .bulk_modulus = rho * c * c / Tait::gamma}, rho * nu};
 }
 
+Newtonian fluid_of(Settings& set, double rho, double c, const std::string& state) {
+  const double density = set.positive("rho", rho, "kg/m³", "density " + state);
+  return fluid_of(density, set.positive("c", c, "m/s", "speed of sound " + state));
+}
+
 Measurement of_each_sample(const Quantity& quantity, std::function<double(const Samples&)> found) {
   return [=](const Level& level, const Run& run) {
     std::vector<Value> values;

@@ -186,6 +186,8 @@ struct Flow {
 
 /// A fluid by its density [kg/m³] and speed of sound [m/s] without pressure and its kinematic viscosity [m²/s].
 Newtonian fluid_of(double rho, double c, double nu = 0);
+/// An inviscid one whose density [kg/m³] and speed of sound [m/s] in a state a user may set.
+Newtonian fluid_of(Settings& set, double rho, double c, const std::string& state = "at zero pressure");
 
 /// The scene of a flow as a solver takes it, with the fluid's law and the force that its types say. Throws
 /// std::logic_error where the flow has a viscosity or a force for which they have no room.

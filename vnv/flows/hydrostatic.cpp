@@ -34,10 +34,9 @@ Flow hydrostatic(Settings& set) {
                                     "depth that the water would have if it were uncompressed");
   const double width = set.positive("L", 0.5, "m", "length of the periodic box");
   const double g = set.positive("g", water_at_rest::g, "m/s²", "gravity, down");
-  const double rho = set.positive("rho", 1000, "kg/m³", "density at zero pressure");
-  const double c = set.positive("c", water_at_rest::c, "m/s", "speed of sound at zero pressure");
   Flow flow;
-  flow.fluid = fluid_of(rho, c);
+  flow.fluid = fluid_of(set, 1000, water_at_rest::c);
+  const double rho = flow.fluid.density;
   const reference::Hydrostatic water = equilibrium(flow.fluid, g, depth);
   flow.exact_solution = water;
   flow.domain = {.box = {.high = {width, 1.2 * depth}}, .periodic_x = true};

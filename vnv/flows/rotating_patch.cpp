@@ -74,17 +74,15 @@ double pressure_in_the_middle(const Samples& s, double side) {
 
 Flow rotating_patch(Settings& set) {
   using namespace patch;
-  const reference::RotatingPatch patch{
-      .L = set.positive("L", patch::L, "m", "side of the square"),
-      .omega = set.positive("omega", 1, "1/s", "angular velocity at the start, clockwise"),
-      .rho = set.positive("rho", 1000, "kg/m³", "density at zero pressure")};
-  const double c = set.positive("c", 20, "m/s", "speed of sound at zero pressure");
-  const double L = patch.L, omega = patch.omega, unit = patch.rho * omega * omega * L * L;  // m, 1/s, Pa
-  const Vec2 far = Vec2::Constant(1.5 * L), corner = Vec2::Constant(L / 2);
+  const double L = set.positive("L", patch::L, "m", "side of the square");
+  const double omega = set.positive("omega", 1, "1/s", "angular velocity at the start, clockwise");
   Flow flow;
+  flow.fluid = fluid_of(set, 1000, 20);
+  const reference::RotatingPatch patch{.L = L, .omega = omega, .rho = flow.fluid.density};
+  const double unit = patch.rho * omega * omega * L * L;  // Pa
+  const Vec2 far = Vec2::Constant(1.5 * L), corner = Vec2::Constant(L / 2);
   flow.exact_solution = patch;
   flow.domain = {.box = {.low = -far, .high = far}};
-  flow.fluid = fluid_of(patch.rho, c);
   flow.filled = {.low = -corner, .high = corner};
   flow.start = {.velocity = [patch](const Vec2& x) { return Vec2(patch.v_x(x.y()), patch.v_y(x.x())); },
                 .pressure = [patch](const Vec2& x) { return patch.p(x.x(), x.y()); }};
