@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Includes run in one direction: no file includes what lies above its folder.
 
-Run as `include_direction_test.py SOURCES`. Exit status 1 with a line for each include that runs back.
+Run as `include_direction_test.py [SOURCES]`, in the project if it is left out. Exit status 1 with a line for each include that runs back.
 """
 
 import pathlib
@@ -67,6 +67,6 @@ def complaints(root):
 
 
 if __name__ == "__main__":
-    lines = list(complaints(pathlib.Path(sys.argv[1])))
+    lines = list(complaints(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
     print("\n".join(lines) or "each include runs downwards")
     sys.exit(1 if lines else 0)
