@@ -73,8 +73,11 @@ Reader read_as(const std::string& extension) {
          Pickle(bytes, file.string());
          return std::vector<Dataset>{};
        }}};
+  if (extension.starts_with(".vt") || extension.starts_with(".pv"))
+    if (extension != ".vtk") return read_vtk_xml;
   const auto known = readers.find(extension);
-  return known == readers.end() ? static_cast<Reader>(read_vtk_xml) : known->second;
+  if (known == readers.end()) throw std::logic_error(extension + ": a sample that no reader is named for here");
+  return known->second;
 }
 
 /// Datasets of equally many rows, or one line that says why there are none.
