@@ -13,7 +13,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <system_error>
 
 namespace touchstone::vnv {
@@ -30,8 +29,9 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> names_in(const auto& map) {
-  const auto names = std::views::keys(map);
-  return {names.begin(), names.end()};
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
 }
 
 std::string_view trimmed(std::string_view text) {

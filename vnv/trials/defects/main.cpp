@@ -15,7 +15,6 @@
 #include <map>
 #include <numeric>
 #include <random>
-#include <ranges>
 #include <set>
 #include <type_traits>
 
@@ -686,10 +685,12 @@ std::vector<Defect> defects_of(const Flow& flow) {
 }
 
 bool has_any(const std::string& text, std::string_view words) {
-  return words.empty() ||
-         std::ranges::any_of(std::views::split(words, std::string_view(" or ")), [&](const auto& part) {
-           return text.find(std::string_view(part.begin(), part.end())) != text.npos;
-         });
+  for (std::size_t begin = 0; begin <= words.size();) {
+    const std::size_t end = std::min(words.find(" or ", begin), words.size());
+    if (text.find(words.substr(begin, end - begin)) != text.npos) return true;
+    begin = end + 4;
+  }
+  return false;
 }
 
 /// Whether it is as it must be.
