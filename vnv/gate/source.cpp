@@ -136,7 +136,7 @@ Build Revisions::build(const std::string& commit, const Choice& choice, std::ost
   run({"cmake", "-S", source(), "-B", folder(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_NATIVE=ON"},
       "configured");
   const std::set<std::string> cases = chosen_cases(source(), folder(), choice);
-  if (cases.empty()) throw BadInput(fmt::format("{}: no such case in it", commit));
+  if (cases.empty()) throw BadInput(fmt::format("{}: no such case in it that {} runs", commit, choice.suite));
   std::vector<std::string> build = {"cmake", "--build", folder(), "--target"};
   build.insert(build.end(), cases.begin(), cases.end());
   run(build, "built");

@@ -73,11 +73,9 @@ Reader read_as(const std::string& extension) {
          Pickle(bytes, file.string());
          return std::vector<Dataset>{};
        }}};
-  if (extension.starts_with(".vt") || extension.starts_with(".pv"))
-    if (extension != ".vtk") return read_vtk_xml;
-  const auto known = readers.find(extension);
-  if (known == readers.end()) throw std::logic_error(extension + ": a sample that no reader is named for here");
-  return known->second;
+  if (const auto known = readers.find(extension); known != readers.end()) return known->second;
+  if (extension.starts_with(".vt") || extension.starts_with(".pv")) return read_vtk_xml;
+  throw std::logic_error(extension + ": a sample that no reader is named for here");
 }
 
 /// Datasets of equally many rows, or one line that says why there are none.

@@ -1,6 +1,5 @@
 # A method whose claims fail is not accepted: PROGRAM leaves its baselines as they were; nor is one that the suite does not
-# run, such as SPH of the case SPLASH. Here, and only here, a test goes
-# as a person, in a folder of its own.
+# run, such as SPH of the case SPLASH. Here, and only here, a test goes as a person, in a folder of its own.
 set(data ${BUILD}/selftest_data)
 set(file ${data}/baselines/wrong_oracle.csv)
 file(REMOVE_RECURSE ${data})

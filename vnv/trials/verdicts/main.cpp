@@ -60,7 +60,10 @@ const std::vector<Mutation> mutations{
     {"level", [](Json&, Json& v, const Json&) { v["level"] = "nowhere"; }},
     {"no value", [](Json&, Json& v, const Json&) { v.erase("value"); }},
     {"no verdict",
-     [](Json& record, Json& v, const Json&) { std::erase(record.at("verdicts").get_ref<Json::array_t&>(), Json(v)); }},
+     [](Json& record, Json& v, const Json&) {
+       auto& all = record.at("verdicts").get_ref<Json::array_t&>();
+       all.erase(all.begin() + (&v - all.data()));
+     }},
 };
 
 /// A record as a text of JSON and as it is read.
