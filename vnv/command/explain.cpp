@@ -4,6 +4,7 @@
 #include "vnv/command/terminal.hpp"
 #include "vnv/doors/scene.hpp"
 #include "vnv/files/tables.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 #include "vnv/record/prices.hpp"
 
 #include <fmt/format.h>
@@ -112,9 +113,9 @@ std::string over_time(const Measured& one) {
 
 /// A flow, by which any code is judged, at its published parameters.
 void explain_flow(const std::string& name) {
-  const Flow flow = flow_named(name);
+  const Flow flow = flow_of(name);
   const Description one = doors::describe(flow);
-  fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", name, one.title)));
+  fmt::print("{}\n\n", coloured(Colour::bold, fmt::format("{}: {}", flow.name, one.title)));
   print_wrapped(one.description, 0);
   print_heading("Parameters, as published; --set gives them other values");
   for (const Parameter& p : flow.parameters)
@@ -165,6 +166,10 @@ void explain_case(const Description& one, const std::vector<Chosen>& methods, bo
 }  // namespace
 
 int explain(const Build& build, const ExplainOptions& options) {
+  if (options.pattern.ends_with(".toml")) {
+    explain_flow(options.pattern);
+    return all_holds;
+  }
   if (build.is_installed()) {
     for (const std::string& flow : chosen_flows({options.pattern})) explain_flow(flow);
     return all_holds;

@@ -6,6 +6,7 @@
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/values.hpp"
 #include "vnv/files/whole_file.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -102,7 +103,7 @@ int conclude(const Flow& flow, const doors::Judgement& judgement, const ResultOp
 
 int judge(const Build&, const JudgeOptions& options) {
   make_folder_of(options.results.records);
-  const Flow flow = flow_named(options.flow, settings_of(options.set));
+  const Flow flow = flow_of(options.flow, settings_of(options.set));
   return conclude(
       flow,
       doors::judge_files(flow, {options.files.begin(), options.files.end()}, mapping_of(options), options.spacing,

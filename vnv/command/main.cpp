@@ -175,7 +175,7 @@ void declare_plan(CLI::App& command, PlanOptions& options) {
 }
 
 void declare_scene(CLI::App& command, SceneOptions& options) {
-  command.add_option("FLOW", options.flow, "name of a flow; without it, all flows are listed");
+  command.add_option("FLOW", options.flow, "name of a flow, or a TOML file of formulas; without it, all flows are listed");
   add_set(command, options.set);
   command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
       ->check(programs::above_zero());
@@ -184,7 +184,7 @@ void declare_scene(CLI::App& command, SceneOptions& options) {
 }
 
 void declare_judge(CLI::App& command, JudgeOptions& options) {
-  command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists")->required();
+  command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists, or a TOML file of formulas")->required();
   command.add_option("FILES", options.files, "output files, of one or more resolutions at one or more times")
       ->required();
   add_set(command, options.set);

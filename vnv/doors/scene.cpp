@@ -49,10 +49,14 @@ std::string scene_in_words(const Flow& flow, double spacing) {
   const auto periodic = [&](int axis) { return flow.domain.periodic(axis) ? "periodic" : "not periodic"; };
   text += fmt::format("\ndomain: {} to {} m, {} along x, {} along y\n", in_words(flow.domain.box.low),
                       in_words(flow.domain.box.high), periodic(0), periodic(1));
-  text += fmt::format(
-      "fluid: p = K ((rho / rho0)^7 - 1), rho0 = {:.10g} kg/m³, K = {:.10g} Pa (a seventh of the bulk modulus rho0 "
-      "c²), sound at {:.10g} m/s, viscosity {:.10g} Pa s\n",
-      flow.fluid.density, flow.fluid.bulk_modulus, flow.fluid.sound_speed(), flow.fluid.viscosity);
+  if (std::isinf(flow.fluid.bulk_modulus))
+    text += fmt::format("fluid: incompressible, density {:.10g} kg/m³, viscosity {:.10g} Pa s\n", flow.fluid.density,
+                        flow.fluid.viscosity);
+  else
+    text += fmt::format(
+        "fluid: p = K ((rho / rho0)^7 - 1), rho0 = {:.10g} kg/m³, K = {:.10g} Pa (a seventh of the bulk modulus rho0 "
+        "c²), sound at {:.10g} m/s, viscosity {:.10g} Pa s\n",
+        flow.fluid.density, flow.fluid.bulk_modulus, flow.fluid.sound_speed(), flow.fluid.viscosity);
   for (const Wall& wall : flow.walls)
     text += fmt::format("wall: {} = {:g} m, {}, velocity {} m/s{}\n", wall.axis == 0 ? "x" : "y", wall.position,
                         condition_of(wall), in_words(velocity_of(wall)),
@@ -64,6 +68,10 @@ std::string scene_in_words(const Flow& flow, double spacing) {
   if (!flow.drive.formula.empty())
     text +=
         fmt::format("body force [m/s²], of x and y in m and t in s:\n  {}\n", fmt::join(flow.drive.formula, "\n  "));
+  if (!flow.formulas.empty())
+    text += fmt::format("exact, and prescribed on edges that are not periodic, of x and y in m and t in s:\n  {}\n",
+                        fmt::join(flow.formulas, "\n  "));
+  if (!flow.residual.empty()) text += flow.residual + "\n";
   text += fmt::format(
       "start: {} from {} to {} m, {} particles with a spacing of {:g} m; places, velocities and pressures: --particles FILE\n",
       flow.shape.empty() ? "the box" : flow.shape, in_words(flow.filled.low), in_words(flow.filled.high),
@@ -113,6 +121,7 @@ std::string scene_as_json(const Flow& flow, double spacing) {
     json["body force"]["formula"] = flow.drive.formula;
     json["body force"]["examples: x [m], y [m], t [s], b_x [m/s²], b_y [m/s²]"] = flow.drive.examples;
   }
+  if (!flow.formulas.empty()) json["exact"] = flow.formulas;
   json["spacing [m]"] = spacing;
   json["times [s]"] = flow.judged.times;
   if (std::isfinite(flow.judged.monitor.interval)) json["times from 0 on, every [s]"] = flow.judged.monitor.interval;

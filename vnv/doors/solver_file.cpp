@@ -2,124 +2,24 @@
 
 #include "vnv/doors/solver.hpp"
 #include "vnv/files/tables.hpp"
+#include "vnv/files/toml_keys.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 #include "vnv/record/same_time.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace touchstone::vnv::doors {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A table of the file: gives what its keys hold, and refuses those that nobody asked for.
-class Keys {
- public:
-  Keys(const toml::table& table, const fs::path& file, std::string of = "")
-      : table_(table), file_(file), of_(std::move(of)) {}
-
-  bool has(const std::string& key) const { return asked_.insert(key), table_.contains(key); }
-
-  std::string text(const std::string& key, const std::string& otherwise = "") const {
-    return has(key) ? of_kind<std::string>(*table_.get(key), key, "a text") : otherwise;
-  }
-  double number(const std::string& key) const { return of_kind<double>(*table_.get(key), key, "a number"); }
-  double positive(const std::string& key, double otherwise) const {
-    if (!has(key)) return otherwise;
-    const double value = number(key);
-    if (!(value > 0)) refuse(*table_.get(key), key, "a number above 0");
-    return value;
-  }
-  std::optional<double> number_if_there(const std::string& key) const {
-    return has(key) ? std::optional(number(key)) : std::nullopt;
-  }
-  bool flag(const std::string& key) const { return has(key) && of_kind<bool>(*table_.get(key), key, "true or false"); }
-
-  std::vector<double> numbers(const std::string& key) const { return all<double>(key, "an array of numbers"); }
-  /// One text or an array of them.
-  std::vector<std::string> texts(const std::string& key) const {
-    if (has(key) && table_.get(key)->is_string()) return {text(key)};
-    return all<std::string>(key, "a text or an array of texts");
-  }
-
-  /// The table of a key, empty if there is none.
-  Keys table(const std::string& key) const {
-    static const toml::table none;
-    if (!has(key)) return {none, file_, key};
-    if (!table_.get(key)->is_table()) refuse(*table_.get(key), key, "a table");
-    return {*table_.get(key)->as_table(), file_, key};
-  }
-  template <class T>
-  std::map<std::string, T> pairs(const std::string& kind) const {
-    std::map<std::string, T> all;
-    for (const auto& [key, node] : table_) {
-      asked_.emplace(key.str());
-      all.emplace(key.str(), of_kind<T>(node, std::string(key.str()), kind));
-    }
-    return all;
-  }
-
-  /// Throws for a key that was not asked for.
-  void require_no_other() const {
-    for (const auto& [key, node] : table_)
-      if (!asked_.contains(std::string(key.str())))
-        throw std::invalid_argument(fmt::format("{}:{}: unknown key '{}'{}, expected one of: {}", file_.string(),
-                                                key.source().begin.line, key.str(), of_.empty() ? "" : " of " + of_,
-                                                fmt::join(asked_, ", ")));
-  }
-
-  [[noreturn]] void refuse(const toml::node& node, const std::string& key, std::string_view expected) const {
-    std::ostringstream value;
-    if (const auto number = node.value_exact<double>())
-      value << fmt::format("{}", *number);  // as it was written: toml++ writes 1e-7 as 9.9999999999999995e-08
-    else
-      node.visit([&](const auto& held) { value << held; });
-    throw std::invalid_argument(fmt::format("{}:{}: {}{} = {}, expected {}", file_.string(), node.source().begin.line,
-                                            of_.empty() ? "" : of_ + ".", key, value.str(), expected));
-  }
-  void require(const std::string& key, std::string_view example) const {
-    if (!has(key))
-      throw std::invalid_argument(fmt::format("{}: no key '{}'{}, expected one such as {} = {}", file_.string(), key,
-                                              of_.empty() ? "" : " of " + of_, key, example));
-  }
-
- private:
-  template <class T>
-  T of_kind(const toml::node& node, const std::string& key, std::string_view expected) const {
-    const std::optional<T> value = node.value<T>();
-    if (!value) refuse(node, key, expected);
-    return *value;
-  }
-  template <class T>
-  std::vector<T> all(const std::string& key, std::string_view expected) const {
-    std::vector<T> values;
-    if (!has(key)) return values;
-    const toml::array* array = table_.get(key)->as_array();
-    if (!array || array->empty()) refuse(*table_.get(key), key, expected);
-    for (const toml::node& node : *array) values.push_back(of_kind<T>(node, key, expected));
-    return values;
-  }
-
-  const toml::table& table_;
-  const fs::path& file_;
-  std::string of_;
-  mutable std::set<std::string> asked_{};
-};
+using files::Keys;
 
 const std::string solver_schema = "touchstone solver 1";
-
-toml::table parsed(const fs::path& file) try {
-  return toml::parse_file(file.string());
-} catch (const toml::parse_error& error) {
-  throw std::invalid_argument(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
-}
 
 Mapping mapping_of(const Keys& keys) {
   Mapping mapping;
@@ -185,8 +85,7 @@ void read_resources(const Keys& keys, Solver& solver) {
 }
 
 Solver solver_in(const fs::path& file) {
-  if (!fs::is_regular_file(file)) throw std::invalid_argument(fmt::format("{}: no such file", file.string()));
-  const toml::table table = parsed(file);
+  const toml::table table = files::parsed_toml(file);
   const Keys keys(table, file);
   if (keys.text("schema", solver_schema) != solver_schema)  // before all that another version may say otherwise
     keys.refuse(*table.get("schema"), "schema", fmt::format("'{}', the only version known here", solver_schema));
@@ -196,7 +95,7 @@ Solver solver_in(const fs::path& file) {
         fmt::format("{}: name = '{}', expected one without points, slashes and blanks", file.string(), solver.name));
   solver.description = keys.text("description", fmt::format("Another code, run by {}.", file.filename().string()));
   keys.require("flow", "\"stokes_first\"");
-  solver.flow = flow_named(keys.text("flow"), Settings(keys.table("set").pairs<double>("a number")));
+  solver.flow = flow_of(keys.text("flow"), Settings(keys.table("set").pairs<double>("a number")), file.parent_path());
   solver.spacings = spacings_of(keys, solver.flow);
   if (keys.has("times")) solver.flow.judged.times = keys.numbers("times");  // as its scene says them
   solver.times = solver.flow.judged.times;

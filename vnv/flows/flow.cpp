@@ -140,7 +140,10 @@ Flow flow_named(const std::string& name, Settings settings) {
   const auto found = std::ranges::find(all_flows(), name, &NamedFlow::name);
   if (found == all_flows().end())
     throw std::invalid_argument(fmt::format("no flow '{}', expected one of: {}", name, fmt::join(flow_names(), ", ")));
-  Flow flow = found->at(settings);
+  return finished(found->at(settings), name, settings);
+}
+
+Flow finished(Flow flow, const std::string& name, const Settings& settings) {
   flow.name = name;
   flow.parameters = settings.all_of(name);
   std::ranges::transform(flow.judged.times, flow.judged.times.begin(), as_meant);

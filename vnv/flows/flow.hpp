@@ -74,8 +74,8 @@ struct Span {
   bool is_steady = false;  // then as long before a later last time
 };
 
-/// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed and amplitude as fractions of the
-/// right one, walls [m] outward, the slip length [m], the time [s] by which it is ahead, a mean in the unit of the
+/// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed, amplitude and parameters as fractions of
+/// the right one, walls [m] outward, the slip length [m], the time [s] by which it is ahead, a mean in the unit of the
 /// field over that of its norm.
 enum class Cause {
   viscosity,
@@ -89,8 +89,13 @@ enum class Cause {
   lead,
   amplitude,
   mean_x,
-  mean_y
+  mean_y,
+  parameter  // and those after it: of a flow in formulas, the first and further ones that may be wrong
 };
+inline constexpr std::size_t most_parameters_in_doubt = 8;
+constexpr Cause cause_of_parameter(std::size_t k) {
+  return static_cast<Cause>(static_cast<std::size_t>(Cause::parameter) + k);
+}
 
 /// By how much each of them is wrong.
 class Changes {
@@ -101,7 +106,7 @@ class Changes {
   double factor(Cause cause) const { return std::max(1e-6, 1 + (*this)(cause)); }
 
  private:
-  std::array<double, static_cast<std::size_t>(Cause::mean_y) + 1> by_{};
+  std::array<double, static_cast<std::size_t>(Cause::parameter) + most_parameters_in_doubt> by_{};
 };
 
 /// The exact field at a place and a time: a velocity [m/s], or a pressure [Pa] and zero.
@@ -122,6 +127,7 @@ struct Exact {
   std::vector<Cause> causes;                       // that `with` knows; lead, amplitude and mean apply to each field
   std::function<FieldTruth(const Changes&)> with;  // lead, amplitude and mean left aside
   std::vector<Instead> instead{};
+  std::vector<std::string> parameters{};  // names of those that `Cause::parameter` and those after it are
   double period = 0;  // s  of what has always oscillated, before t = 0 too; 0: nothing is known before t = 0
 };
 
@@ -156,6 +162,8 @@ struct Flow {
   Drive drive{};
   Start start{};
   std::function<Region(double t)> region{};  // of the fluid at a time [s], where its surface is known exactly
+  std::vector<std::string> formulas{};       // of a flow in formulas: its exact fields, line by line, of x, y and t
+  std::string residual{};                    // and how well they solve the equation that it names
   bool is_uniform_along_x = false;           // so that the length of its period is free
 
   /// The name by which records of it are compared: with each parameter that is not the published one,
@@ -237,6 +245,9 @@ struct NamedFlow {
 const std::vector<NamedFlow>& all_flows();  // the build writes this list
 /// Their names.
 std::vector<std::string> flow_names();
+
+/// A flow that has been made with these settings, by this name.
+Flow finished(Flow flow, const std::string& name, const Settings& settings);
 
 /// A flow at its settings. Throws std::invalid_argument for a name or a setting that there is not.
 Flow flow_named(const std::string& name, Settings settings = Settings());

@@ -122,6 +122,10 @@ class FieldVector {
   const std::vector<double>& given_times() const { return given_times_; }
   int components() const { return exact_.components; }
   const std::string& field() const { return exact_.field; }
+  /// The name of the parameter that a cause is.
+  std::string_view parameter(Cause cause) const {
+    return exact_.parameters.at(static_cast<std::size_t>(cause) - static_cast<std::size_t>(Cause::parameter));
+  }
   double squared_error() const { return error_.squaredNorm(); }
   const std::vector<Moment>& moments() const { return moments_; }
   const Harmonics& waves() const { return waves_; }

@@ -33,11 +33,15 @@ constexpr Phrases amplitude_of_pressure{"amplitude", "%", "the pressure is {} to
     mean_of_pressure{"mean", "%", "a pressure of {} of its root mean square is added everywhere",
                      "a pressure of {} of its root mean square is missing everywhere"};
 
-const Phrases& phrases_of(Cause cause, bool is_pressure) {
+Phrases phrases_of(Cause cause, const FieldVector& seen) {
+  const bool is_pressure = seen.field() == "pressure";
+  if (cause >= Cause::parameter) return {seen.parameter(cause), "%", "{1} is {0} too large", "{1} is {0} too small"};
   if (is_pressure && cause == Cause::amplitude) return amplitude_of_pressure;
   if (is_pressure && cause == Cause::mean_x) return mean_of_pressure;
   return phrases[static_cast<std::size_t>(cause)];
 }
+
+bool is_of_mean(Cause cause) { return cause == Cause::mean_x || cause == Cause::mean_y; }
 
 Explanation noise_of(const FieldVector& seen, double noise_squared) {
   const auto numbers = static_cast<double>(seen.error().size());
@@ -55,7 +59,7 @@ std::string quantity(const FittedCause& c, Cause cause) {
   constexpr double many = 5;
   const double ratio = 1 + c.value / 100, wide = c.half_width / 100;
   const bool is_many = ratio >= many || (ratio > 0 && ratio <= 1 / many);
-  if (c.unit != "%" || cause >= Cause::mean_x || !is_many || wide > ratio / 2) return quantity(c);
+  if (c.unit != "%" || is_of_mean(cause) || !is_many || wide > ratio / 2) return quantity(c);
   return ratio > 1 ? fmt::format("{} times", in_digits_of_interval(ratio, wide))
                    : fmt::format("{} times", in_digits_of_interval(1 / ratio, wide / (ratio * ratio)));
 }
@@ -86,14 +90,15 @@ Explanation as_noise(const FieldVector& seen) {
 Explanation explanation(const Fit& fit, const FieldVector& seen, double spacing, bool is_named, bool is_best) {
   Explanation made{.share = fit.share, .named = is_named};
   for (std::size_t k = 0; k < fit.causes.size(); ++k) {
-    const Phrases& words = phrases_of(fit.causes[k], seen.field() == "pressure");
+    const Phrases words = phrases_of(fit.causes[k], seen);
     const double scale = words.unit == "%" ? 100 : words.unit == "s" ? 1 : 1 / spacing;
     const auto i = static_cast<Index>(k);
     const FittedCause& one = made.causes.emplace_back(
         FittedCause{std::string(words.name), std::string(words.unit), scale * fit.value[i], scale * fit.half_width[i]});
     const std::string_view phrase =
         one.value >= 0 || words.where_negative.empty() ? words.where_positive : words.where_negative;
-    made.sentence += (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one, fit.causes[k]));
+    made.sentence +=
+        (k > 0 ? " and " : "") + fmt::format(fmt::runtime(phrase), quantity(one, fit.causes[k]), words.name);
     if (seen.field() == "pressure" && fit.causes[k] == Cause::mean_x)
       made.sentence += as_atmosphere(fit.value[i] * seen.norm());
     if (words.unit == "%") made.sentence += in_times(fit.value[i], fit.half_width[i]);

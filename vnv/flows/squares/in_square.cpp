@@ -2,16 +2,12 @@
 
 namespace touchstone::vnv::flows {
 
-Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity_with, PressureTruth pressure,
-               std::vector<Cause> causes) {
+void fill(Flow& flow, const VelocityWith& velocity_with, PressureTruth pressure, std::vector<Cause> causes) {
   const VelocityTruth velocity = velocity_with({});
-  Flow flow;
-  flow.filled = {.high = {side, side}};
-  flow.domain = {.box = flow.filled, .periodic_x = true, .periodic_y = true};
-  flow.fluid = fluid;
-  flow.across = side;
-  flow.start = {.velocity = [velocity](const Vec2& x) { return velocity(x, 0); },
-                .pressure = [pressure](const Vec2& x) { return pressure(x, 0); }};
+  flow.filled = flow.domain.box;
+  if (flow.across == 0) flow.across = flow.filled.size().minCoeff();
+  flow.start.velocity = [velocity](const Vec2& x) { return velocity(x, 0); };
+  if (pressure) flow.start.pressure = [pressure](const Vec2& x) { return pressure(x, 0); };
   flow.judged.claims = {is_consistent(l2_velocity)};
   flow.measured = {{{"velocity"}, velocity_errors(velocity)}};
   flow.exact = {{.field = "velocity",
@@ -19,6 +15,14 @@ Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity
                  .components = 2,
                  .causes = std::move(causes),
                  .with = velocity_with}};
+}
+
+Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity_with, PressureTruth pressure,
+               std::vector<Cause> causes) {
+  Flow flow;
+  flow.domain = {.box = {.high = {side, side}}, .periodic_x = true, .periodic_y = true};
+  flow.fluid = fluid;
+  fill(flow, velocity_with, std::move(pressure), std::move(causes));
   return flow;
 }
 

@@ -25,6 +25,9 @@ struct DecaysInSquare {
   Newtonian fluid() const { return fluid_of(rho, c, nu({})); }
 };
 
+/// Fluid fills the domain of a flow and starts with these fields; without a pressure at that of rest.
+void fill(Flow& flow, const VelocityWith& velocity_with, PressureTruth pressure, std::vector<Cause> causes);
+
 /// Fluid that fills a periodic square of this side [m] and starts with these fields.
 Flow in_square(double side, const Newtonian& fluid, const VelocityWith& velocity_with, PressureTruth pressure,
                std::vector<Cause> causes);
