@@ -21,7 +21,10 @@ const std::vector<Level> finer_levels = levels_across(
 const std::vector<Level> coarse_levels = levels_across(side, {{32, end, 0, end}, {64, end, 0, end}, {128, 0, 0, end}});
 
 Claim of_second_order(const Quantity& quantity, const std::string& words) {
-  return order_at_least(ladder_across, quantity, 1.9, 1.75, theory(words)).at(end).with_at_least_levels(5);
+  return order_at_least(ladder_across, quantity, 1.9, 1.75, theory(words))
+      .of_formal_order(2)
+      .at(end)
+      .with_at_least_levels(5);
 }
 
 /// For the methods that do not converge here.

@@ -22,7 +22,10 @@ const std::vector<Level> finer_levels = levels_across(
     side, {{64, early, 0, end}, {88, early, 0, early}, {128, 0, 0, early}, {176, 0, 0, early}, {256, 0, 0, early}});
 
 Claim of_second_order(const std::string& words) {
-  return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory(words)).at(early).with_at_least_levels(5);
+  return order_at_least(ladder_across, l2_velocity, 1.8, 1.5, theory(words))
+      .of_formal_order(2)
+      .at(early)
+      .with_at_least_levels(5);
 }
 
 }  // namespace

@@ -60,13 +60,13 @@ Flow standing_wave(Settings& set) {
   flow.resolved = 100;
   flow.of_coarse = [](double across) -> std::vector<Claim> {
     return {between(period_error, -500 / across, 500 / across,
-                    theory("first order with five times the error that is claimed at 100 across"))};
+                    baseline("first order with five times the error that is claimed at 100 across"))};
   };
   flow.aside = {between(part_of_pressure, 0.8, 1.2, theory("the pressure carries the weight of the water")),
                 moves_by_its_velocity(),
                 between(amplitude, 0.7, 1.3,
-                        theory("it starts as this wave; of our own methods whose period is that of the wave it is 0.77 "
-                               "to 1.03 at 50 across")),
+                        baseline("of our own methods whose period is that of the wave it is 0.77 to 1.03 at 50 "
+                                 "across")),
                 between(liveliest, 0.2, 2, theory("potential energy becomes kinetic and none is added; less where it "
                                                   "decays, or between the times of files"))};
   const Moment standing{

@@ -56,11 +56,24 @@ Verdict concluded(Verdict v, std::string_view remark) {
   return v;
 }
 
+/// ", asymptotic" where the interval, of at most 0.2 to each side, holds the formal order and the finest pairs agree;
+/// else on which side of it the order is.
+std::string beside_formal_order(const Claim& claim, const Verdict& v, const ObservedOrder& order) {
+  if (!claim.formal_order) return "";
+  constexpr double widest = 0.2;
+  const double formal = *claim.formal_order, wide = *v.half_width;
+  if (std::abs(v.value - formal) > wide)
+    return fmt::format(", {} the formal order {:g}, not asymptotic", v.value > formal ? "above" : "below", formal);
+  return order.asymptotic && wide <= widest ? ", asymptotic" : ", not asymptotic";
+}
+
 Verdict judge_slope(const Claim& claim, const Place& place, const ObservedOrder& order) {
   Verdict v = verdict_of(claim, place, order.order);
   v.half_width = order.half_width;
   v.trend = order.trend;
-  return concluded(std::move(v), fmt::format(" +- {:.2g} over {} levels", order.half_width, order.levels.size()));
+  const std::string remark = fmt::format(" +- {:.2g} over {} levels{}", order.half_width, order.levels.size(),
+                                         beside_formal_order(claim, v, order));
+  return concluded(std::move(v), remark);
 }
 
 Verdict judge_convergence(const Claim& claim, const Place& place, const ObservedOrder& order) {
@@ -69,8 +82,9 @@ Verdict judge_convergence(const Claim& claim, const Place& place, const Observed
   v.half_width = above_floor ? order.order_to_floor_half_width : order.half_width;
   v.trend = order.trend;
   const std::string floor = above_floor ? fmt::format(" above a floor of {:.3g}", order.floor) : "";
-  const std::string remark = fmt::format(" +- {:.2g} over {} levels{}, {}, expected surely above {:g}", *v.half_width,
-                                         order.levels.size(), floor, word_of(order.trend), *claim.surely_above);
+  const std::string remark = fmt::format(" +- {:.2g} over {} levels{}, {}{}, expected surely above {:g}", *v.half_width,
+                                         order.levels.size(), floor, word_of(order.trend),
+                                         beside_formal_order(claim, v, order), *claim.surely_above);
   return concluded(std::move(v), remark);
 }
 

@@ -28,10 +28,12 @@ struct Claim {
   std::string ladder = "";                            // for an observed order: over which levels
   std::optional<double> surely_above = std::nullopt;  // for an observed order: where its interval has to begin
   long least_levels = 2;                              // for an observed order: suites that run fewer are not asked
+  std::optional<double> formal_order = std::nullopt;  // that of the method's discretisation, where theory knows it
 
   Claim on(std::string_view name) const { return with(&Claim::level, std::string(name)); }
   Claim at(double when) const { return with(&Claim::time, when); }
   Claim with_at_least_levels(long levels) const { return with(&Claim::least_levels, levels); }
+  Claim of_formal_order(double p) const { return with(&Claim::formal_order, std::optional(p)); }
   Claim over(std::string_view its_ladder) const { return with(&Claim::ladder, std::string(its_ladder)); }
   /// Whether it speaks of a value; times agree to nine digits.
   bool covers(std::string_view its_level, double its_time) const;

@@ -82,6 +82,24 @@ TEST(OrderClaim, MayAskWhereTheIntervalBegins) {
   EXPECT_NE(judge(claim, here, order(3, 0.1)).sentence.find("expected surely above 1.75"), std::string::npos);
 }
 
+TEST(OrderClaim, SaysWhetherTheFormalOrderWasReached) {
+  const Claim claims[] = {order_at_least("grid", l2, 1.8, 1.5, theory("")).of_formal_order(2),
+                          order_between("grid", l2, 1.8, 4, theory("")).of_formal_order(2)};
+  for (const Claim& claim : claims) {
+    const auto sentence = [&](double value, double half_width, bool pairs_agree) {
+      ObservedOrder found = order(value, half_width);
+      found.asymptotic = pairs_agree;
+      const std::string all = judge(claim, here, found).sentence;
+      return all.substr(0, all.find(", expected"));
+    };
+    EXPECT_TRUE(sentence(2.05, 0.1, true).ends_with(", asymptotic"));
+    EXPECT_TRUE(sentence(2.05, 0.1, false).ends_with(", not asymptotic")) << "its pairs have other orders";
+    EXPECT_TRUE(sentence(2.05, 0.25, true).ends_with(", not asymptotic")) << "not known well enough";
+    EXPECT_TRUE(sentence(2.31, 0.07, true).ends_with(", above the formal order 2, not asymptotic"));
+    EXPECT_TRUE(sentence(1.85, 0.05, true).ends_with(", below the formal order 2, not asymptotic"));
+  }
+}
+
 TEST(OrderClaim, OfConvergenceFailsWhereErrorsStallOrGrow) {
   const Claim claim = order_at_least("grid", l2, 1.9, 1.75, theory(""));
   ObservedOrder found = order(2, 0.1);

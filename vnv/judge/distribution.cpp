@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <utility>
@@ -78,6 +80,21 @@ double quantile(std::vector<double> sample, double fraction) {
 
 double wasserstein_distance(const std::vector<double>& a, const std::vector<double>& b) {
   return is_finite(a) && is_finite(b) ? distance_of(pooled(a, b)) : not_a_number;
+}
+
+bool MedianComparison::shows_model_error() const { return !(std::abs(error) <= 2 * uncertainty); }
+
+MedianComparison compare_median(const std::vector<double>& members, double median, double deviation, double repeats) {
+  const auto error_of_median = [](double its_deviation, double count) {
+    return std::sqrt(std::numbers::pi / 2) * its_deviation / std::sqrt(count);
+  };
+  const auto count = static_cast<double>(members.size());
+  const double mean = std::accumulate(members.begin(), members.end(), 0.0) / count;
+  double squares = 0;
+  for (const double one : members) squares += (one - mean) * (one - mean);
+  const double of_members = count > 1 ? std::sqrt(squares / (count - 1)) : HUGE_VAL;
+  return {quantile(members, 0.5) - median,
+          std::hypot(error_of_median(deviation, repeats), error_of_median(of_members, count))};
 }
 
 AgainstQuantiles against_quantiles(const std::vector<double>& sample, const std::vector<double>& quantiles,

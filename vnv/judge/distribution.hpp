@@ -17,6 +17,20 @@ double wasserstein_distance(const std::vector<double>& a, const std::vector<doub
 /// 2.5 % and 97.5 %, edges included. Never for an ensemble that is empty or holds what is not finite.
 bool median_is_inside(const std::vector<double>& members, double low, double high);
 
+/// The comparison error E of a median and its standard uncertainty u_val (ASME V&V 20, 2009), in their unit: by the
+/// standard errors of both medians, sqrt(pi / 2) deviations over the root of how many there are, as of normal
+/// distributions.
+struct MedianComparison {
+  double error, uncertainty;
+
+  /// Beyond 2 u_val the model is off by E ± 2 u_val.
+  bool shows_model_error() const;
+};
+
+/// An ensemble beside repeats of which median, deviation and number are known. The uncertainty of fewer than two members
+/// is infinite.
+MedianComparison compare_median(const std::vector<double>& members, double median, double deviation, double repeats);
+
 /// How unlike a sample is to a distribution of which only quantiles are known.
 struct AgainstQuantiles {
   double distance;  // -  the largest difference of the distribution functions at the quantiles: of Kolmogorov & Smirnov

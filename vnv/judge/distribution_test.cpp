@@ -148,5 +148,16 @@ TEST(SampleAgainstQuantiles, IsNoNumberOfWhatIsNone) {
   EXPECT_THROW(against_quantiles({1}, {1}, {1}), std::invalid_argument);
 }
 
+TEST(MedianComparison, ShowsAModelErrorBeyondTheUncertaintyOfBothMedians) {
+  const std::vector<double> members{70, 72, 74, 76, 78};  // deviation sqrt(10)
+  const MedianComparison found = compare_median(members, 46.4, 13.2, 100);
+  EXPECT_DOUBLE_EQ(found.error, 27.6);
+  EXPECT_NEAR(found.uncertainty, 1.2533141373155 * std::hypot(1.32, std::sqrt(2.0)), 1e-12);
+  EXPECT_TRUE(found.shows_model_error());
+  EXPECT_FALSE(compare_median(members, 71, 13.2, 100).shows_model_error());
+  EXPECT_FALSE(compare_median({100}, 50, 1, 100).shows_model_error()) << "one run shows nothing";
+  EXPECT_TRUE(compare_median({1, 2, NAN}, 2, 1, 100).shows_model_error()) << "what is no number is no agreement";
+}
+
 }  // namespace
 }  // namespace touchstone::vnv

@@ -83,29 +83,49 @@ std::vector<double> members(const Record& record, std::size_t k) {
 const Quantity within_repeats{"peaks whose median is within the least and the largest of 100 repeats", "", Kind::count,
                               Better::larger};
 
-std::vector<Value> count_within(const Results&, const Record& record) {
+
+/// A peak in all members beside the repeats [mbar].
+MedianComparison compared(const std::vector<double>& ours, std::size_t k) {
+  constexpr double runs = 100;
+  return compare_median(ours, repeats("median")[k], repeats("deviation")[k], runs);
+}
+
+const Quantity biased{"peaks whose median is off that of the repeats by more than 2 u_val", "", Kind::count,
+                      Better::smaller};
+
+std::vector<Value> count_peaks(const Results&, const Record& record) {
   const std::vector<double> least = repeats("least"), largest = repeats("largest");
-  double count = 0;
-  for (std::size_t k = 0; k < peaks; ++k) count += median_is_inside(members(record, k), least[k], largest[k]);
-  return {{"", not_a_number, end, within_repeats, count}};
+  double inside = 0, off = 0;
+  for (std::size_t k = 0; k < peaks; ++k)
+    if (const std::vector<double> ours = members(record, k); !ours.empty()) {
+      inside += median_is_inside(ours, least[k], largest[k]);
+      off += compared(ours, k).shows_model_error();
+    }
+  return {{"", not_a_number, end, within_repeats, inside}, {"", not_a_number, end, biased, off}};
 }
 
 void peaks_beside_repeats(const Results& results, Record& record) {
   Table table{"peaks",
               "Pressure peaks and those of 100 repeats",
               "At the still-water level, in mbar, in the simulated starts and in the repeats of Botia-Vera et al. "
-              "(2010); their gap of 62 mm and the air are not modelled by the plane flow.",
+              "(2010); their gap of 62 mm and the air are not modelled by the plane flow. E is our median less that of "
+              "the repeats, u_val its standard uncertainty by the deviations and numbers of both (ASME V&V 20, 2009).",
               {"method", "peak", "median", "10 to 90 %", "measured median", "measured mean and two deviations",
-               "measured least to largest"},
+               "measured least to largest", "E ± 2 u_val", "finding"},
               {}};
   const std::vector<double> middle = repeats("median"), mean = repeats("mean"), deviation = repeats("deviation"),
                             least = repeats("least"), largest = repeats("largest");
   const auto range = [](double low, double high) { return fmt::format("{:.0f} to {:.0f}", low, high); };
-  for (std::size_t k = 0; k < peaks; ++k)
-    if (const std::vector<double> ours = members(record, k); !ours.empty())
-      table.rows.push_back({results.method.name, static_cast<double>(k + 1), fmt::format("{:.0f}", quantile(ours, 0.5)),
-                            range(quantile(ours, 0.1), quantile(ours, 0.9)), fmt::format("{:.0f}", middle[k]),
-                            fmt::format("{:.0f} ± {:.0f}", mean[k], 2 * deviation[k]), range(least[k], largest[k])});
+  for (std::size_t k = 0; k < peaks; ++k) {
+    const std::vector<double> ours = members(record, k);
+    if (ours.empty()) continue;
+    const Comparison found = compared(ours, k);
+    table.rows.push_back({results.method.name, static_cast<double>(k + 1), fmt::format("{:.0f}", quantile(ours, 0.5)),
+                          range(quantile(ours, 0.1), quantile(ours, 0.9)), fmt::format("{:.0f}", middle[k]),
+                          fmt::format("{:.0f} ± {:.0f}", mean[k], 2 * deviation[k]), range(least[k], largest[k]),
+                          fmt::format("{:+.0f} ± {:.0f}", found.error, 2 * found.uncertainty),
+                          found.shows_model_error() ? "the model is off" : "no error of the model is seen"});
+  }
   record.tables.push_back(std::move(table));
 }
 
@@ -120,14 +140,15 @@ Case vnv::the_case() {
           "The equations are solved in the frame of the tank, with its inertial forces. Peaks scatter by a third from "
           "repeat to repeat, so each method is run from sixteen starts, whose particles are displaced by up to a "
           "hundredth of the spacing, and the peaks of all are compared with those of 100 repeats. Neither the air nor "
-          "the gap of 62 mm between the walls is modelled, so agreement is claimed only within a band.",
+          "the gap of 62 mm between the walls is modelled: only that medians lie between the extremes of the repeats is "
+          "claimed, and by how much they are off is told.",
       .times = {1.4, 2.25, end},
       .monitor = {.interval = output_interval,
                   .evaluate = pressure_at_wall,
                   .quantities = {{"pressure at the wall", "Pa"}}},
       .measurements = {peaks_of},
-      .findings = {count_within},
-      .claims = {at_least(within_repeats, 3, baseline("of four peaks; what one repeat shows, another does not"))},
+      .findings = {count_peaks},
+      .claims = {at_least(within_repeats, 3, baseline("of four peaks: of the size of those measured, no more"))},
       .methods = {Ensemble{}.method(
           scene, {.name = "", .spacing = depth / 20, .cell = depth / 10, .nightly = end, .may_diverge = true},
           [](const auto& s) { return mpm_apic(s, output_interval); })},

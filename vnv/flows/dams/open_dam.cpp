@@ -68,7 +68,8 @@ Case beside_fronts(std::string title, std::string description, const DamFront& d
     return found;
   }};
   declared.claims.push_back(
-      at_most(dam.speed_of(dam.of_thin_slab), 2, theory("Ritter 1892: shallow water without friction")));
+      at_most(dam.speed_of(dam.of_thin_slab), 2,
+              literature("Ritter 1892, for shallow water without friction; no theorem binds a jet")));
   const double last = dam.tank_length / dam.column_length;
   declared.plots = {
       dam.history({"front",
