@@ -3,7 +3,7 @@
 
 #include "vnv/command/commands.hpp"
 #include "vnv/doors/fields.hpp"
-#include "vnv/flows/flow.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 #include "vnv/programs/programs.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace touchstone::vnv::command {
 namespace {
 
-enum class Paths { none, folders, files, solvers };  // solvers: files that end in .toml
+enum class Paths { none, folders, files, solvers };  // solvers: files that end in .toml, flows too
 enum class Listed { none, cases, methods };          // by vnv list; methods: with their cases
 
 /// What a value may be.
@@ -29,13 +29,13 @@ const std::map<std::string, Values>& kinds_of_values() {
   static const std::map<std::string, Values> kinds{{"AFTER", {.paths = Paths::files}},
                                                    {"AXES", {.words = doors::names_of_planes()}},
                                                    {"BEFORE", {.paths = Paths::files}},
-                                                   {"CASE", {.words = flow_names(), .listed = Listed::cases}},
+                                                   {"CASE", {.words = known_flows(), .listed = Listed::cases}},
                                                    {"ENGINE", {.words = engines}},
                                                    {"FILE", {.paths = Paths::files}},
                                                    {"FILES", {.paths = Paths::files}},
-                                                   {"FLOW", {.words = flow_names()}},
+                                                   {"FLOW", {.words = known_flows(), .paths = Paths::solvers}},
                                                    {"FOLDER", {.paths = Paths::folders}},
-                                                   {"NAME", {.words = flow_names(), .listed = Listed::methods}},
+                                                   {"NAME", {.words = known_flows(), .listed = Listed::methods}},
                                                    {"PATTERN", {.paths = Paths::solvers, .listed = Listed::methods}},
                                                    {"RECORDS", {.paths = Paths::folders}},
                                                    {"SHELL", {.words = {"bash", "zsh"}}},
@@ -234,7 +234,7 @@ else
 fi
 )zsh",
                      fmt::arg("commands", commands), fmt::arg("arguments", arguments),
-                     fmt::arg("options", specifications(vnv)), fmt::arg("flows", fmt::join(flow_names(), " ")));
+                     fmt::arg("options", specifications(vnv)), fmt::arg("flows", fmt::join(known_flows(), " ")));
 }
 
 }  // namespace

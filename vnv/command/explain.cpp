@@ -175,7 +175,7 @@ int explain(const Build& build, const ExplainOptions& options) {
     return all_holds;
   }
   const Catalogue catalogue = read_catalogue(build, {options.pattern});
-  const std::vector<std::string> flows = flow_names();
+  const std::vector<std::string> flows = known_flows();
   if (std::ranges::find(flows, options.pattern) != flows.end() &&
       std::ranges::find(catalogue.cases, options.pattern, &Description::name) == catalogue.cases.end()) {
     fmt::print(stderr, "vnv: the case {} is not built; this is the flow by which any code is judged\n",

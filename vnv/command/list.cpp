@@ -2,6 +2,7 @@
 
 #include "vnv/command/solvers.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 
 #include <fmt/format.h>
 
@@ -67,7 +68,7 @@ void print_what_is_installed(const std::vector<std::string>& flows) {
   fmt::print(
       "No cases of our methods are installed; --build names a build folder that has them. Any code can be judged by\n\n");
   for (const std::string& name : flows) {
-    const Flow flow = flow_named(name);
+    const Flow flow = flow_of(name);
     fmt::print("{:24} {:36} {}\n", name, flow.judged.title, judged_by(flow));
   }
   fmt::print(

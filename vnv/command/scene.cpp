@@ -14,7 +14,7 @@ namespace touchstone::vnv::command {
 
 int scene(const Build&, const SceneOptions& options) {
   if (options.flow.empty()) {
-    for (const std::string& name : flow_names()) fmt::print("{:24} {}\n", name, flow_named(name).judged.title);
+    for (const std::string& name : known_flows()) fmt::print("{:24} {}\n", name, flow_of(name).judged.title);
     return all_holds;
   }
   const Flow flow = flow_of(options.flow, settings_of(options.set));

@@ -4,6 +4,7 @@
 #include "vnv/command/outcome.hpp"
 #include "vnv/command/patterns.hpp"
 #include "vnv/command/terminal.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,7 +24,7 @@ std::vector<doors::Solver> take_solvers(Patterns& patterns) {
 }
 
 std::vector<std::string> chosen_flows(const Patterns& patterns) {
-  const std::vector<std::string> all = flow_names();
+  const std::vector<std::string> all = known_flows();
   if (patterns.empty()) return all;
   std::vector<std::string> chosen;
   for (const std::string& pattern : patterns) {

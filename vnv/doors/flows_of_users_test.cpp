@@ -15,7 +15,7 @@ namespace {
 class FlowsOfUsers : public testing::Test {
  protected:
   static Flow lamb_oseen(Settings settings = Settings()) {
-    return read_flow(data_folder().parent_path() / "vnv/doors/examples/flow/lamb_oseen.toml", std::move(settings));
+    return flow_of("lamb_oseen", std::move(settings));
   }
   /// What a code of second order hands in that computes the flow with these settings.
   static Record judged(const Flow& flow, const Flow& computed, const Judged& what = {}) {

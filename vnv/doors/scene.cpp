@@ -94,7 +94,8 @@ std::string scene_as_json(const Flow& flow, double spacing) {
   Json json{{"schema", "touchstone scene 1"},
             {"flow", flow.name},
             {"title", flow.judged.title},
-            {"description", flow.judged.description}};
+            {"description", flow.judged.description},
+            {"parameters", Json::object()}};
   for (const Parameter& p : flow.parameters)
     json["parameters"][p.name] = {{"value", p.value}, {"unit", p.unit}, {"words", p.words}};
   json["domain"] = {{"low [m]", pair(flow.domain.box.low)},

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""No title, oracle or published parameter of a flow stands twice: a title only in vnv/flows/NAME.cpp, an oracle is made only in
+"""No title, oracle or published parameter of a flow stands twice: a title only in vnv/flows/NAME.cpp or data/flows/NAME.toml, an oracle is made only in
 vnv/flows/, and a case that takes a flow sets none of its parameters to a number of its own.
 
 Run as `flows_are_said_once_test.py VNV`. Exit status 1 with a line for each that does.
@@ -21,12 +21,12 @@ def said(*words):
 
 def complaints(vnv):
     titles = dict(line.split(maxsplit=1) for line in said(vnv, "scene").splitlines() if line.strip())
-    sources = {str(file.relative_to(TOP)): re.sub("//.*", "", file.read_text(encoding="utf-8")) for file in sorted((TOP / "vnv").rglob("*.[ch]pp"))
+    sources = {str(file.relative_to(TOP)): re.sub("//.*", "", file.read_text(encoding="utf-8")) for file in [*sorted((TOP / "vnv").rglob("*.[ch]pp")), *sorted((TOP / "data/flows").glob("*.toml"))]
                if not file.name.endswith("_test.cpp") and "trials" not in file.parts and file.name != "right_data.hpp"}
     for name, title in titles.items():
         where = [file for file, text in sources.items() if f'"{title.strip()}"' in text]
-        if where != [f"vnv/flows/{name}.cpp"]:
-            yield f"title '{title.strip()}' stands in {', '.join(where) or 'no file'}, expected vnv/flows/{name}.cpp alone"
+        if where not in ([f"vnv/flows/{name}.cpp"], [f"data/flows/{name}.toml"]):
+            yield f"title '{title.strip()}' stands in {', '.join(where) or 'no file'}, expected vnv/flows/{name}.cpp or data/flows/{name}.toml alone"
     for file, text in sources.items():
         if not file.startswith("vnv/flows/"):
             yield from (f"{file}: makes the oracle reference::{found}, expected a flow of vnv/flows" for found in MADE.findall(text))

@@ -1,5 +1,6 @@
 #include "vnv/flows/formulas/flow_file.hpp"
 
+#include "vnv/files/data_folder.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/files/toml_keys.hpp"
 #include "vnv/flows/formulas/formulas.hpp"
@@ -350,15 +351,30 @@ class FlowFile {
   std::set<std::string> names_{};
 };
 
+fs::path file_of(const std::string& name) { return data_folder() / "flows" / (name + ".toml"); }
+
 }  // namespace
+
+std::vector<std::string> known_flows() {
+  std::vector<std::string> names = flow_names();
+  if (const fs::path folder = data_folder() / "flows"; fs::is_directory(folder))
+    for (const fs::directory_entry& file : fs::directory_iterator(folder))
+      if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
 
 Flow read_flow(const fs::path& file, Settings settings) try {
   const toml::table table = files::parsed_toml(file);
   Flow flow = FlowFile(file, table, settings).flow();
   const std::string name = file.stem().string();
-  if (const std::vector<std::string> known = flow_names(); std::ranges::find(known, name) != known.end())
+  if (name.empty() ||
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") != name.npos)
+    throw std::invalid_argument("the name of the file names the flow, expected letters, digits, _ and - in it");
+  const std::vector<std::string> known = known_flows();
+  if (std::ranges::find(known, name) != known.end() && fs::absolute(file) != fs::absolute(file_of(name)))
     throw std::invalid_argument(
-        fmt::format("{} has the name of a flow that is known here, expected another one", name));
+        fmt::format("{} is the name of another flow, expected one that vnv scene does not list", name));
   return finished(std::move(flow), name, settings);
 } catch (const std::logic_error& error) {
   const std::string what = error.what();
@@ -366,8 +382,13 @@ Flow read_flow(const fs::path& file, Settings settings) try {
 }
 
 Flow flow_of(const std::string& name_or_file, Settings settings, const fs::path& folder) {
-  return name_or_file.ends_with(".toml") ? read_flow(folder / name_or_file, std::move(settings))
-                                         : flow_named(name_or_file, std::move(settings));
+  if (name_or_file.ends_with(".toml")) return read_flow(folder / name_or_file, std::move(settings));
+  const std::vector<std::string> built_in = flow_names(), known = known_flows();
+  if (std::ranges::find(built_in, name_or_file) != built_in.end()) return flow_named(name_or_file, std::move(settings));
+  if (std::ranges::find(known, name_or_file) != known.end())
+    return read_flow(file_of(name_or_file), std::move(settings));
+  throw std::invalid_argument(
+      fmt::format("no flow '{}', expected one of: {}; or a file, mine.toml", name_or_file, fmt::join(known, ", ")));
 }
 
 }  // namespace touchstone::vnv

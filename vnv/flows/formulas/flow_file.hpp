@@ -12,7 +12,11 @@ namespace touchstone::vnv {
 /// stands there and what was expected; also where the formulas do not solve the equation that the file names.
 Flow read_flow(const std::filesystem::path& file, Settings settings = Settings());
 
-/// A flow by its name, or by its file where that is what is said: "lamb_oseen.toml", relative to a folder.
+/// The names of all flows that are known: those that are built in, and those that data/flows/ holds as files.
+std::vector<std::string> known_flows();
+
+/// A flow by one of these names, or by its file where that is what is said: "mine.toml", relative to a folder. Throws
+/// std::invalid_argument for another name.
 Flow flow_of(const std::string& name_or_file, Settings settings = Settings(), const std::filesystem::path& folder = {});
 
 }  // namespace touchstone::vnv
