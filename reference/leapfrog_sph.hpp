@@ -7,8 +7,8 @@
 
 namespace touchstone::reference {
 
-/// Sound in weakly compressible SPH without dissipation, at rest on a square lattice that repeats along both axes, whose
-/// velocities and densities are stepped in turn (leapfrog, kick-drift-kick).
+/// Sound in weakly compressible SPH without dissipation, at rest on a square lattice that repeats along both axes,
+/// whose velocities and densities are stepped in turn (leapfrog, kick-drift-kick).
 ///
 /// Linearised, a wave exp(i k x) obeys drho/dt = -i rho0 G.v and dv/dt = -i c² / rho0 G rho, with
 /// G(k) = sum V W'(r) / r x sin(k x) over the neighbours: symmetric sums see no other derivative. It oscillates with

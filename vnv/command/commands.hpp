@@ -93,7 +93,9 @@ struct JudgeOptions {
   std::vector<std::string> files{}, set{}, fields{}, units{};
   std::string axes{}, only{};
   std::vector<double> origin{};  // m
-  bool inside = false;
+  bool inside = false, probes = false;
+  std::string at{};                      // "x=0.25"
+  std::vector<std::string> symmetric{};  // "y=0.5"
   ResultOptions results{};
   std::optional<double> time{}, time_step{}, spacing{}, at_most{};  // s, s, m, %
 };

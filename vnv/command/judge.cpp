@@ -25,10 +25,13 @@ doors::Mapping mapping_of(const JudgeOptions& options) {
                          .axes = options.axes,
                          .only = options.only,
                          .inside = options.inside,
+                         .probes = options.probes,
+                         .at = options.at,
+                         .symmetric = options.symmetric,
                          .time = options.time,
                          .time_step = options.time_step};
   if (!options.origin.empty()) mapping.origin = {options.origin.at(0), options.origin.at(1)};
-  doors::require_known_names(mapping, "--field, --unit");
+  doors::require_known_names(mapping, "--at, --axes, --field, --unit, --symmetric");
   return mapping;
 }
 

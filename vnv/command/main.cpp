@@ -175,7 +175,8 @@ void declare_plan(CLI::App& command, PlanOptions& options) {
 }
 
 void declare_scene(CLI::App& command, SceneOptions& options) {
-  command.add_option("FLOW", options.flow, "name of a flow, or a TOML file of formulas; without it, all flows are listed");
+  command.add_option("FLOW", options.flow,
+                     "name of a flow, or a TOML file of formulas; without it, all flows are listed");
   add_set(command, options.set);
   command.add_option("--spacing", options.spacing, "particle spacing [m]; default: 40 particles across")
       ->check(programs::above_zero());
@@ -184,7 +185,8 @@ void declare_scene(CLI::App& command, SceneOptions& options) {
 }
 
 void declare_judge(CLI::App& command, JudgeOptions& options) {
-  command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists, or a TOML file of formulas")->required();
+  command.add_option("FLOW", options.flow, "name of a flow that vnv scene lists, or a TOML file of formulas")
+      ->required();
   command.add_option("FILES", options.files, "output files, of one or more resolutions at one or more times")
       ->required();
   add_set(command, options.set);
@@ -218,6 +220,17 @@ void declare_judge(CLI::App& command, JudgeOptions& options) {
           "that an array of names calls fluid or water, else all")
       ->type_name("ROWS");
   command.add_flag("--inside", options.inside, "leave out rows outside the domain");
+  command.add_flag("--probes", options.probes,
+                   "rows are places at which the flow was probed: whether all the fluid is there is not asked; so are "
+                   "those of a table with one coordinate alone");
+  command
+      .add_option("--at", options.at, "coordinate [m] of the line along which a table has the other one, as in x=0.25")
+      ->type_name("AXIS=PLACE");
+  command
+      .add_option("--symmetric", options.symmetric,
+                  "line of symmetry of a half or quarter of the flow [m], as in y=0.5: the rows are mirrored about it")
+      ->type_name("AXIS=PLACE")
+      ->allow_extra_args(false);
   command.add_option("--time", options.time, "time of files without a time [s]")->check(programs::zero_or_above());
   command.add_option("--time-step", options.time_step, "time between consecutive indices of files without a time [s]")
       ->check(programs::above_zero());

@@ -214,6 +214,8 @@ Called called(Cause cause, double spacing, bool is_pressure) {
       return {is_pressure ? "mean" : "mean along x", 0.01};
     case Cause::mean_y:
       return {"mean along y", 0.01};
+    case Cause::parameter:  // of flows in formulas, which are not planted here
+      break;
   }
   return {};
 }

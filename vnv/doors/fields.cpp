@@ -185,27 +185,52 @@ Plane plane_named(const std::string& name) {
   return plane;
 }
 
-/// The plane in which places lie; throws where they lie in none.
-Plane plane_of(const Dataset& data, const Found& places, const Mapping& mapping) {
-  std::array<double, 3> spread{};
+/// The lowest and the highest coordinate of the chosen rows along each axis of a file, in its unit.
+using Reach = std::array<std::pair<double, double>, 3>;
+Reach reach_of(const Found& places, const std::vector<bool>& chosen) {
+  Reach reach;
+  reach.fill({0, 0});
   for (std::size_t c = 0; c < std::min<std::size_t>(places.components(), 3); ++c) {
-    double low = INFINITY, high = -INFINITY;
-    for (std::size_t row = 0; row < data.rows(); ++row) {
-      low = std::min(low, places(row, c));
-      high = std::max(high, places(row, c));
-    }
-    spread[c] = high - low;
+    auto& [low, high] = reach[c] = {INFINITY, -INFINITY};
+    for (std::size_t row = 0; row < chosen.size(); ++row)
+      if (chosen[row]) low = std::min(low, places(row, c)), high = std::max(high, places(row, c));
   }
-  const double flat = 1e-6 * std::ranges::max(spread);
-  Plane plane{{0, spread[1] <= flat && spread[2] > flat ? 2ul : 1ul}};
-  if (!mapping.axes.empty()) plane = plane_named(mapping.axes);
-  const std::size_t across = 3 - plane[0] - plane[1];
-  if (data.rows_are == Rows::particles && spread[across] > flat)
-    throw Unreadable(
-        fmt::format("{}: places spread over {:.4g} along {} and {:.4g} along {} and {:.4g} along {}, expected a cloud "
-                    "in a plane; say which with --axes",
-                    data.source, spread[0], 'x', spread[1], 'y', spread[2], 'z'));
-  return plane;
+  return reach;
+}
+
+/// The plane of the flow: that in which places lie, or, of those that fill a slab, the only one in which they are where
+/// the fluid is. Throws where there is none or two.
+Plane plane_of(const Dataset& data, const Reach& reach, const Mapping& mapping,
+               const std::function<bool(const Plane&)>& fits) {
+  if (!mapping.axes.empty()) return plane_named(mapping.axes);
+  const auto spread = [&](std::size_t c) { return reach[c].second - reach[c].first; };
+  const double flat = 1e-6 * std::max({spread(0), spread(1), spread(2)});
+  if (spread(1) <= flat && spread(2) > flat) return {{0, 2}};
+  if (data.rows_are != Rows::particles || spread(2) <= flat) return {{0, 1}};
+  std::vector<Plane> all;
+  std::vector<std::string> names;
+  for (const Plane& one : {Plane{{0, 1}}, Plane{{0, 2}}, Plane{{1, 2}}})
+    if (fits(one)) all.push_back(one), names.push_back(one.name(0) + one.name(1));
+  if (all.size() == 1) return all[0];
+  throw Unreadable(fmt::format(
+      "{}: places spread over {:.4g} along x and {:.4g} along y and {:.4g} along z, expected a cloud in a plane, or a "
+      "slab in whose plane the fluid is{}; say which with --axes",
+      data.source, spread(0), spread(1), spread(2),
+      all.empty() ? "" : fmt::format(", which may be {}", fmt::join(names, " or "))));
+}
+
+/// Slices of the rows, by their places [m] across the plane, of a fluid of this area [m²]. A spacing that nobody says
+/// is that at which as many rows fill its depth, half a spacing beyond the first and the last of them.
+Slab slab_of(const Scalars& z, double area, std::optional<double> spacing) {
+  const double low = z.minCoeff(), reach = z.maxCoeff() - low;
+  double s = spacing.value_or(std::sqrt(area / static_cast<double>(z.size())));
+  for (int k = 0; k < 40 && !spacing; ++k) s = std::cbrt(area * (reach + s) / static_cast<double>(z.size()));
+  Slab slab{.layers = (reach + s) / s};
+  const double count = std::max(1.0, std::round(slab.layers));
+  for (const double at : z)
+    slab.slice.push_back(
+        static_cast<int>(std::clamp(std::floor((at - low + s / 2) / (reach + s) * count), 0.0, count - 1)));
+  return slab;
 }
 
 /// "array=fluid" where an array of words, such as PySPH's names of particle arrays, has one of fluid among others.
@@ -217,34 +242,37 @@ std::string fluid_by_name(const Dataset& data) {
   return "";
 }
 
-/// Which rows are fluid, by `only`: "NAME=VALUE", "NAME>VALUE" or "NAME<VALUE", or all of them.
-std::vector<bool> chosen_rows(const Dataset& data, const std::string& only) {
+/// Which rows are fluid, by `only`: "NAME=VALUE", "NAME>VALUE" or "NAME<VALUE" of an array or, "z<0.01", a coordinate;
+/// or all of them.
+std::vector<bool> chosen_rows(const Dataset& data, const std::string& only, const Mapping& mapping) {
+  std::vector<bool> chosen(data.rows(), true);
+  if (only.empty()) return chosen;
   const std::size_t sign = only.find_first_of("=<>");
   const char relation = sign == only.npos ? ' ' : only[sign];
-  const Array* by = nullptr;
-  double value = 0;
-  if (!only.empty()) {
-    by = data.array(only.substr(0, sign));
-    const std::string word = sign == only.npos ? "" : only.substr(sign + 1);
-    const std::optional<double> number = number_in(word);
-    if (by && !by->labels.empty() && relation == '=') {
-      const auto label = std::ranges::find(by->labels, word);
-      if (label == by->labels.end())
-        throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, by->name, word,
-                                     fmt::join(by->labels, ", ")));
-      value = static_cast<double>(label - by->labels.begin());
-    } else if (!by || by->components != 1 || !number || !by->labels.empty())
-      throw Unreadable(
-          fmt::format("{}: --only '{}', expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component",
-                      data.source, only));
-    else
-      value = *number;
+  const std::string name = only.substr(0, sign), word = sign == only.npos ? "" : only.substr(sign + 1);
+  const std::size_t axis = name.size() == 1 ? std::string_view("xyz").find(name) : name.npos;
+  const Array* array = data.array(name);
+  Found by{{array}};
+  if (!array) by = axis == name.npos ? Found{} : find(data, "position", mapping);
+  const std::size_t component = array ? 0 : axis;
+  const bool is_word = array && !array->labels.empty();
+  std::optional<double> value = number_in(word);
+  if (is_word && relation == '=') {
+    const auto label = std::ranges::find(array->labels, word);
+    if (label == array->labels.end())
+      throw Unreadable(fmt::format("{}: no rows with {} '{}', expected one of: {}", data.source, name, word,
+                                   fmt::join(array->labels, ", ")));
+    value = static_cast<double>(label - array->labels.begin());
+  } else if (!by.there() || !value || is_word || (array ? array->components != 1 : component >= by.components())) {
+    throw Unreadable(
+        fmt::format("{}: --only '{}', expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component or of "
+                    "x, y or z",
+                    data.source, only));
   }
-  std::vector<bool> chosen(data.rows(), true);
-  for (std::size_t row = 0; by && row < chosen.size(); ++row)
-    chosen[row] = relation == '>'   ? by->values[row] > value
-                  : relation == '<' ? by->values[row] < value
-                                    : by->values[row] == value;
+  for (std::size_t row = 0; row < chosen.size(); ++row) {
+    const double found = by(row, component);
+    chosen[row] = relation == '>' ? found > *value : relation == '<' ? found < *value : found == *value;
+  }
   return chosen;
 }
 
@@ -429,6 +457,42 @@ Vec2 beside(const Vectors& x, const Domain& domain) {
   return shift;
 }
 
+/// A line, "y=0.5": its axis and place [m]. Throws std::invalid_argument for another text.
+std::pair<int, double> line_named(const std::string& name) {
+  const std::size_t axis = std::string_view("xy").find(name.substr(0, name.find('=')));
+  const std::optional<double> place = name.size() > 2 && name[1] == '=' ? number_in(name.substr(2)) : std::nullopt;
+  if (axis > 1 || !place)
+    throw std::invalid_argument(fmt::format("'{}', expected x= or y= and a place in m, as in y=0.5", name));
+  return {static_cast<int>(axis), *place};
+}
+
+/// Adds to the rows on one side of a line of symmetry those that mirror them.
+void mirror(int axis, double place, const Domain& domain, Reading& reading) {
+  Samples& s = reading.samples;
+  std::vector<Eigen::Index> mirrored;
+  for (Eigen::Index p = 0; p < s.size(); ++p)
+    if (std::abs(s.x(axis, p) - place) > 1e-9 * domain.box.size()[axis]) mirrored.push_back(p);
+  const Eigen::Index given = s.size(), all = given + std::ssize(mirrored);
+  const auto doubled = [&](auto& field) {
+    auto images = field(mirrored).eval();
+    field.conservativeResize(all);
+    field.tail(all - given) = images;
+  };
+  for (Vectors* of : {&s.x, &s.v}) {
+    Vectors images = (*of)(Eigen::all, mirrored);
+    images.row(axis) *= -1;
+    if (of == &s.x) images.row(axis).array() += 2 * place;
+    of->conservativeResize(Eigen::NoChange, all);
+    of->rightCols(all - given) = images;
+  }
+  for (Scalars* of : {&s.pressure, &s.density, &s.mass}) doubled(*of);
+  if (reading.slab.v.size() > 0) doubled(reading.slab.v);
+  if (!reading.slab.slice.empty())
+    for (const Eigen::Index p : mirrored) reading.slab.slice.push_back(reading.slab.slice[static_cast<std::size_t>(p)]);
+  reading.words.push_back(
+      fmt::format("symmetric: about {} = {:g} m; {} rows mirrored", "xy"[axis], place, mirrored.size()));
+}
+
 }  // namespace
 
 std::vector<std::string> names_of_planes() {
@@ -444,6 +508,13 @@ void require_known_names(const Mapping& mapping, const std::string& where) {
       !mapping.axes.empty() && std::ranges::find(planes, mapping.axes) == planes.end())
     throw std::invalid_argument(
         fmt::format("{}: axes '{}', expected one of: {}", where, mapping.axes, fmt::join(planes, ", ")));
+  std::vector<std::string> lines = mapping.symmetric;
+  if (!mapping.at.empty()) lines.push_back(mapping.at);
+  for (const std::string& line : lines) try {
+      line_named(line);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: {}", where, error.what()));
+    }
   const auto require = [&](const auto& said, const char* what, const auto& known) {
     for (const auto& [name, value] : said) {
       if (known.contains(name)) continue;
@@ -457,12 +528,45 @@ void require_known_names(const Mapping& mapping, const std::string& where) {
   require(mapping.units, "unit of", units);
 }
 
+bool complete_coordinates(Dataset& data, const Mapping& mapping, const Vec2& place) {
+  if (mapping.arrays.contains("position") || find(data, "position", mapping).there()) return false;
+  std::array<const Array*, 2> columns{};
+  for (const Array& array : data.arrays)
+    if (const std::size_t axis = std::string_view("xy").find(plain(array.name)); axis < 2 && array.components == 1)
+      columns[axis] = &array;
+  if (!columns[0] == !columns[1]) return false;
+  const int missing = columns[0] ? 1 : 0;
+  Vec2 at = place;
+  if (!mapping.at.empty()) {
+    const auto [axis, said] = line_named(mapping.at);
+    at = Vec2::Constant(not_a_number), at[axis] = said;
+  }
+  const Array& known = *columns[static_cast<std::size_t>(1 - missing)];
+  if (std::isnan(at[missing]))
+    throw Unreadable(fmt::format("{0}: '{1}' is the only coordinate, expected {2} too, or --at {2}=PLACE [m]",
+                                 data.source, known.name, "xy"[missing]));
+  std::string unsaid;
+  const double to_si = factor(Found{{&known}, known.name}, "length", mapping, 1, unsaid);
+  Array other{.name = "xy"[missing] + known.name.substr(1)};  // in the same unit
+  other.values.assign(known.rows(), (at[missing] + mapping.origin[missing]) / to_si);
+  data.arrays.push_back(std::move(other));
+  return true;
+}
+
+Vectors Slab::in(int which, const Vectors& x) const {
+  if (slice.empty()) return x;
+  std::vector<Eigen::Index> chosen;
+  for (std::size_t p = 0; p < slice.size(); ++p)
+    if (slice[p] == which) chosen.push_back(static_cast<Eigen::Index>(p));
+  return x(Eigen::all, chosen);
+}
+
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density,
-                   const ExtentAt& fluid_at) {
+                   const ExtentAt& fluid_at, std::optional<double> spacing) {
   Reading reading;
   Samples& s = reading.samples;
   const std::string only = mapping.only.empty() ? fluid_by_name(data) : mapping.only;
-  std::vector<bool> chosen = chosen_rows(data, only);
+  std::vector<bool> chosen = chosen_rows(data, only, mapping);
   Eigen::Index count = std::ranges::count(chosen, true);
   if (count == 0) throw Unreadable(fmt::format("{}: no row that is fluid, expected at least one", data.source));
   const auto each_row = [&](const auto& work) {  // (row of the file, number of those chosen)
@@ -476,9 +580,12 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   std::string words;
   s.time = time_of(data, mapping, words);
   const bool is_mesh = data.rows_are == Rows::cells;
-  if (!is_mesh) reading.fields.emplace_back("particles");
+  if (!is_mesh && !mapping.probes) reading.fields.emplace_back("particles");
   reading.file = fmt::format("file: {}, {}, {} {} at {:g} s, {}", data.source, data.format, count,
-                             is_mesh ? "cells" : "particles", s.time, words);
+                             is_mesh          ? "cells"
+                             : mapping.probes ? "places"
+                                              : "particles",
+                             s.time, words);
 
   if (!only.empty())
     say("rows", fmt::format("{}{}; {} of {} left out", only, mapping.only.empty() ? ", by its name" : ", as said",
@@ -486,7 +593,32 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
 
   const Found places = find(data, "position", mapping);
   if (!places.there()) throw Unreadable(fmt::format("{}: no places, expected --field position=NAME", data.source));
-  const auto plane = plane_of(data, places, mapping);
+  const Extent at_first =
+      fluid_at ? fluid_at(s.time, static_cast<double>(count)) : Extent{domain.box, domain.box.size().prod()};
+  const Reach reach = reach_of(places, chosen);
+  std::string unsaid;
+  const double metre = factor(places, "length", mapping, density, unsaid);
+  const Plane plane = plane_of(data, reach, mapping, [&](const Plane& one) {
+    Box rows{.low = Vec2::Zero(), .high = Vec2::Zero()};
+    for (const int k : {0, 1}) {
+      const auto& [low, high] = reach[one[static_cast<std::size_t>(k)]];
+      rows.low[k] = metre * low - mapping.origin[k], rows.high[k] = metre * high - mapping.origin[k];
+    }
+    return is_where_fluid_is(rows, domain, at_first, std::sqrt(at_first.area / static_cast<double>(count)));
+  });
+  const std::size_t third = 3 - plane[0] - plane[1];
+  /// Along the third axis of the file, a number a row.
+  const auto along_third = [&](const Found& found, double to_si) {
+    Scalars all(count);
+    each_row([&](std::size_t row, Eigen::Index p) { all[p] = to_si * found(row, third); });
+    return all;
+  };
+  if (const double deep = metre * (reach[third].second - reach[third].first);
+      !is_mesh && !mapping.probes && deep > 1e-6 * domain.box.size().maxCoeff()) {
+    const double area = std::ldexp(at_first.area, -static_cast<int>(mapping.symmetric.size()));  // of what is there
+    reading.slab = slab_of(along_third(places, metre), area, spacing);
+    say("slab", fmt::format("{:.4g} m along {}, {:.3g} layers", deep, "xyz"[third], reading.slab.layers));
+  }
   const auto vectors = [&](const Found& found, const std::string& field, const std::string& kind) {
     std::string as = found.words;
     const double to_si = factor(found, kind, mapping, density, as);
@@ -509,18 +641,18 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     return all;
   };
   s.x = vectors(places, "position", "length");
-  const Extent fluid =
-      fluid_at ? fluid_at(s.time, static_cast<double>(count)) : Extent{domain.box, domain.box.size().prod()};
+  const double rows_of_layer = static_cast<double>(count) / reading.slab.layers;
+  const Extent fluid = fluid_at && !reading.slab.slice.empty() ? fluid_at(s.time, rows_of_layer) : at_first;
   const auto guess = [&] {
-    std::string as_found;
-    const double to_si = factor(places, "length", mapping, density, as_found);
-    return guess_of_convention(vectors(places, "position", "length") / to_si, to_si, plane, mapping, domain, fluid,
-                               s.time == 0);
+    return guess_of_convention(reading.slab.in_the_middle(vectors(places, "position", "length")) / metre, metre, plane,
+                               mapping, domain, fluid, s.time == 0);
   };
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  const std::string shorter = require_periods(data.source, s.x, domain, is_mesh || s.time == 0, guess);
+  const Vectors in_slice = reading.slab.in_the_middle(s.x);
+  const std::string shorter =
+      mapping.probes ? "" : require_periods(data.source, in_slice, domain, is_mesh || s.time == 0, guess);
   if (!shorter.empty()) reading.words.push_back(shorter);
-  reading.beside = beside(s.x, domain);
+  reading.beside = beside(in_slice, domain);
   reading.put_right = said_origin(mapping.origin + plane.way.cwiseProduct(reading.beside));
 
   // Rows outside the domain, but for rounding, and but for a periodic axis, along which places wrap.
@@ -546,11 +678,15 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     say("left out", fmt::format("{} of {} rows, outside the domain", outside, count));
     count = 0;
     each_row([&](std::size_t row, Eigen::Index p) {
-      if (within[row]) s.x.col(count++) = s.x.col(p).eval();
+      if (!within[row]) return;
+      if (!reading.slab.slice.empty())
+        reading.slab.slice[static_cast<std::size_t>(count)] = reading.slab.slice[static_cast<std::size_t>(p)];
+      s.x.col(count++) = s.x.col(p).eval();
     });
+    if (!reading.slab.slice.empty()) reading.slab.slice.resize(static_cast<std::size_t>(count));
     s.x.conservativeResize(Eigen::NoChange, count);
     chosen = within;
-  } else if (!is_where_fluid_is(about(s.x), domain, fluid, std::sqrt(fluid.area / static_cast<double>(count)))) {
+  } else if (!mapping.probes && !is_where_fluid_is(about(s.x), domain, fluid, std::sqrt(fluid.area / rows_of_layer))) {
     reading.fits_with = guess();
   }
   s.v = Vectors::Constant(2, count, NAN);
@@ -558,6 +694,11 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   if (!velocity.there()) velocity = component_along(data, "xyz"[plane[0]]);
   if (velocity.there() && velocity.components() > 1) {
     s.v = vectors(velocity, "velocity", "velocity");
+    if (velocity.components() > 2) {
+      const Scalars v = along_third(velocity, factor(velocity, "velocity", mapping, density, unsaid));
+      const double rounding = 1e-9 * s.v.cwiseAbs().maxCoeff();
+      if (!(v.abs() <= rounding).all()) reading.slab.v = v;
+    }
     reading.fields.insert(reading.fields.end(), {"velocity", velocity_along_x});
   } else if (velocity.there()) {
     s.v = vectors(velocity, velocity_along_x, "velocity");
@@ -587,9 +728,7 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   s.mass = scalars("mass");
   Scalars volume = scalars("volume");
   if (find(data, "volume", mapping).words == cell_volumes_array) {  // measured in the unit of places
-    std::string unsaid;
-    const double metre = factor(places, "length", mapping, density, unsaid),
-                 depth = metre * data.layer[3 - plane[0] - plane[1]];
+    const double depth = metre * data.layer[third];
     volume *= std::pow(metre, data.cell_dimensions) / (depth > 0 ? depth : 1);
     if (data.cell_dimensions == 3)
       reading.words.back() += depth > 0 ? fmt::format(", of a layer {:g} m deep", depth) : ", as of a layer 1 m deep";
@@ -615,6 +754,11 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
     s.mass = s.density;
     reading.has_volumes = false;
     say("weights", "equal, since there is neither a volume nor a mass");
+  }
+  if (!mapping.symmetric.empty()) reading.fits_with.clear();  // half of the fluid lies in half of its place
+  for (const std::string& line : mapping.symmetric) {
+    const auto [axis, place] = line_named(line);
+    mirror(axis, place, domain, reading);
   }
   return reading;
 }

@@ -100,7 +100,8 @@ Dataset water_and_air() {
 TEST(Fields, AreOfTheRowsAboveOrBelowAThreshold) {
   EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water>0.25"}, domain, 1000).samples.size(), 2);
   EXPECT_EQ(reading_of(water_and_air(), {.only = "alpha.water<0.5"}, domain, 1000).samples.x(1, 0), 0.5);
-  const std::string expected = ", expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component";
+  const std::string expected =
+      ", expected NAME=VALUE, NAME>VALUE or NAME<VALUE of an array of one component or of x, y or z";
   for (const std::string only :
        {"alpha.water>", "alpha.water>=0.5", "alpha.water>0.5m", "alpha.air>0.5", "alpha.water"})
     EXPECT_EQ(refusal(water_and_air(), {.only = only}), "a.vtu: --only '" + only + "'" + expected);

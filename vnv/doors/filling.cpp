@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace touchstone::vnv::doors {
 namespace {
@@ -44,6 +45,19 @@ double median(Scalars values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// The sum of V |v|² of the exact velocity at the rows, where it is known, else of that of the rows.
+double squared_velocity(const Flow& flow, const Samples& s) {
+  const Scalars volumes = s.volumes();
+  if (const auto exact = std::ranges::find(flow.exact, "velocity", &Exact::field); exact != flow.exact.end()) try {
+      const FieldTruth truth = exact->with({});
+      double sum = 0;
+      for (Index p = 0; p < s.size(); ++p) sum += volumes[p] * truth(s.x.col(p), s.time).squaredNorm();
+      return sum;
+    } catch (const std::exception&) {  // so long after its start
+    }
+  return (volumes * s.v.colwise().squaredNorm().transpose().array()).sum();
 }
 
 /// Takes the worst of each quantity: the farthest from `right`.
@@ -99,6 +113,13 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       return Value{level, given.spacing, at, quantity, found};
     };
     const double rows = static_cast<double>(samples.size());
+    const auto found_slab = given.slabs.find(time);
+    const Slab slab = found_slab == given.slabs.end() ? Slab{} : found_slab->second;
+    if (const double along = squared_velocity(flow, samples); slab.v.size() > 0 && along > 0) {
+      const double across = (samples.volumes() * slab.v.square()).sum();
+      worst.take(value(velocity_across, 100 * std::sqrt(across / along)), "");
+      worst.claim(at_most(velocity_across, 20, theory("nothing drives a plane flow out of its plane")));
+    }
     const Index components = has(fields, "velocity") ? 2 : has(fields, velocity_along_x) ? 1 : 0;
     if (const auto none = (!samples.v.topRows(components).array().isFinite()).colwise().any().count(); none > 0) {
       worst.take(value(without_velocity, static_cast<double>(none)), "");
@@ -117,7 +138,7 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
     }
     if (given.has_particles) {
       const bool is_counted = !given.has_volumes && (given.spacing_is_said || given.at.size() > 1);
-      const double right = is_counted && given.spacing_is_said ? expected.rows : rows_at_first;
+      const double right = is_counted && given.spacing_is_said ? slab.layers * expected.rows : rows_at_first;
       worst.take(value(rows_found, rows),
                  fmt::format("{:.0f} {}", right,
                              right == rows_at_first ? "at the first time" : "in the scene at this resolution"),
@@ -125,19 +146,23 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       if (!is_counted) {
         worst.claim(at_least(rows_found, least_rows, theory("fewer rows cannot show that they fill a plane")));
       } else {
-        const double of_surface = is_box ? 0 : expected.rows - expected.fewest;
-        const double low = given.spacing_is_said ? expected.fewest : rows_at_first - of_surface,
-                     high = given.spacing_is_said ? expected.most : rows_at_first + of_surface;
+        const double of_surface = is_box ? 0 : slab.layers * (expected.rows - expected.fewest);
+        const double low = given.spacing_is_said ? slab.layers * expected.fewest : rows_at_first - of_surface,
+                     high = given.spacing_is_said ? slab.layers * expected.most : rows_at_first + of_surface;
         worst.claim(between(rows_found, std::ceil(std::max(low, least_rows)), std::floor(high), kept));
       }
       const std::optional<Region> region = flow.region_at(time);
-      const Coverage coverage =
-          coverage_of(samples.x, given.spacing, region.value_or(Region{.domain = flow.domain, .is_known = false}));
-      worst.found_.is_counted &= given.has_volumes || given.spacing_is_said || coverage.grid_places > 0;
-      for (const Value& one : values_of(coverage, {.name = level, .spacing = given.spacing}, time))
-        if (region || one.quantity != largest_hole) worst.take(one, where_is(coverage, one.quantity.name));
-      for (const Claim& claim : fills_its_region(coverage, rows_at_first))
-        if (region || claim.quantity == rows_in_one_place || claim.quantity == rows_crowded) worst.claim(claim);
+      for (int k = 0; k < slab.slices(); ++k) {
+        const Vectors x = slab.in(k, samples.x);
+        if (x.cols() == 0) continue;  // rows of all slices are counted
+        const Coverage coverage =
+            coverage_of(x, given.spacing, region.value_or(Region{.domain = flow.domain, .is_known = false}));
+        worst.found_.is_counted &= given.has_volumes || given.spacing_is_said || coverage.grid_places > 0;
+        for (const Value& one : values_of(coverage, {.name = level, .spacing = given.spacing}, time))
+          if (region || one.quantity != largest_hole) worst.take(one, where_is(coverage, one.quantity.name));
+        for (const Claim& claim : fills_its_region(coverage, rows_at_first / slab.slices()))
+          if (region || claim.quantity == rows_in_one_place || claim.quantity == rows_crowded) worst.claim(claim);
+      }
     }
     if (has(fields, "density")) {
       const bool has_pressure = has(fields, "pressure") && samples.pressure.allFinite();

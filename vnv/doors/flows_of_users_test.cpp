@@ -14,9 +14,7 @@ namespace {
 
 class FlowsOfUsers : public testing::Test {
  protected:
-  static Flow lamb_oseen(Settings settings = Settings()) {
-    return flow_of("lamb_oseen", std::move(settings));
-  }
+  static Flow lamb_oseen(Settings settings = Settings()) { return flow_of("lamb_oseen", std::move(settings)); }
   /// What a code of second order hands in that computes the flow with these settings.
   static Record judged(const Flow& flow, const Flow& computed, const Judged& what = {}) {
     Given given{.fields = std::vector<std::string>{"velocity", velocity_along_x, "particles"}};

@@ -53,7 +53,7 @@ Extent extent_of(const Flow& flow, double t, double rows) {
 
 /// Rows reach over most of the fluid, at the start over all of it; those in another unit or of a flow of another size
 /// do not, nor does a single line. Where they lack a part of it along one axis, claims on its filling fail.
-void require_filled(const Flow& flow, const std::string& source, const Samples& samples, double spacing,
+void require_filled(const Flow& flow, const std::string& source, const Samples& samples, double layers, double spacing,
                     const std::string& fits_with) {
   const Vec2 spread = spread_of(samples.x);
   const auto refuse = [&](const std::string& expected) {
@@ -61,7 +61,7 @@ void require_filled(const Flow& flow, const std::string& source, const Samples& 
                                  spread.y(), expected, fits_with.empty() ? ": --set its size" : fits_with));
   };
   if (samples.size() < 4) return;
-  const Extent fluid = extent_of(flow, samples.time, static_cast<double>(samples.size()));
+  const Extent fluid = extent_of(flow, samples.time, static_cast<double>(samples.size()) / layers);
   if (flow.has_free_surface() && samples.time == 0) {
     const Vectors start = places_at_start(flow, spacing);
     const Vec2 exact = spread_of(start), off = middle_of(samples.x) - middle_of(start);
@@ -128,13 +128,18 @@ void require_components(const Flow& flow, const std::string& source, const std::
 }
 
 /// Volumes of a plane flow: equal ones of rows that have none, and about those of the fluid where its surface is free.
-void require_volumes(const Flow& flow, const std::string& source, Reading& reading) {
+/// Those that fill a slab are divided by its depth.
+void require_volumes(const Flow& flow, const std::string& source, double spacing, Reading& reading) {
   Samples& samples = reading.samples;
-  const double area = flow.filled_area();
+  const double area = flow.filled_area(), depth = reading.slab.layers * spacing;
+  constexpr double most_off = 0.2;
+  if (reading.has_volumes && !reading.slab.slice.empty() &&
+      std::abs(samples.volumes().sum() / (area * depth) - 1) < most_off)
+    samples.mass /= depth;
   if (!reading.has_volumes) {
     samples.mass = samples.density * (area / static_cast<double>(samples.size()));
   } else if (const double found = samples.volumes().sum();
-             flow.has_free_surface() && std::abs(found / area - 1) > 0.2) {
+             flow.has_free_surface() && std::abs(found / area - 1) > most_off) {
     throw Unreadable(fmt::format(
         "{}: volumes of {:.4g} m² in all, per metre of depth, expected {:.4g} m²: --set the size of the flow", source,
         found, area));
@@ -169,6 +174,13 @@ bool is_coarser(const Vectors& x, const Vectors& before) {
   return nearest > (1 + 0.6 * (farther - 1)) * apart(before, 0.1) && nearest > 0.9 * apart(before, 0.5);
 }
 
+/// Where the rows stand at the first time, of a slab those of one slice.
+Vectors rows_at_first(const GivenLevel& level) {
+  const auto& [time, samples] = *level.at.begin();
+  const auto slab = level.slabs.find(time);
+  return slab == level.slabs.end() ? samples.x : slab->second.in_the_middle(samples.x);
+}
+
 /// The level that a file's rows are of: one of its spacing, or one before of which rows are missing; each that has none
 /// of its time yet. A code that loses rows has no coarser resolution.
 GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
@@ -183,14 +195,20 @@ GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
   GivenLevel* before = nullptr;
   for (GivenLevel& level : levels) {
     if (one.spacing_is_said || has_its_time(level) || level.at.begin()->first > time) continue;
-    const Vectors& first = level.at.begin()->second.x;
-    if (const Vectors& x = one.at.begin()->second.x;
+    const Vectors first = rows_at_first(level);
+    if (const Vectors x = rows_at_first(one);
         x.cols() < first.cols() && (!before || level.spacing > before->spacing) && !is_coarser(x, first))
       before = &level;
   }
   if (before) return *before;
   if (const auto twice = std::ranges::find_if(levels, is_equal); twice != levels.end()) return *twice;
   return levels.emplace_back(GivenLevel{.spacing = one.spacing, .spacing_is_said = one.spacing_is_said});
+}
+
+/// How far [m] probes are from the nearest other one; one alone, all across.
+double between_probes(const Flow& flow, const Vectors& x) {
+  const double nearest = x.cols() > 1 ? apart(x, 0.5) : 0;
+  return nearest > 0 ? nearest : flow.across;
 }
 
 /// Throws std::invalid_argument where the level has samples of that time.
@@ -214,28 +232,40 @@ void Given::keep_fields(const std::vector<std::string>& those) {
   std::erase_if(*fields, [&](const std::string& name) { return !has(those, name); });
 }
 
-void read_into(Given& given, const Flow& flow, const Mapping& mapping, Dataset data, std::optional<double> said) {
-  Reading reading = reading_of(data, mapping, flow.domain, flow.fluid.density,
-                               [&](double t, double rows) { return extent_of(flow, t, rows); });
+void read_into(Given& given, const Flow& flow, const Mapping& by, Dataset data, std::optional<double> said) {
+  Mapping mapping = by;
+  const double middle = (flow.domain.box.low.x() + flow.domain.box.high.x()) / 2;
+  mapping.probes |= complete_coordinates(data, by, {flow.is_uniform_along_x ? middle : not_a_number, not_a_number});
+  Reading reading = reading_of(
+      data, mapping, flow.domain, flow.fluid.density, [&](double t, double rows) { return extent_of(flow, t, rows); },
+      said);
   data.arrays.clear();  // what stood in them is in the samples
   given.files.push_back(reading.file);
   for (const std::string& line : reading.words) given.say(line);
   given.keep_fields(reading.fields);
   if (given.levels.empty()) {
-    const double rows = static_cast<double>(reading.samples.size());
-    given.levels.push_back(
-        {.spacing = said.value_or(std::sqrt(flow.filled_area() / rows)), .spacing_is_said = said.has_value()});
+    const double rows = static_cast<double>(reading.samples.size()) / reading.slab.layers;  // of a layer
+    const double counted =
+        mapping.probes ? between_probes(flow, reading.samples.x) : std::sqrt(flow.filled_area() / rows);
+    given.levels.push_back({.spacing = said.value_or(counted), .spacing_is_said = said.has_value()});
   }
   GivenLevel& level = given.levels.front();
-  require_filled(flow, data.source, reading.samples, level.spacing, reading.fits_with);
+  if (!mapping.probes)
+    require_filled(flow, data.source, reading.samples, reading.slab.layers, level.spacing, reading.fits_with);
   tell_where_periods_begin(given, flow, data.source, reading);
-  require_volumes(flow, data.source, reading);
+  require_volumes(flow, data.source, level.spacing, reading);
   require_components(flow, data.source, reading.fields);
   given.say(fmt::format("spacing: {:.4g} m, {}", level.spacing,
-                        said ? "as said" : "the root of the filled area over the number of rows at the first time"));
+                        said             ? "as said"
+                        : mapping.probes ? "the distance between probes: --spacing is that of the code"
+                        : reading.slab.slice.empty()
+                            ? "the root of the filled area over the number of rows at the first time"
+                            : "that at which so many rows fill the slab at the first time"));
   level.has_volumes &= reading.has_volumes;
   level.has_particles &= has(reading.fields, "particles");
+  const double time = reading.samples.time;
   take(level, std::move(reading.samples), level.spacing, data.source + ": ");
+  if (!reading.slab.slice.empty() || reading.slab.v.size() > 0) level.slabs.emplace(time, std::move(reading.slab));
 }
 
 void read_into(Given& given, const Flow& flow, const Mapping& mapping, const std::filesystem::path& file,
@@ -257,6 +287,7 @@ Given together(std::vector<Given> each) {
     level.has_volumes &= from.has_volumes;
     level.has_particles &= from.has_particles;
     for (auto& [time, samples] : from.at) take(level, std::move(samples), from.spacing, "");
+    level.slabs.merge(from.slabs);
   }
   return all;
 }

@@ -17,6 +17,7 @@ namespace touchstone::vnv::doors {
 struct GivenLevel {
   double spacing;                    // m
   std::map<double, Samples> at{};    // s
+  std::map<double, Slab> slabs{};    // of three-dimensional rows at these times, or those that move across the plane
   std::string outcome = "finished";  // or why there is no answer
   bool spacing_is_said = false;      // by the user, not counted from the rows at the first time
   bool has_volumes = true;           // or masses and densities, at all times

@@ -32,6 +32,9 @@ Mapping mapping_of(const Keys& keys) {
     throw std::invalid_argument(fmt::format("read.origin: {} numbers, expected 2 [m]", origin.size()));
   mapping.only = keys.text("only");
   mapping.inside = keys.flag("inside");
+  mapping.probes = keys.flag("probes");
+  mapping.at = keys.text("at");
+  mapping.symmetric = keys.texts("symmetric");
   mapping.time = keys.number_if_there("time");
   mapping.time_step = keys.number_if_there("time_step");
   keys.require_no_other();

@@ -74,9 +74,9 @@ struct Span {
   bool is_steady = false;  // then as long before a later last time
 };
 
-/// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed, amplitude and parameters as fractions of
-/// the right one, walls [m] outward, the slip length [m], the time [s] by which it is ahead, a mean in the unit of the
-/// field over that of its norm.
+/// What may be wrong with a flow. By how much: viscosity, force, gravity, sound speed, amplitude and parameters as
+/// fractions of the right one, walls [m] outward, the slip length [m], the time [s] by which it is ahead, a mean in the
+/// unit of the field over that of its norm.
 enum class Cause {
   viscosity,
   force,

@@ -67,8 +67,9 @@ Flow standing_wave(Settings& set) {
                 between(amplitude, 0.7, 1.3,
                         baseline("of our own methods whose period is that of the wave it is 0.77 to 1.03 at 50 "
                                  "across")),
-                between(liveliest, 0.2, 2, theory("potential energy becomes kinetic and none is added; less where it "
-                                                  "decays, or between the times of files"))};
+                between(liveliest, 0.2, 2,
+                        theory("potential energy becomes kinetic and none is added; less where it "
+                               "decays, or between the times of files"))};
   const Moment standing{
       .of = [k = wave.k()](const Vec2& x) { return x.y() * std::cos(k * x.x()); },
       .slope = [k = wave.k()](const Vec2& x) { return Vec2(-k * x.y() * std::sin(k * x.x()), std::cos(k * x.x())); }};

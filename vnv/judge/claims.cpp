@@ -82,9 +82,9 @@ Verdict judge_convergence(const Claim& claim, const Place& place, const Observed
   v.half_width = above_floor ? order.order_to_floor_half_width : order.half_width;
   v.trend = order.trend;
   const std::string floor = above_floor ? fmt::format(" above a floor of {:.3g}", order.floor) : "";
-  const std::string remark = fmt::format(" +- {:.2g} over {} levels{}, {}{}, expected surely above {:g}", *v.half_width,
-                                         order.levels.size(), floor, word_of(order.trend),
-                                         beside_formal_order(claim, v, order), *claim.surely_above);
+  const std::string remark =
+      fmt::format(" +- {:.2g} over {} levels{}, {}{}, expected surely above {:g}", *v.half_width, order.levels.size(),
+                  floor, word_of(order.trend), beside_formal_order(claim, v, order), *claim.surely_above);
   return concluded(std::move(v), remark);
 }
 

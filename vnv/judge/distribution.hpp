@@ -27,8 +27,8 @@ struct MedianComparison {
   bool shows_model_error() const;
 };
 
-/// An ensemble beside repeats of which median, deviation and number are known. The uncertainty of fewer than two members
-/// is infinite.
+/// An ensemble beside repeats of which median, deviation and number are known. The uncertainty of fewer than two
+/// members is infinite.
 MedianComparison compare_median(const std::vector<double>& members, double median, double deviation, double repeats);
 
 /// How unlike a sample is to a distribution of which only quantiles are known.

@@ -83,7 +83,6 @@ std::vector<double> members(const Record& record, std::size_t k) {
 const Quantity within_repeats{"peaks whose median is within the least and the largest of 100 repeats", "", Kind::count,
                               Better::larger};
 
-
 /// A peak in all members beside the repeats [mbar].
 MedianComparison compared(const std::vector<double>& ours, std::size_t k) {
   constexpr double runs = 100;

@@ -240,8 +240,8 @@ class Fitter {
   }
 
   /// A step that is not too long for a slope. Viscosity, the speed of sound and parameters of formulas are multiplied,
-  /// so that a thousandth and a thousand times the right one are as near. To what a field is proportional, or is added to it, any step leads if
-  /// nothing else is fitted.
+  /// so that a thousandth and a thousand times the right one are as near. To what a field is proportional, or is added
+  /// to it, any step leads if nothing else is fitted.
   double allowed(Cause cause, double value, double step, bool alone) const {
     if (cause == Cause::viscosity || cause == Cause::sound_speed || cause >= Cause::parameter)
       return (1 + value) * std::expm1(std::clamp(step / (1 + value), -1.0, 1.0));

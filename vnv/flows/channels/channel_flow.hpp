@@ -58,10 +58,8 @@ inline Case flow_along(const Flow& flow, const std::vector<int>& across, const s
                                    by_particles, exact, H, {levels.front().name, levels.back().name})}};
   declared = with_plots(std::move(declared), errors_of_velocity("convergence", "L2 v_x [%]", l2, end));
   const auto of_second_order = [&](const std::string& words) -> std::vector<Claim> {
-    return {order_at_least(ladder_across, l2, 1.8, 1.5, theory(words))
-                .of_formal_order(2)
-                .at(end)
-                .with_at_least_levels(5)};
+    return {
+        order_at_least(ladder_across, l2, 1.8, 1.5, theory(words)).of_formal_order(2).at(end).with_at_least_levels(5)};
   };
   declared.methods =
       with_ladder(levels, methods_along(flow),

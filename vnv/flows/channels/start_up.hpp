@@ -100,8 +100,7 @@ std::vector<Method> start_up_methods(const SceneOfChannel& scene, const PaperFlo
                   {.name = "S2", .spacing = H / 80, .acceptance = 0.05, .report = 0.2, .nightly = 0.2},
                   {.name = "S3", .spacing = H / 120, .nightly = 0.2}},
        .ladders = ladder({"S1", "S2", "S3"}),
-       .claims = {at_most(growth, 1.25,
-                          baseline("steady flow: no growth other than from particles passing each other"))
+       .claims = {at_most(growth, 1.25, baseline("steady flow: no growth other than from particles passing each other"))
                       .on("S1")
                       .at(10)},
        .tolerance = stretched,
@@ -115,15 +114,14 @@ std::vector<Method> start_up_methods(const SceneOfChannel& scene, const PaperFlo
                        .at(0.1)
                        .with_at_least_levels(5),
                    at_most_the_papers(flow, "M1", 20), at_most_the_papers(flow, "M2", 20)}),
-      with_ladder(
-          levels_with_models('S',
-                             {{14, 0.1, 0, 0.1}, {20, 0.1, 0, 0.1}, {28, 0, 0, 0.1}, {40, 0, 0, 1}, {56, 0, 0, 0.1}}),
-          sph_second_order(scene, 0.05),
-          {order_at_least(ladder_across, l2, 1.8, 1.5, theory("fits of second degree"))
-               .of_formal_order(2)
-               .at(0.1)
-               .with_at_least_levels(5),
-           at_most_the_papers(flow, "S1", 10)})};
+      with_ladder(levels_with_models(
+                      'S', {{14, 0.1, 0, 0.1}, {20, 0.1, 0, 0.1}, {28, 0, 0, 0.1}, {40, 0, 0, 1}, {56, 0, 0, 0.1}}),
+                  sph_second_order(scene, 0.05),
+                  {order_at_least(ladder_across, l2, 1.8, 1.5, theory("fits of second degree"))
+                       .of_formal_order(2)
+                       .at(0.1)
+                       .with_at_least_levels(5),
+                   at_most_the_papers(flow, "S1", 10)})};
 }
 
 }  // namespace touchstone::vnv::channel
