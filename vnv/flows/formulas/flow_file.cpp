@@ -337,8 +337,7 @@ class FlowFile {
     if (keys_.text("equation") != known)
       keys_.refuse(*keys_.node("equation"), "equation", fmt::format("\"{}\", of an incompressible fluid", known));
     const formulas::Residual found = formulas::residual_of(made);
-    constexpr double most = 1e-3;  // of the largest term; differences leave 1e-6 or less
-    if (!(found.size <= most))
+    if (!(found.size <= formulas::largest_residual))
       throw std::invalid_argument(fmt::format("{}: the formulas do not solve the Navier-Stokes equations: {}",
                                               keys_.file().string(), found.sentence));
     made.residual = "The formulas solve the Navier-Stokes equations: " + found.sentence;

@@ -126,7 +126,8 @@ Residual residual_of(const Flow& flow) {
   }
   if (!is_any)
     throw std::invalid_argument("the exact velocity has no slope anywhere, expected one to test the equation with");
-  const Largest& worst = *std::ranges::max_element(least, {}, &Largest::size);
+  // Where volume is not conserved momentum is not, either.
+  const Largest& worst = least[0].size() > largest_residual ? least[0] : *std::ranges::max_element(least, {}, &Largest::size);
   return {worst.size(),
           fmt::format("the residual of the {} equation is {:.2g} of its largest term at ({:.3g}, {:.3g}) m, {:.3g} s",
                       worst.equation, worst.size(), worst.x.x(), worst.x.y(), worst.t)};

@@ -7,6 +7,9 @@
 
 namespace touchstone::vnv::formulas {
 
+/// Beyond it formulas do not solve an equation: differences leave 1e-6 or less.
+inline constexpr double largest_residual = 1e-3;
+
 struct Residual {
   double size;           // over the largest term of its equation
   std::string sentence;  // which equation, and where that is
