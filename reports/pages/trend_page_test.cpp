@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
-namespace history_page_test {
+namespace trend_page_test {
 
 const std::string l2 = "L2 v_x [%]";
 
@@ -95,5 +95,5 @@ TEST(Trend, ListsAllNightsTheNewestFirstWithTheTimeOfAllTheirRuns) {
   EXPECT_TRUE(contains(html, "<p class=\"sum fails\">5 nights"));
 }
 
-}  // namespace history_page_test
+}  // namespace trend_page_test
 }  // namespace touchstone::reports
