@@ -1,6 +1,7 @@
 #include "reports/pages/pages.hpp"
 
 #include "reports/pages/verdicts.hpp"
+#include "reports/text/html.hpp"
 
 #include <fmt/format.h>
 
@@ -75,22 +76,25 @@ List amber(const NightStatus& s) {
 
 }  // namespace
 
-std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus& status, bool has_trend,
-                       const std::optional<FaultTrials>& faults) {
+std::string html_of(const std::string& name, Data data) {
+  data["title"] = all_pages().at(name).title;
+  data["path"] = replaced(name, "_", " ");
+  return page(name, data);
+}
+
+std::string index_page(const std::vector<CaseRecords>& cases, const NightStatus& status, const List& links) {
   const auto verdicts = verdicts_of(cases);
   const Tally sum = tally(verdicts);
   List failures, inconclusive;
   add_list(failures, "fails", red(status));
   add_list(failures, "known", amber(status));
   add_list(inconclusive, "inconclusive", sentences(vnv::Outcome::inconclusive, verdicts));
-  return page("index", object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
-                              "known"_ = when(!status.known.empty(), status.known.size()),
-                              "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
-                              "failures"_ = failures, "note"_ = if_any(status.claims.note),
-                              "inconclusive"_ = inconclusive, "overview"_ = overview_data(cases, status),
-                              "has_orders"_ = std::ranges::any_of(cases, is_in_matrix),
-                              "has_work"_ = std::ranges::any_of(cases, is_priced), "has_trend"_ = has_trend,
-                              "faults"_ = if_any(faults ? faults->sentence() : ""), "places"_ = places(cases)));
+  return page("index",
+              object("kind"_ = kind_of_night(sum, status), "sentence"_ = sentence(sum),
+                     "known"_ = when(!status.known.empty(), status.known.size()),
+                     "passed"_ = when(!status.unexpected_passes.empty(), status.unexpected_passes.size()),
+                     "failures"_ = failures, "note"_ = if_any(status.claims.note), "inconclusive"_ = inconclusive,
+                     "overview"_ = overview_data(cases, status), "pages"_ = links, "places"_ = places(cases)));
 }
 
 }  // namespace touchstone::reports

@@ -23,7 +23,7 @@ TEST(Front, NamesTheMethodsThatAreFarthestOffByTheirFinestRunAtTheirEnd) {
     cases[k % 2].records.push_back(wrong_by(fmt::format("m{}", k), 20 + (5 * k) % 9));
     cases[k % 2].records.back().case_name = cases[k % 2].name;
   }
-  const std::string html = index_page(cases, {}, false);
+  const std::string html = index_page(cases, {});
   std::size_t at = html.find("as last accepted: 9 methods, the farthest:");
   ASSERT_NE(at, html.npos) << html;
   for (int error = 28; error > 20; --error) {
@@ -47,7 +47,7 @@ TEST(Front, ShowsTheWorkDiagramOfPoiseuilleFlowOrElseTheOneWithMostRuns) {
     return CaseRecords{name, {record}};
   };
   const auto shown = [](const std::vector<CaseRecords>& cases) {
-    const std::string html = index_page(cases, {}, false);
+    const std::string html = index_page(cases, {});
     return html.substr(html.find("<img src=\"") + 10, html.find("/work.svg") - html.find("<img src=\"") - 10);
   };
   EXPECT_EQ(shown({with_work("couette", 2), with_work("cavity", 4), with_work("shear_wave", 3)}), "cavity");
@@ -55,7 +55,7 @@ TEST(Front, ShowsTheWorkDiagramOfPoiseuilleFlowOrElseTheOneWithMostRuns) {
 }
 
 TEST(Front, HasARowOfEachMethodBesideItsFlow) {
-  const std::string html = index_page({{"poiseuille", {wrong_by("mpm", 20), wrong_by("sph", 30)}}}, {}, false);
+  const std::string html = index_page({{"poiseuille", {wrong_by("mpm", 20), wrong_by("sph", 30)}}}, {});
   const std::size_t at = html.find("<tr><td class=\"flow\" rowspan=\"2\">");
   ASSERT_NE(at, html.npos) << html;
   EXPECT_LT(at, html.find("<td>mpm</td>"));

@@ -4,7 +4,6 @@
 #include "reports/figures/gnuplot.hpp"
 #include "reports/pages/pages.hpp"
 #include "reports/pages/staging.hpp"
-#include "reports/pages/verdicts.hpp"
 #include "reports/read/csv.hpp"
 #include "vnv/files/whole_file.hpp"
 
@@ -13,9 +12,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace touchstone::reports {
 namespace {
@@ -47,35 +46,40 @@ std::string date_of(const std::vector<CaseRecords>& cases) {
   return date;
 }
 
-/// Writes the trend over the history, and names on standard error what had to be left out.
-void write_trend(const fs::path& folder, const History& history, const std::vector<CaseRecords>& cases) {
-  for (const auto& refusal : history.refused) fmt::print(stderr, "touchstone_report: left out: {}\n", refusal);
-  const auto all = series_of(history.nights);
-  write_whole(folder / "trend.html", trend_page(history, all, cases));
-  write_whole(folder / "trend.csv", trend_csv(history, all));
-  write_whole(folder / "trend_steps.csv", steps_csv(history, all));
+/// Writes the pages beside the index that have something to show; links to them.
+List write_pages(const Findings& all, const fs::path& folder) {
+  List links;
+  for (const auto& [name, page] : all_pages())
+    if (Content shown = page.content(all); !shown.data.is_false()) {
+      write_whole(folder / (name + ".html"), html_of(name, std::move(shown.data)));
+      for (const auto& [file, text] : shown.tables) write_whole(folder / file, text);
+      links.push_back(
+          object("name"_ = name, "title"_ = page.title, "sentence"_ = page.sentence, "note"_ = if_any(shown.note)));
+    }
+  return links;
 }
 
 }  // namespace
 
 NightStatus make_site(const fs::path& records, const fs::path& site, const SiteInputs& inputs) {
-  auto cases = read_cases(records);
+  Findings all{.cases = read_cases(records)};
+  std::vector<CaseRecords>& cases = all.cases;
   require_apart(records, "records", site);
   const auto known =
       inputs.known_failures.empty() ? std::vector<KnownFailure>{} : read_known_failures(inputs.known_failures);
   NightStatus tonight = night_status(cases, known, date_of(cases));
   if (!inputs.claims.empty())
     tonight.claims = claims_status(cases, vnv::read_all_accepted_claims(inputs.claims), inputs.whole);
-  std::optional<FaultTrials> faults;
-  if (!inputs.faults.empty()) faults = read_fault_trials(inputs.faults);
-  std::optional<History> history;
+  if (!inputs.faults.empty()) all.faults = read_fault_trials(inputs.faults);
   if (!inputs.history.empty()) {
     require_apart(inputs.history, "nights", site);
     const Night night = night_of(cases);
     write_night(night, inputs.history);
-    history = read_history(inputs.history, night.suite);
-    if (history->nights.empty())  // not even what was just written
-      throw std::runtime_error(fmt::format("no night can be read: {}", fmt::join(history->refused, "; ")));
+    all.history = read_history(inputs.history, night.suite);
+    const auto& refused = all.history->refused;
+    if (all.history->nights.empty())  // not even what was just written
+      throw std::runtime_error(fmt::format("no night can be read: {}", fmt::join(refused, "; ")));
+    for (const auto& file : refused) fmt::print(stderr, "touchstone_report: left out: {}\n", file);
   }
   std::ranges::for_each(cases, add_work_precision);
   Staging staging(site);
@@ -94,19 +98,7 @@ NightStatus make_site(const fs::path& records, const fs::path& site, const SiteI
     write_case(one, folder / one.name);
   }
   for (const char* file : {"style.css", "site.js"}) write_whole(folder / file, compiled_in.at(file));
-  write_whole(folder / "index.html", index_page(cases, tonight, history.has_value(), faults));
-  write_whole(folder / "verdicts.html", verdicts_page(cases));
-  write_whole(folder / "a_verdict_fails.html", page("a_verdict_fails", object()));
-  if (std::ranges::any_of(cases, is_in_matrix)) write_whole(folder / "orders.html", order_matrix_page(cases));
-  if (std::ranges::any_of(cases, is_priced)) {
-    write_whole(folder / "work.html", work_page(cases));
-    write_whole(folder / "work.csv", work_csv(cases));
-  }
-  if (history) write_trend(folder, *history, cases);
-  if (faults) {
-    write_whole(folder / "faults.html", fault_page(*faults));
-    fs::copy_file(inputs.faults, folder / "faults.csv");
-  }
+  write_whole(folder / "index.html", index_page(cases, tonight, write_pages(all, folder)));
   staging.publish();
   return tonight;
 }

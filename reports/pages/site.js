@@ -50,7 +50,7 @@ for (const box of document.querySelectorAll(".filtered")) {
   box.prepend(field);
 }
 
-const nights = (document.querySelector("main")?.dataset.nights ?? "").split(",");
+const nights = (document.querySelector("[data-nights]")?.dataset.nights ?? "").split(",");
 
 // Shows the night under the pointer in place of the last line of the curve, and a rule at it.
 function show(trend, night) {

@@ -22,13 +22,13 @@ Data claim(const vnv::Record& record, const vnv::Verdict& v) {
   const bool is_accepted = v.outcome == vnv::Outcome::holds && v.author.starts_with("baseline");
   const vnv::Diagnosis* found = vnv::diagnosis_of(v, record);
   const std::string limit = printed_limit(v.lower, v.upper) + (v.unit.empty() ? "" : "\u202f" + v.unit);
-  return object(
-      "holds"_ = v.outcome == vnv::Outcome::holds, "kind"_ = is_accepted ? "accepted" : word(v.outcome),
-      "outcome"_ = is_accepted ? "as accepted" : word(v.outcome), "method"_ = v.method,
-      "level"_ = level(v.level), "spacing"_ = if_any(v.spacing * 1e3), "quantity"_ = v.quantity,
-      "diagnosis"_ = if_any(found ? found->sentence : ""), "time"_ = if_any(v.time), "value"_ = valued(v.value, v.unit),
-      "limit"_ = replaced(replaced(limit, " ", "\u00a0"), ",\u00a0", ", "),
-      "margin"_ = when(has_margin(v), margin_data(v.margin)), "author"_ = v.author);
+  return object("holds"_ = v.outcome == vnv::Outcome::holds, "kind"_ = is_accepted ? "accepted" : word(v.outcome),
+                "outcome"_ = is_accepted ? "as accepted" : word(v.outcome), "method"_ = v.method,
+                "level"_ = level(v.level), "spacing"_ = if_any(v.spacing * 1e3), "quantity"_ = v.quantity,
+                "diagnosis"_ = if_any(found ? found->sentence : ""), "time"_ = if_any(v.time),
+                "value"_ = valued(v.value, v.unit),
+                "limit"_ = replaced(replaced(limit, " ", "\u00a0"), ",\u00a0", ", "),
+                "margin"_ = when(has_margin(v), margin_data(v.margin)), "author"_ = v.author);
 }
 
 /// "viscosity −5.1 ± 0.5 %, time 2.0 ± 1.0 s"
@@ -80,17 +80,6 @@ Data diagnoses_data(const CaseRecords& records) {
                                "explained"_ = 100 * one.share));
   });
   return if_any(items);
-}
-
-std::string verdicts_page(const std::vector<CaseRecords>& cases) {
-  const Tally sum = tally(verdicts_of(cases));
-  const auto section = [](const CaseRecords& records) {
-    const std::size_t rows = verdicts_of(records).size();
-    return object("case"_ = records.name, "height"_ = std::to_string(4 + 3 * rows), "claims"_ = claims_data(records));
-  };
-  return page("verdicts",
-              object("kind"_ = word(sum.worst()), "sentence"_ = sentence(sum),
-                     "cases"_ = each(cases, section)));
 }
 
 }  // namespace touchstone::reports

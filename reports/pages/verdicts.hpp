@@ -32,7 +32,4 @@ Data claims_data(const CaseRecords& records);
 /// Of each diagnosed error what is named, or else the best, with the fitted values.
 Data diagnoses_data(const CaseRecords& records);
 
-/// The page of the claims of all cases. Stands beside the index.
-std::string verdicts_page(const std::vector<CaseRecords>& cases);
-
 }  // namespace touchstone::reports

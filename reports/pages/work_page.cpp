@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace touchstone::reports {
+namespace touchstone::reports::pages {
 namespace {
 
 using vnv::Price;
@@ -60,28 +60,32 @@ List defaults(const std::vector<CaseRecords>& cases) {
   return items;
 }
 
-}  // namespace
-
-bool is_priced(const CaseRecords& records) { return !vnv::prices_of(records.records).empty(); }
-
-std::string work_page(const std::vector<CaseRecords>& cases) {
-  std::vector<CaseRecords> priced;
-  std::ranges::copy_if(cases, std::back_inserter(priced), is_priced);
-  return page("work", object("costs"_ = if_any(costs(priced)), "as_cheap"_ = fmt::format("{:g}", vnv::as_cheap),
-                             "defaults"_ = if_any(defaults(priced))));
-}
-
-std::string work_csv(const std::vector<CaseRecords>& cases) {
+/// For programs, and for data/work.csv, by which `vnv explain` names the default method of a flow.
+std::string table(const std::vector<CaseRecords>& priced) {
   std::vector<Price> all;
-  std::string source;
-  for (const CaseRecords& records : cases) {
+  for (const CaseRecords& records : priced) {
     const std::vector<Price> prices = vnv::prices_of(records.records);
     all.insert(all.end(), prices.begin(), prices.end());
-    if (!prices.empty() && source.empty())
-      source = fmt::format("suite {} of this project at {}, {}", records.records.front().suite,
-                           records.records.front().revision, records.records.front().machine);
   }
-  return vnv::csv_of(all, source);
+  const vnv::Record& first = priced.front().records.front();
+  return vnv::csv_of(all,
+                     fmt::format("suite {} of this project at {}, {}", first.suite, first.revision, first.machine));
 }
 
-}  // namespace touchstone::reports
+}  // namespace
+
+Page work() {
+  return {.title = "Error against run time",
+          .sentence = "What an error costs in each flow, and which method is cheapest",
+          .content = [](const Findings& all) -> Content {
+            std::vector<CaseRecords> priced;
+            std::ranges::copy_if(all.cases, std::back_inserter(priced),
+                                 [](const CaseRecords& records) { return !vnv::prices_of(records.records).empty(); });
+            if (priced.empty()) return {};
+            return {object("costs"_ = if_any(costs(priced)), "as_cheap"_ = fmt::format("{:g}", vnv::as_cheap),
+                           "defaults"_ = if_any(defaults(priced))),
+                    {{"work.csv", table(priced)}}};
+          }};
+}
+
+}  // namespace touchstone::reports::pages

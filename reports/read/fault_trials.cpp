@@ -91,7 +91,7 @@ FaultTrials read_fault_trials(const std::filesystem::path& file) {
   const vnv::Sheet sheet = vnv::read_sheet(file);
   vnv::require_headings(sheet, trial_columns);
   const auto& untried = sheet.key("untried");
-  FaultTrials all{sheet.key("machine").value, sheet.key("tests").value, -1, {}};
+  FaultTrials all{sheet.key("machine").value, sheet.key("tests").value, -1, {}, file};
   if (!is_read(untried.value, all.untried) || all.untried < 0)
     throw vnv::BadData(file, untried.line, fmt::format("untried '{}', expected how many", untried.value));
   for (const auto& row : sheet.rows) {

@@ -49,6 +49,7 @@ struct FaultTrials {
   std::string suite;               // what was run: "the named tests", "acceptance"
   long untried = 0;                // faults and harmless changes that nobody has tried yet
   std::vector<FaultTrial> trials;  // what is open first; of the others what was hardly noticed first
+  std::filesystem::path file;      // that they were read from
 
   /// "97 of 102 seeded faults noticed by day (95.1 %), 100 in all (98.0 %); 0 false alarms from 17 harmless changes; 3
   /// not tried yet."

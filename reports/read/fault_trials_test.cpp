@@ -23,7 +23,10 @@ class SeededFaults : public testing::Test {
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-  std::string page(const std::string& rows) const { return fault_page(read(rows)); }
+  static std::string page_of(const FaultTrials& all) {
+    return html_of("faults", all_pages().at("faults").content({{}, {}, all}).data);
+  }
+  std::string page(const std::string& rows) const { return page_of(read(rows)); }
 
   ScratchFolder folder;
 };
@@ -93,7 +96,7 @@ TEST_F(SeededFaults, OfAPageSayWhenTheyWereTriedAndAtWhichRevisions) {
   const std::string first = row + "abc1234,2026-11-22T04:00:00Z,00ff\n", second = "b" + row.substr(1);
   std::ofstream(folder / "trials.csv") << sample_fault_keys() + columns + first
                                        << second + "def5678,2026-11-20T23:00:00Z,00ff\n";
-  const std::string html = fault_page(read_fault_trials(folder / "trials.csv"));
+  const std::string html = page_of(read_fault_trials(folder / "trials.csv"));
   EXPECT_TRUE(contains(html, "between 2026-11-20T23:00:00Z and 2026-11-22T04:00:00Z")) << html;
   EXPECT_TRUE(contains(html, "revisions <code>def5678</code> to <code>abc1234</code>"));
   EXPECT_TRUE(contains(page("a,A,f,noticed,,t,yes,-1,\n"), "at revision <code>abc1234</code>"));

@@ -77,7 +77,7 @@ TEST(ANightStatus, IsAmberWhereTheFailureIsKnown) {
   const auto cases = night_with(vnv::Outcome::fails);
   const NightStatus found = night_status(cases, {known()}, today);
   EXPECT_EQ(found.red_count(), 0u);
-  const std::string html = index_page(cases, found, false);
+  const std::string html = index_page(cases, found);
   EXPECT_TRUE(contains(html, "class=\"sum known\"")) << html;
   EXPECT_TRUE(contains(html, "known as drift until 2026-12-01: it drifts")) << html;
   EXPECT_TRUE(contains(html, "<td class=\"known\">1 of 1 fails, known")) << html;
@@ -88,7 +88,7 @@ TEST(ANightStatus, IsRedWhereTheFailureIsUnknown) {
   for (const auto& rows : {std::vector<KnownFailure>{}, {KnownFailure{}}}) {
     const NightStatus found = night_status(cases, rows, today);
     EXPECT_EQ(found.sentence(), "1 red: 1 unknown or expired failure, 0 unexpected passes; 0 known");
-    EXPECT_TRUE(contains(index_page(cases, found, false), "class=\"sum fails\""));
+    EXPECT_TRUE(contains(index_page(cases, found), "class=\"sum fails\""));
   }
 }
 
@@ -109,14 +109,14 @@ TEST(ANightStatus, IsRedWhereTheRowHasExpired) {
   EXPECT_EQ(night_status(cases, {known("2026-11-22")}, today).red_count(), 0u);
   const NightStatus found = night_status(cases, {known("2026-11-21")}, today);
   EXPECT_EQ(found.red_count(), 1u);
-  EXPECT_TRUE(contains(index_page(cases, found, false), "drift expired on 2026-11-21"));
+  EXPECT_TRUE(contains(index_page(cases, found), "drift expired on 2026-11-21"));
 }
 
 TEST(ANightStatus, IsRedWhereAKnownFailurePasses) {
   const auto cases = night_with(vnv::Outcome::holds);
   const NightStatus found = night_status(cases, {known()}, today);
   EXPECT_EQ(found.sentence(), "1 red: 0 unknown or expired failures, 1 unexpected pass; 0 known");
-  const std::string html = index_page(cases, found, false);
+  const std::string html = index_page(cases, found);
   EXPECT_TRUE(contains(html, "unexpected pass of the known failure drift: remove it")) << html;
   EXPECT_TRUE(contains(html, "class=\"sum fails\"")) << html;
 }

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace touchstone::reports {
-namespace history_page_test {
+namespace trend_page_test {
 
 const std::string l2 = "L2 v_x [%]";
 
@@ -34,6 +34,8 @@ History nights() {
   return history;
 }
 
+Content content_of(const History& history) { return all_pages().at("trend").content({{}, history}); }
+
 /// The places of these words, each behind the one before.
 void expect_in_turn(const std::string& text, const std::vector<std::string>& words) {
   std::size_t at = 0;
@@ -45,8 +47,7 @@ void expect_in_turn(const std::string& text, const std::vector<std::string>& wor
 }
 
 TEST(Trend, ListsTheNewestNightFirstAndOfEachMethodWhatWentFurthest) {
-  const History history = nights();
-  const std::string html = trend_page(history, series_of(history.nights), {});
+  const std::string html = html_of("trend", content_of(nights()).data);
   expect_in_turn(html, {"5 nights, 2026-11-20 to 2026-11-24: the last one changed 3 values.",
                         "2026-11-24",
                         "<code>r4</code>",
@@ -67,7 +68,7 @@ TEST(Trend, ListsTheNewestNightFirstAndOfEachMethodWhatWentFurthest) {
                         ">1<",
                         ">2<",
                         ">2<"});
-  EXPECT_EQ(steps_csv(history, series_of(history.nights)),
+  EXPECT_EQ(content_of(nights()).tables.at("trend_steps.csv"),
             "night,revision,case,method,level,time [s],quantity,before,after\n"
             "2026-11-24T04:00:00Z,r4,flow,mpm,M2,1,L2 v_x [%],2,0.2\n"
             "2026-11-24T04:00:00Z,r4,flow,mpm,M1,1,L2 v_x [%],4,6\n"
@@ -76,8 +77,7 @@ TEST(Trend, ListsTheNewestNightFirstAndOfEachMethodWhatWentFurthest) {
 }
 
 TEST(Trend, DrawsTheLastTimeAndTheFinestSpacingWithTheLastValueAndTheLastStep) {
-  const History history = nights();
-  const std::string html = trend_page(history, series_of(history.nights), {});
+  const std::string html = html_of("trend", content_of(nights()).data);
   expect_in_turn(html, {"data-values=\"1,1,2,2,0.2\"", "M2, 1\u202fs", "<b>0.2</b>", "range 0.2 to 2",
                         "step 2026-11-24, <code>r4</code>", "<h3>sph</h3>", "data-values=\"5,5,5,5,6\""});
   EXPECT_FALSE(contains(html, "data-values=\"4,4,4,4,6\"")) << "coarser";
@@ -89,11 +89,11 @@ TEST(Trend, DrawsTheLastTimeAndTheFinestSpacingWithTheLastValueAndTheLastStep) {
 TEST(Trend, ListsAllNightsTheNewestFirstWithTheTimeOfAllTheirRuns) {
   History history = nights();
   history.nights.back().verdicts[0].outcome = vnv::Outcome::fails;
-  const std::string html = trend_page(history, series_of(history.nights), {});
+  const std::string html = html_of("trend", content_of(history).data);
   expect_in_turn(html.substr(html.find("Nights.")), {">5<", "2026-11-24T04:00:00Z", "r4", ">3<", ">1<", ">0<", ">3.75<",
                                                      ">1<", "2026-11-20T04:00:00Z", "r0", ">4<", ">0<"});
   EXPECT_TRUE(contains(html, "<p class=\"sum fails\">5 nights"));
 }
 
-}  // namespace history_page_test
+}  // namespace trend_page_test
 }  // namespace touchstone::reports

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <tuple>
 
-namespace touchstone::reports {
+namespace touchstone::reports::pages {
 namespace {
 
 constexpr std::size_t most_changes_listed = 100;  // all steps are in trend_steps.csv
@@ -177,26 +177,23 @@ std::string names_of_nights(const History& history) {
   return names;
 }
 
-}  // namespace
-
-std::string trend_page(const History& history, const std::vector<Series>& all,
-                       const std::vector<CaseRecords>& tonight) {
+Data trend_data(const History& history, const std::vector<Series>& all, const std::vector<CaseRecords>& tonight) {
   const auto changes = changes_of(all);
   const std::size_t last = history.nights.size() - 1;
   const auto is_new = [&](const Change& c) { return c.step.night == last; };
   const auto fails = [&](const Change& c) { return is_new(c) && c.series->points[c.step.night].fails; };
   const auto changed = std::ranges::count_if(changes, is_new);
-  return page("trend",
-              object("kind"_ = std::ranges::any_of(changes, fails) ? "fails"
-                               : changed > 0                       ? "inconclusive"
-                                                                   : "holds",
-                     "count"_ = counted(std::ssize(history.nights), "night"), "first"_ = date(history.nights.front()),
-                     "last"_ = date(history.nights.back()), "changed"_ = when(last > 0, counted(changed, "value")),
-                     "names_of_nights"_ = names_of_nights(history), "refused"_ = if_any(each(history.refused)),
-                     "changes"_ = changes_data(changes, history),
-                     "cases"_ = cases_data(worth_drawing(all), history, tonight), "nights"_ = nights_data(history)));
+  return object("kind"_ = std::ranges::any_of(changes, fails) ? "fails"
+                          : changed > 0                       ? "inconclusive"
+                                                              : "holds",
+                "count"_ = counted(std::ssize(history.nights), "night"), "first"_ = date(history.nights.front()),
+                "last"_ = date(history.nights.back()), "changed"_ = when(last > 0, counted(changed, "value")),
+                "names_of_nights"_ = names_of_nights(history), "refused"_ = if_any(each(history.refused)),
+                "changes"_ = changes_data(changes, history),
+                "cases"_ = cases_data(worth_drawing(all), history, tonight), "nights"_ = nights_data(history));
 }
 
+/// One line per step.
 std::string steps_csv(const History& history, const std::vector<Series>& all) {
   std::string csv = "night,revision,case,method,level,time [s],quantity,before,after\n";
   for (const auto& [series, step] : changes_of(all)) {
@@ -207,6 +204,7 @@ std::string steps_csv(const History& history, const std::vector<Series>& all) {
   return csv;
 }
 
+/// One line per series that is drawn, one column per night, headed by its date and revision.
 std::string trend_csv(const History& history, const std::vector<Series>& all) {
   std::vector<std::string> heading{"case", "method", "level", "time [s]", "quantity"};
   for (const Night& night : history.nights) heading.push_back(night.finished_at + " " + night.revision);
@@ -221,4 +219,18 @@ std::string trend_csv(const History& history, const std::vector<Series>& all) {
   return csv;
 }
 
-}  // namespace touchstone::reports
+}  // namespace
+
+Page trend() {
+  return {.title = "Trend over the nights",
+          .sentence = "How the values developed from night to night, and what changed last",
+          .content = [](const Findings& all) -> Content {
+            if (!all.history) return {};
+            const auto series = series_of(all.history->nights);
+            return {
+                trend_data(*all.history, series, all.cases),
+                {{"trend.csv", trend_csv(*all.history, series)}, {"trend_steps.csv", steps_csv(*all.history, series)}}};
+          }};
+}
+
+}  // namespace touchstone::reports::pages

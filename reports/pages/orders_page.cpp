@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace touchstone::reports {
+namespace touchstone::reports::pages {
 namespace {
 
 /// A column.
@@ -113,15 +113,15 @@ void add_matrix(List& matrices, const char* title, Field field, const std::vecto
 
 }  // namespace
 
-bool is_in_matrix(const CaseRecords& records) {
-  return principal_comparison(records, Field::velocity) || principal_comparison(records, Field::pressure);
+Page orders() {
+  return {.title = "Observed orders of convergence",
+          .sentence = "How fast the errors of each method decrease in each flow",
+          .content = [](const Findings& all) -> Content {
+            List matrices;
+            add_matrix(matrices, "Velocity", Field::velocity, all.cases);
+            add_matrix(matrices, "Pressure", Field::pressure, all.cases);
+            return {when(!matrices.empty(), object("matrices"_ = matrices))};
+          }};
 }
 
-std::string order_matrix_page(const std::vector<CaseRecords>& cases) {
-  List matrices;
-  add_matrix(matrices, "Velocity", Field::velocity, cases);
-  add_matrix(matrices, "Pressure", Field::pressure, cases);
-  return page("orders", object("matrices"_ = matrices));
-}
-
-}  // namespace touchstone::reports
+}  // namespace touchstone::reports::pages

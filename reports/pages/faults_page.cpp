@@ -1,5 +1,7 @@
 #include "reports/pages/pages.hpp"
 
+#include "vnv/files/whole_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace touchstone::reports {
+namespace touchstone::reports::pages {
 namespace {
 
 constexpr std::size_t most_tests_listed = 5;  // of a fault; faults.csv has all
@@ -120,17 +122,28 @@ const char* kind_of(const FaultTrials& all) {
   return std::ranges::any_of(all.trials, &FaultTrial::is_open) ? "known" : "holds";
 }
 
-}  // namespace
-
-std::string fault_page(const FaultTrials& all) {
+Data faults_data(const FaultTrials& all) {
   const auto [first, last] = std::ranges::minmax_element(all.trials, {}, &FaultTrial::date_and_time);
   const auto is_fault = [](const FaultTrial& trial) { return !trial.is_harmless(); };
-  return page("faults", object("kind"_ = kind_of(all), "sentence"_ = all.sentence(),
-                               "first_tried"_ = first->date_and_time, "last_tried"_ = last->date_and_time,
-                               "first_revision"_ = when(first->revision != last->revision, first->revision),
-                               "last_revision"_ = last->revision, "suite"_ = all.suite, "machine"_ = all.machine,
-                               "open"_ = trials_data(all, &FaultTrial::is_open), "faults"_ = trials_data(all, is_fault),
-                               "matrix"_ = matrix_data(all), "harmless"_ = trials_data(all, &FaultTrial::is_harmless)));
+  return object("kind"_ = kind_of(all), "sentence"_ = all.sentence(), "first_tried"_ = first->date_and_time,
+                "last_tried"_ = last->date_and_time,
+                "first_revision"_ = when(first->revision != last->revision, first->revision),
+                "last_revision"_ = last->revision, "suite"_ = all.suite, "machine"_ = all.machine,
+                "open"_ = trials_data(all, &FaultTrial::is_open), "faults"_ = trials_data(all, is_fault),
+                "matrix"_ = matrix_data(all), "harmless"_ = trials_data(all, &FaultTrial::is_harmless));
 }
 
-}  // namespace touchstone::reports
+}  // namespace
+
+Page faults() {
+  return {.title = "Detection rate",
+          .sentence = "What the tests would miss",
+          .content = [](const Findings& all) -> Content {
+            if (!all.faults) return {};
+            return {faults_data(*all.faults),
+                    {{"faults.csv", files::read_whole(all.faults->file)}},
+                    all.faults->sentence()};
+          }};
+}
+
+}  // namespace touchstone::reports::pages

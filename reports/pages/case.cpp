@@ -1,5 +1,6 @@
 #include "reports/pages/pages.hpp"
 
+#include "reports/compare/orders.hpp"
 #include "reports/pages/verdicts.hpp"
 
 #include <fmt/format.h>
@@ -153,6 +154,11 @@ List missing(const Plots& figures, const CaseRecords& records) {
 
 Data method_data(const vnv::Record& record) {
   return object("method"_ = record.method, "description"_ = record.method_description);
+}
+
+/// Whether the page of orders shows this flow.
+bool is_in_matrix(const CaseRecords& records) {
+  return principal_comparison(records, Field::velocity) || principal_comparison(records, Field::pressure);
 }
 
 }  // namespace
