@@ -112,13 +112,15 @@ TEST_F(Slabs, HaveMassesOfTheirDepth) {
   EXPECT_NEAR(value(judgement, l2), 4, 1e-9);
 }
 
-TEST_F(Slabs, LackFluidWhereARowOfSlicesDoes) {
-  std::vector<Row> hollow = channel(40, 8, 0);
-  std::erase_if(hollow, [](const Row& r) {
-    return std::hypot(r.x - 0.25, r.y - 0.5, r.z - 0.1) < 0.08;  // a sphere 6 spacings across
-  });
-  EXPECT_NE(complaints(judged(hollow, {}, 1.0 / 40)).find(largest_hole.name), std::string::npos)
-      << complaints(judged(hollow, {}, 1.0 / 40));
+TEST_F(Slabs, LackFluidWhereASliceDoes) {
+  for (const auto& [shaken, quantity] : {std::pair(0.0, empty_places_of_grid.name), std::pair(0.25, largest_hole.name)}) {
+    std::vector<Row> hollow = channel(40, 8, 0, shaken);
+    std::erase_if(hollow, [](const Row& r) {
+      return std::hypot(r.x - 0.25, r.y - 0.5, r.z - 0.1) < 0.08;  // a sphere 6 spacings across
+    });
+    const Judgement judgement = judged(hollow, {}, 1.0 / 40);
+    EXPECT_NE(complaints(judgement).find(quantity), std::string::npos) << complaints(judgement);
+  }
   std::vector<Row> twice = channel(20, 4, 0);
   twice.push_back(twice.front());
   EXPECT_NE(complaints(judged(twice)).find(rows_in_one_place.name), std::string::npos);

@@ -42,7 +42,7 @@ class Judgement:
 
 
 class Flow:
-    """A flow of `vnv scene`, at parameters in SI units."""
+    """A flow of `vnv scene`, or of a TOML file of formulas, at parameters in SI units."""
 
     def __init__(self, name, parameters):
         self.name = name
@@ -82,7 +82,7 @@ class Flow:
 
 
 def flow(name, **parameters):
-    """A flow by its name; parameters that are not given are those of the published flow."""
+    """A flow by its name, or by its file, "mine.toml"; parameters that are not given are those of the published flow."""
     return Flow(name, parameters)
 
 
