@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/in_a_child.hpp"
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/in_a_child.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "vnv/doors/read/gzip.hpp"
-#include "vnv/doors/read/in_a_child.hpp"
+#include "vnv/doors/read/parts/gzip.hpp"
+#include "vnv/doors/read/parts/in_a_child.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {

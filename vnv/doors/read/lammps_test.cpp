@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/parts/gzip.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "vnv/doors/read/delimited.hpp"
-#include "vnv/doors/read/gzip.hpp"
 #include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/gzip.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/testing.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"

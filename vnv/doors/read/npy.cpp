@@ -9,8 +9,8 @@
 #include <memory>
 #include <utility>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "vnv/doors/read/files_beside.hpp"
+#include "vnv/doors/read/parts/files_beside.hpp"
+#include "vnv/doors/read/parts/vtk_xml_file.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"
-#include "vnv/doors/read/vtk_xml_file.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {

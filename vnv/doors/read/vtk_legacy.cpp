@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "vnv/doors/read/numbers.hpp"
-#include "vnv/doors/read/vtk_grid.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
+#include "vnv/doors/read/parts/vtk_grid.hpp"
 
 namespace touchstone::vnv::doors {
 namespace vtk {

@@ -6,8 +6,8 @@
 #include <deque>
 #include <utility>
 
-#include "vnv/doors/read/vtk_grid.hpp"
-#include "vnv/doors/read/vtk_xml_file.hpp"
+#include "vnv/doors/read/parts/vtk_grid.hpp"
+#include "vnv/doors/read/parts/vtk_xml_file.hpp"
 
 namespace touchstone::vnv::doors {
 namespace fs = std::filesystem;

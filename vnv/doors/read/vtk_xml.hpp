@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "vnv/doors/read/dataset.hpp"
-#include "vnv/doors/read/files_beside.hpp"
+#include "vnv/doors/read/parts/files_beside.hpp"
 
 namespace touchstone::vnv::doors {
 

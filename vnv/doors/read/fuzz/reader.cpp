@@ -12,7 +12,7 @@
 #include "vnv/doors/read/hdf5.hpp"
 #include "vnv/doors/read/lammps.hpp"
 #include "vnv/doors/read/npy.hpp"
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 #include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/vtk_legacy.hpp"
 #include "vnv/doors/read/vtk_xml.hpp"

@@ -1,4 +1,4 @@
-#include "vnv/doors/read/numpy_array.hpp"
+#include "vnv/doors/read/parts/numpy_array.hpp"
 
 #include <fmt/format.h>
 
