@@ -28,6 +28,11 @@ struct NumpyArray {
   std::string_view bytes{};
 };
 
+inline constexpr std::string_view npy_begins = "\x93NUMPY";
+
+/// An array as a .npy holds it; `bytes` of its numbers are all that follow its header. Throws Unreadable.
+NumpyArray npy_array(std::string_view bytes, const std::string& where);
+
 /// How many numbers; throws Unreadable unless the bytes are just those.
 std::size_t size_of(const NumpyArray& array, const std::string& where);
 
