@@ -2,7 +2,9 @@
 /// other file of it knows CLI11.
 
 #include "vnv/command/commands.hpp"
+#include "vnv/command/terminal.hpp"
 #include "vnv/doors/fields.hpp"
+#include "vnv/doors/read/format.hpp"
 #include "vnv/files/data_folder.hpp"
 #include "vnv/programs/command_line.hpp"
 #include "vnv/programs/out_of_memory.hpp"
@@ -376,16 +378,17 @@ void add_subcommands(Session& session) {
       "  vnv scene taylor_green --spacing 0.02 --json --particles start.csv",
       scene, declare_scene);
   add(session, "judge", "Judges the output of any code for a flow: error norms, observed order, verdicts.",
-      "Reads VTP, VTU, legacy VTK, PVD and series of them, NPY, NPZ and HDF5 (including those of PySPH), LAMMPS\n"
-      "dumps, and text tables separated by commas, tabs or semicolons, plain or gzipped. Files of equal spacing are\n"
-      "taken as different times of one resolution; three resolutions give the observed order.\n"
-      "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
-      "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
-      "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
-      "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid --at-most 1 "
-      "pysph_100.npz\n"
-      "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz --at-most 1\n"
-      "  vnv judge stokes_second plate.h5 --at-most 1 --diagnose",
+      wrapped("Reads " + doors::formats_in_help() +
+                  ", plain or gzipped. Files of equal spacing are taken as different times of one resolution; three "
+                  "resolutions give the observed order.",
+              110) +
+          "Exit status: 0 all claims hold, 1 some do not or none was made, 3 bad input, 4 bad usage.\n"
+          "Examples:\n  vnv judge poiseuille out.pvd --at-most 1\n"
+          "  vnv judge couette run_40.csv run_80.csv run_160.csv --unit length=mm\n"
+          "  vnv judge poiseuille --set H=1 --set L=0.4 --set nu=0.01 --set F=1e-5 --only array=fluid --at-most 1 "
+          "pysph_100.npz\n"
+          "  vnv judge taylor_green cells.vtu --set Re=100 --field velocity=U --axes xz --at-most 1\n"
+          "  vnv judge stokes_second plate.h5 --at-most 1 --diagnose",
       judge, declare_judge);
   add(session, "prepare", "Makes a folder for each resolution of a solver, to be run elsewhere.",
       "Each holds scene.json, particles.csv and run.sh; when all have been run, vnv collect judges their output.\n"

@@ -1,6 +1,6 @@
 #include "vnv/command/order_table.hpp"
 
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/record/quantity.hpp"

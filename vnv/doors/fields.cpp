@@ -1,6 +1,6 @@
 #include "vnv/doors/fields.hpp"
 
-#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
 #include "vnv/measures/coverage.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "vnv/doors/given.hpp"
 
 #include "solvers/lattice.hpp"
-#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
 #include "vnv/doors/scene.hpp"
 #include "vnv/programs/progress.hpp"
 

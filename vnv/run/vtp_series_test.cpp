@@ -5,9 +5,7 @@
 
 #include <cstdlib>
 
-#include "vnv/doors/read/series.hpp"
-#include "vnv/doors/read/vtk_xml.hpp"
-#include "vnv/files/whole_file.hpp"
+#include "vnv/doors/read/dataset.hpp"
 
 namespace touchstone::vnv {
 namespace {
@@ -57,20 +55,19 @@ TEST_F(AVtpFile, WritesWhatOurReaderReadsBitForBit) {
   for (const Index particles : {1, 100, 20000}) {  // of one block and of several
     const Samples samples = some_samples(particles, 1. / 3);
     write_vtp(folder_ / "a.vtp", samples);
-    const std::vector<Dataset> read = read_vtk_xml(folder_ / "a.vtp", files::read_whole(folder_ / "a.vtp"), {});
+    const std::vector<Dataset> read = read_datasets(folder_ / "a.vtp");
     ASSERT_EQ(read.size(), 1u);
     EXPECT_EQ(read[0].format, "VTP, appended raw, zlib");
     expect_same(samples, read[0]);
   }
   write_vtp(folder_ / "none.vtp", some_samples(0, 0));
-  EXPECT_EQ(read_vtk_xml(folder_ / "none.vtp", files::read_whole(folder_ / "none.vtp"), {})[0].rows(), 0u);
+  EXPECT_EQ(read_datasets(folder_ / "none.vtp")[0].rows(), 0u);
 }
 
 TEST_F(AVtpFile, WritesASeriesThatOurReaderReads) {
   const std::vector<Samples> series = {some_samples(5, 0), some_samples(5, 0.1)};
   write_vtp_series(folder_ / "run", "sph", series);
-  const std::vector<Dataset> read =
-      read_series(folder_ / "run" / "sph.pvd", files::read_whole(folder_ / "run" / "sph.pvd"), {});
+  const std::vector<Dataset> read = read_datasets(folder_ / "run" / "sph.pvd");
   ASSERT_EQ(read.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) expect_same(series[i], read[i]);
   EXPECT_EQ(read[1].index, 1);

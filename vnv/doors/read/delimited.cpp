@@ -1,4 +1,11 @@
-#include "vnv/doors/read/delimited.hpp"
+/// Tables of text: values apart by commas, semicolons, tabs or blanks, a row a particle. The last line before the first
+/// row of numbers names the columns, behind a `#` or not; without one they are "column 1" and so on. Empty lines and
+/// other lines that begin with `#` or `%` are passed over. A column named "time" or "t" parts the rows into datasets of
+/// one time each; they stand in the order of their times.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -6,13 +13,8 @@
 #include <cmath>
 #include <optional>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/numbers.hpp"
-
-namespace touchstone::vnv::doors {
+namespace touchstone::vnv::doors::formats {
 namespace {
-
-constexpr std::string_view known_formats = "VTP, VTU, legacy VTK, PVD, NPY, NPZ, HDF5 or a dump of LAMMPS";
 
 /// The next cell of a line, which is taken from it; names may stand between double quotes.
 std::string_view next_cell(std::string_view& line, char separator) {
@@ -93,7 +95,7 @@ class Table {
 
   std::vector<Dataset> datasets() && {
     if (columns_.empty())
-      refuse(file_.string(), fmt::format("no row of numbers, expected a table of text, {}", known_formats));
+      refuse(file_.string(), fmt::format("no row of numbers, expected a table of text, {}", formats_besides_text()));
     Dataset whole{.source = file_.string(),
                   .format = separator_ == ' ' ? "text" : fmt::format("text, '{}' between cells", separator_),
                   .time = time_,
@@ -133,26 +135,30 @@ class Table {
   std::vector<Array> columns_{};
 };
 
-}  // namespace
-
 std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
-  return read_delimited(file, bytes, limits, [](std::string_view) {});
-}
-
-std::vector<Dataset> read_delimited(const std::filesystem::path& file, std::string_view bytes, const Limits& limits,
-                                    const std::function<void(std::string_view)>& done) {
   constexpr std::size_t piece = 1 << 22;
-  if (bytes.find('\0') != bytes.npos) refuse(file.string(), fmt::format("not text, expected text, {}", known_formats));
+  if (bytes.find('\0') != bytes.npos)
+    refuse(file.string(), fmt::format("not text, expected text, {}", formats_besides_text()));
   Table table(file, bytes, limits);
   const char* kept = bytes.data();
   for (long at = 1; !bytes.empty(); ++at) {
     table.add(next_line(bytes), at);
     if (const auto read = static_cast<std::size_t>(bytes.data() - kept); read >= piece) {
-      done({kept, read});
+      forget(kept, read);
       kept = bytes.data();
     }
   }
   return std::move(table).datasets();
 }
 
-}  // namespace touchstone::vnv::doors
+}  // namespace
+
+Format delimited() {
+  return {.words = "a table of text",
+          .help = "text tables separated by commas, tabs or semicolons",
+          .place = 1000,
+          .endings = {".csv", ".tsv", ".txt"},
+          .read = read_delimited};
+}
+
+}  // namespace touchstone::vnv::doors::formats

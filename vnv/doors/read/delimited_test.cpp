@@ -1,21 +1,16 @@
-#include "vnv/doors/read/delimited.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "vnv/doors/read/testing.hpp"
+
 namespace touchstone::vnv::doors {
 namespace delimited_test {
 
-std::vector<Dataset> read(std::string_view text) { return read_delimited("run.csv", text, {}); }
+std::vector<Dataset> read(std::string_view text) { return read_as("delimited", "run.csv", text, {}); }
 std::string refusal(std::string_view text, const Limits& limits = {}) {
-  try {
-    read_delimited("run.csv", text, limits);
-  } catch (const Unreadable& error) {
-    return error.what();
-  }
-  return "";
+  return doors::refusal([&] { read_as("delimited", "run.csv", text, limits); });
 }
 
 TEST(Delimited, IsReadWithAnySeparatorAndHeading) {
@@ -51,7 +46,7 @@ TEST(Delimited, PartsRowsByTheirTime) {
 
 TEST(Delimited, HasATimeThatACommentSaysAndTheNumberThatEndsItsName) {
   for (const char* text : {"# t = 20\nx y\n1 2\n", "x,y\n1,2\n", "# Time: 20 s\n# x y\n1 2\n"}) {
-    const Dataset found = read_delimited("PartFluid_0020.csv", text, {}).at(0);
+    const Dataset found = read_as("delimited", "PartFluid_0020.csv", text, {}).at(0);
     EXPECT_EQ(found.index, 20) << text;
     EXPECT_EQ(found.time, text[0] == '#' ? std::optional(20.0) : std::nullopt) << text;
     EXPECT_EQ(found.arrays.at(0).name, "x") << text;
@@ -60,9 +55,8 @@ TEST(Delimited, HasATimeThatACommentSaysAndTheNumberThatEndsItsName) {
 }
 
 TEST(Delimited, HasTheUnitOfItsTimeFromAHeadingOrAComment) {
-  for (const char* text :
-       {"time [ms],x\n20,1\n", "t (ms);x\n20;1\n", "t (ms) x\n20 1\n", "Time [ms],x\n20,1\n30,2\n",
-        "# time = 20 ms\nx\n1\n", "# t [ms] = 20\nx\n1\n", "# t (ms): 20 ms\nx\n1\n"}) {
+  for (const char* text : {"time [ms],x\n20,1\n", "t (ms);x\n20;1\n", "t (ms) x\n20 1\n", "Time [ms],x\n20,1\n30,2\n",
+                           "# time = 20 ms\nx\n1\n", "# t [ms] = 20\nx\n1\n", "# t (ms): 20 ms\nx\n1\n"}) {
     const Dataset found = read(text).at(0);
     EXPECT_EQ(found.time, 20) << text;
     EXPECT_EQ(found.time_unit, "ms") << text;

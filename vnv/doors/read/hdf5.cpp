@@ -1,4 +1,11 @@
-#include "vnv/doors/read/hdf5.hpp"
+/// Datasets of HDF5, by libhdf5. Numbers of equally many rows in the root or in the only group that has some; groups
+/// "Step#1" and so on (H5Part), a time each; or the particle arrays of PySPH. A time is an attribute or a dataset of
+/// one number, "t" or "time". Texts and records are passed over. Nothing outside the file is read: no links but those
+/// to its own objects, no external or virtual datasets; of filters gzip and shuffle.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -6,11 +13,7 @@
 
 #include <algorithm>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/in_a_child.hpp"
-#include "vnv/doors/read/numbers.hpp"
-
-namespace touchstone::vnv::doors {
+namespace touchstone::vnv::doors::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -266,16 +269,15 @@ class File {
 
 }  // namespace
 
-std::vector<Dataset> read_hdf5_unguarded(const fs::path& file, std::string_view bytes, const Limits& limits) {
-  return File(file, bytes, limits).datasets();
+Format hdf5() {
+  return {.words = "HDF5",
+          .help = "NPZ and HDF5 (including those of PySPH)",
+          .place = 30,
+          .endings = {".h5", ".hdf5"},
+          .begins = "\x89HDF\r\n\x1a\n",
+          .read = [](const fs::path& file, std::string_view bytes,
+                     const Limits& limits) { return File(file, bytes, limits).datasets(); },
+          .may_crash = true};
 }
 
-std::vector<Dataset> read_hdf5(const fs::path& file, std::string_view bytes, const Limits& limits) {
-  constexpr std::size_t seconds = 1, bytes_a_second = 1 << 22;  // a tenth of what it reads at the least
-  constexpr std::size_t constant = 1 << 28;                     // libhdf5 allocates what a broken file claims
-  return read_in_a_child(file.string(), static_cast<unsigned>(seconds + bytes.size() / bytes_a_second),
-                         constant + 2 * most_that_deflate_saves * bytes.size(),
-                         [&] { return read_hdf5_unguarded(file, bytes, limits); });
-}
-
-}  // namespace touchstone::vnv::doors
+}  // namespace touchstone::vnv::doors::formats

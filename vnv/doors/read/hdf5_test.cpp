@@ -1,5 +1,3 @@
-#include "vnv/doors/read/hdf5.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "vnv/doors/read/gzip.hpp"
-#include "vnv/doors/read/in_a_child.hpp"
+#include "vnv/doors/read/parts/in_a_child.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {
@@ -16,7 +13,7 @@ namespace hdf5_test {
 
 std::vector<Dataset> read(const std::string& name) { return read_datasets(samples() / "hdf5" / name); }
 std::string refusal_of(const std::string& name, const Limits& limits = {}) {
-  return refusal([&] { read_hdf5("a.h5", files::read_whole(samples() / "hdf5" / name), limits); });
+  return refusal([&] { read_as("hdf5", "a.h5", files::read_whole(samples() / "hdf5" / name), limits); });
 }
 
 TEST(Hdf5, GivesNumbersOfEveryTypeWithTheirTime) {
@@ -73,7 +70,7 @@ TEST(Hdf5, IsRefusedInOneLineWhatIsNotInTheFileOrNotRead) {
             "a.h5: 'f2_little': '5' rows of 1 numbers, expected no more than 64 bytes of numbers in a file");
   const std::string good = files::read_whole(samples() / "hdf5/columns_3.h5");
   for (const std::size_t size : {std::size_t{10}, good.size() / 2, good.size() - 1})
-    EXPECT_NE(refusal([&] { read_hdf5("a.h5", good.substr(0, size), {}); }).find("a.h5: "), std::string::npos) << size;
+    EXPECT_TRUE(refusal([&] { read_as("hdf5", "a.h5", good.substr(0, size), {}); }).starts_with("a.h5: ")) << size;
 }
 
 TEST(AChild, MayCrashOrRunOnWithoutHarm) {

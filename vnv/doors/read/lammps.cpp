@@ -1,18 +1,21 @@
-#include "vnv/doors/read/lammps.hpp"
+/// Text dumps of LAMMPS. A dataset of each frame; without a time its index is the time step. Columns that are words,
+/// such as elements, have labels; xs and xu are given as x, unscaled, where there is no x.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/numbers.hpp"
-
-namespace touchstone::vnv::doors {
+namespace touchstone::vnv::doors::formats {
 namespace {
 
 class Dump {
  public:
+  static constexpr std::string_view begins = "ITEM: ";
   Dump(const std::filesystem::path& file, std::string_view bytes, const Limits& limits)
       : file_(file), rest_(bytes), limits_(limits), budget_(limits) {}
 
@@ -60,9 +63,9 @@ class Dump {
     std::array<Side, 3> box;
     for (bool is_read = false; !is_read;) {
       std::string_view line = next_line();
-      if (!line.starts_with(lammps_begins))
+      if (!line.starts_with(begins))
         refuse_here(fmt::format("'{}', expected 'ITEM: ' and what follows", line.substr(0, 40)));
-      line.remove_prefix(lammps_begins.size());
+      line.remove_prefix(begins.size());
       if (line.starts_with("ATOMS")) {
         frame.arrays = atoms(line.substr(5), count, box);
         is_read = true;
@@ -152,8 +155,15 @@ class Dump {
 
 }  // namespace
 
-std::vector<Dataset> read_lammps(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
-  return Dump(file, bytes, limits).datasets();
+Format lammps() {
+  return {.words = "a dump of LAMMPS",
+          .help = "LAMMPS dumps",
+          .place = 40,
+          .endings = {".lammpstrj"},
+          .begins = Dump::begins,
+          .read = [](const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+            return Dump(file, bytes, limits).datasets();
+          }};
 }
 
-}  // namespace touchstone::vnv::doors
+}  // namespace touchstone::vnv::doors::formats

@@ -1,8 +1,6 @@
-#include "vnv/doors/read/lammps.hpp"
-
 #include <gtest/gtest.h>
 
-#include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/parts/gzip.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {
@@ -31,8 +29,8 @@ using Point = std::pair<double, double>;
 
 TEST(LammpsDumps, GivePlacesScaledOrUnwrappedByTheBoxOfTheirFrame) {
   const auto places = [](const std::string& columns, const std::string& row) {
-    const std::vector<Dataset> frames = read_lammps(
-        "a",
+    const std::vector<Dataset> frames = read_as(
+        "lammps", "a",
         "ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp ff\n-1 3\n10 20\n-2 2\nITEM: ATOMS id " +
             columns + "\n1 " + row + "\n",
         {});
@@ -58,7 +56,7 @@ TEST(LammpsDumps, GiveTimesUnitsAndElementsWhereTheyAreThere) {
 TEST(LammpsDumps, AreRefusedInOneLine) {
   const std::string good = files::read_whole(samples() / "lammps/times.lammpstrj");
   const auto refusal_of = [](const std::string& bytes, const Limits& limits = {}) {
-    return refusal([&] { read_lammps("a", bytes, limits); });
+    return refusal([&] { read_as("lammps", "a", bytes, limits); });
   };
   EXPECT_EQ(refusal_of(good), "");
   EXPECT_EQ(refusal_of(files::read_whole(samples() / "lammps/triclinic.lammpstrj")),

@@ -8,8 +8,8 @@
 #include <functional>
 #include <map>
 
-#include "vnv/doors/read/columns.hpp"
 #include "vnv/doors/read/most_held.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {

@@ -1,11 +1,9 @@
-#include "vnv/doors/read/npy.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 #include "vnv/doors/read/testing.hpp"
 
 namespace touchstone::vnv::doors {
@@ -14,10 +12,10 @@ namespace npy_test {
 std::string bytes_of_sample(const std::string& name) { return files::read_whole(samples() / "npy" / name); }
 std::vector<Dataset> read(const std::string& name) { return read_datasets(samples() / "npy" / name); }
 std::string refusal_of_npy(const std::string& bytes) {
-  return refusal([&] { read_npy("a.npy", bytes, {}); });
+  return refusal([&] { read_as("npy", "a.npy", bytes, {}); });
 }
 std::string refusal_of_npz(const std::string& bytes, const Limits& limits = {}) {
-  return refusal([&] { read_npz("a.npz", bytes, limits); });
+  return refusal([&] { read_as("npz", "a.npz", bytes, limits); });
 }
 
 TEST(Npy, GivesTheSameNumbersOfEveryTypeAndOrderOfBytes) {
@@ -127,7 +125,7 @@ TEST(Npz, IsRefusedInOneLineWhereItsEntriesLie) {
 TEST(Npz, TakesTheNameOfAnEntryForNoMoreThanAName) {
   std::string bytes = bytes_of_sample("vectors.npz");
   for (int i = 0; i < 2; ++i) bytes = with(bytes, "pos.npy", "../pos.");
-  EXPECT_NE(read_npz("a.npz", bytes, {}).at(0).array("../pos."), nullptr);
+  EXPECT_NE(read_as("npz", "a.npz", bytes, {}).at(0).array("../pos."), nullptr);
 }
 
 std::string refusal_of_pickle(const std::string& bytes) {

@@ -1,4 +1,11 @@
-#include "vnv/doors/read/series.hpp"
+/// Series of VTK's files with their times: a collection (.pvd) or a list in JSON (.vtk.series, .vtm.series). Datasets
+/// of all files, in the order of the times that the series gives; without a time there, that of the file stays. It
+/// names files of its own folder only.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/files_beside.hpp"
+#include "vnv/doors/read/parts/vtk_files.hpp"
+#include "vnv/doors/read/parts/vtk_xml_file.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "vnv/doors/read/files_beside.hpp"
-#include "vnv/doors/read/vtk_legacy.hpp"
-#include "vnv/doors/read/vtk_xml.hpp"
-#include "vnv/doors/read/vtk_xml_file.hpp"
-
-namespace touchstone::vnv::doors {
+namespace touchstone::vnv::doors::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,8 +78,6 @@ std::string full_name(const fs::path& series, const std::string& name) {
   return first.stem().string() + name + first.extension().string();
 }
 
-}  // namespace
-
 std::vector<Dataset> read_series(const fs::path& file, std::string_view bytes, const Limits& limits) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const bool is_json = first != bytes.npos && bytes[first] == '{';
@@ -91,9 +91,9 @@ std::vector<Dataset> read_series(const fs::path& file, std::string_view bytes, c
     if (entry.time && !std::isfinite(*entry.time))
       refuse(file.string(), fmt::format("time '{}' of '{:.200}', expected a number", *entry.time, entry.file));
     const FilesBeside::Named named = files.read(file, full_name(file, entry.file));
-    const bool is_legacy = named.bytes.starts_with(vtk_legacy_begins);
-    for (Dataset& dataset : is_legacy ? read_vtk_legacy(named.file, named.bytes, limits)
-                                      : read_vtk_xml(named.file, named.bytes, limits, files)) {
+    const bool is_legacy = named.bytes.starts_with(vtk::legacy_begins);
+    for (Dataset& dataset : is_legacy ? vtk::read_legacy(named.file, named.bytes, limits)
+                                      : vtk::read_xml(named.file, named.bytes, limits, files)) {
       dataset.source = fmt::format("{}: {}", file.filename().string(), dataset.source);
       if (entry.time) dataset.time = entry.time;
       if (!dataset.index) dataset.index = &entry - entries.data();
@@ -105,4 +105,18 @@ std::vector<Dataset> read_series(const fs::path& file, std::string_view bytes, c
   return datasets;
 }
 
-}  // namespace touchstone::vnv::doors
+}  // namespace
+
+Format series() {
+  return {.words = "PVD",
+          .help = "PVD and series of them",
+          .place = 12,
+          .endings = {".pvd", ".series"},
+          .is_it =
+              [](const fs::path& file, std::string_view head) {
+                return head.find("type=\"Collection\"") != head.npos || file.extension() == ".series";
+              },
+          .read = read_series};
+}
+
+}  // namespace touchstone::vnv::doors::formats

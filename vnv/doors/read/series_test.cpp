@@ -1,5 +1,3 @@
-#include "vnv/doors/read/series.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +38,7 @@ class ASeries : public testing::Test {
   std::vector<Dataset> read(const std::string& text, const std::string& name = "run.pvd",
                             const Limits& limits = {}) const {
     std::ofstream(folder_ / name) << text;
-    return read_series(folder_ / name, text, limits);
+    return read_as("series", folder_ / name, text, limits);
   }
   /// What it says of the series, without where the folder is.
   std::string refusal_of(const std::string& text, const std::string& name = "run.pvd",

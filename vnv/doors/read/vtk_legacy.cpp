@@ -1,14 +1,16 @@
-#include "vnv/doors/read/vtk_legacy.hpp"
+/// VTK's older files, "# vtk DataFile Version 1.0" to 5.1, of text or of bytes. Points first, then cells; of structured
+/// grids the points.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
+#include "vnv/doors/read/parts/vtk_files.hpp"
+#include "vnv/doors/read/parts/vtk_grid.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "vnv/doors/read/numbers.hpp"
-#include "vnv/doors/read/vtk_grid.hpp"
-
-namespace touchstone::vnv::doors {
-namespace vtk {
+namespace touchstone::vnv::doors::vtk {
 namespace {
 
 std::optional<Type> legacy_type(std::string_view name) {
@@ -53,8 +55,8 @@ class Legacy {
       : file_(file.string()), rest_(bytes), budget_(limits) {
     if (bytes.size() > limits.most_bytes)
       refuse(file_, fmt::format("'{}' bytes, expected no more than {}", bytes.size(), limits.most_bytes));
-    if (!next_line().starts_with(vtk_legacy_begins))
-      refuse(file_, fmt::format("expected '{}' in its first line", vtk_legacy_begins));
+    if (!next_line().starts_with(legacy_begins))
+      refuse(file_, fmt::format("expected '{}' in its first line", legacy_begins));
     next_line();  // its title
     const std::string kind = word();
     if (kind != "ASCII" && kind != "BINARY") refuse(file_, fmt::format("'{:.40}', expected ASCII or BINARY", kind));
@@ -313,12 +315,20 @@ class Legacy {
 };
 
 }  // namespace
-}  // namespace vtk
 
-std::vector<Dataset> read_vtk_legacy(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
-  std::vector<Dataset> datasets = vtk::Legacy(file, bytes, limits).datasets(file.filename().string());
+std::vector<Dataset> read_legacy(const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+  std::vector<Dataset> datasets = Legacy(file, bytes, limits).datasets(file.filename().string());
   for (Dataset& dataset : datasets) dataset.index = number_of(file);
   return datasets;
 }
 
-}  // namespace touchstone::vnv::doors
+}  // namespace touchstone::vnv::doors::vtk
+
+namespace touchstone::vnv::doors::formats {
+
+Format vtk_legacy() {
+  return {
+      .words = "legacy VTK", .place = 11, .endings = {".vtk"}, .begins = "# vtk DataFile", .read = vtk::read_legacy};
+}
+
+}  // namespace touchstone::vnv::doors::formats

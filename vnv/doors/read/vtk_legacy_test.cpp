@@ -1,5 +1,3 @@
-#include "vnv/doors/read/vtk_legacy.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -59,8 +57,8 @@ TEST(LegacyVtk, PlacesThePointsOfStructuredGrids) {
 }
 
 TEST(LegacyVtk, LeavesOutPlacesOfAGridThatAreGhosts) {
-  const std::vector<Dataset> read = read_vtk_legacy(
-      "run/a.vtk",
+  const std::vector<Dataset> read = read_as(
+      "vtk_legacy", "run/a.vtk",
       "# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\nPOINT_DATA 4\nFIELD f 2\n"
       "p 1 4 int\n1 2 3 4\nvtkGhostType 1 4 unsigned_char\n0 1 0 0\n",
       {});
@@ -114,11 +112,11 @@ rho 1 2 float
 )";
 
 std::string refusal_of(const std::string& text, const Limits& limits = {}) {
-  return refusal([&] { read_vtk_legacy("run/a.vtk", text, limits); });
+  return refusal([&] { read_as("vtk_legacy", "run/a.vtk", text, limits); });
 }
 
 TEST(LegacyVtk, ReadsTheFileThatItsRefusalsChange) {
-  const std::vector<Dataset> read = read_vtk_legacy("run/a_7.vtk", good, {});
+  const std::vector<Dataset> read = read_as("vtk_legacy", "run/a_7.vtk", good, {});
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].array("the pressure")->values, (std::vector<double>{3, 4}));
   EXPECT_EQ(read[0].array("v")->values, (std::vector<double>{1, 2, 0, 3, 4, 0}));

@@ -7,23 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "vnv/doors/read/series.hpp"
 #include "vnv/doors/read/testing.hpp"
-#include "vnv/doors/read/vtk_legacy.hpp"
-#include "vnv/doors/read/vtk_xml.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 
 inline std::filesystem::path sample(const std::string& name) { return samples() / "vtk" / name; }
 
-/// By the reader of its extension.
-inline std::vector<Dataset> read_sample(const std::string& name) {
-  const std::string bytes = files::read_whole(sample(name));
-  const std::string extension = sample(name).extension().string();
-  if (extension == ".vtk") return read_vtk_legacy(sample(name), bytes, {});
-  if (extension == ".series" || extension == ".pvd") return read_series(sample(name), bytes, {});
-  return read_vtk_xml(sample(name), bytes, {});
-}
+inline std::vector<Dataset> read_sample(const std::string& name) { return read_datasets(sample(name)); }
 
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   const auto same = [](double x, double y) {

@@ -1,4 +1,11 @@
-#include "vnv/doors/read/vtk_xml.hpp"
+/// VTK's files of XML: particles and meshes (.vtp, .vtu), those in pieces (.pvtp, .pvtu), and trees of them (.vtm).
+/// Points first, then cells. Of a tree that has a dataset "internal", as OpenFOAM's foamToVTK writes, that one only:
+/// the others bound it.
+
+#include "vnv/doors/read/format.hpp"
+#include "vnv/doors/read/parts/vtk_files.hpp"
+#include "vnv/doors/read/parts/vtk_grid.hpp"
+#include "vnv/doors/read/parts/vtk_xml_file.hpp"
 
 #include <fmt/format.h>
 
@@ -6,14 +13,10 @@
 #include <deque>
 #include <utility>
 
-#include "vnv/doors/read/vtk_grid.hpp"
-#include "vnv/doors/read/vtk_xml_file.hpp"
-
-namespace touchstone::vnv::doors {
-namespace fs = std::filesystem;
-
-namespace vtk {
+namespace touchstone::vnv::doors::vtk {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t most_arrays = 1000;  // of points or of cells
 
@@ -231,20 +234,31 @@ std::vector<Dataset> read_tree(const fs::path& path, XmlFile& file, const Limits
 }
 
 }  // namespace
-}  // namespace vtk
 
-std::vector<Dataset> read_vtk_xml(const fs::path& file, std::string_view bytes, const Limits& limits) {
-  FilesBeside files(file, limits);
-  return read_vtk_xml(file, bytes, limits, files);
-}
-
-std::vector<Dataset> read_vtk_xml(const fs::path& file, std::string_view bytes, const Limits& limits,
-                                  FilesBeside& files) {
-  vtk::XmlFile xml(file.string(), bytes, limits);
-  std::vector<Dataset> datasets = xml.type() == "vtkMultiBlockDataSet" ? vtk::read_tree(file, xml, limits, files)
-                                                                       : vtk::read_leaf(file, xml, limits, files);
+std::vector<Dataset> read_xml(const fs::path& file, std::string_view bytes, const Limits& limits, FilesBeside& files) {
+  XmlFile xml(file.string(), bytes, limits);
+  std::vector<Dataset> datasets =
+      xml.type() == "vtkMultiBlockDataSet" ? read_tree(file, xml, limits, files) : read_leaf(file, xml, limits, files);
   for (Dataset& dataset : datasets) dataset.index = number_of(file);
   return datasets;
 }
 
-}  // namespace touchstone::vnv::doors
+}  // namespace touchstone::vnv::doors::vtk
+
+namespace touchstone::vnv::doors::formats {
+
+Format vtk_xml() {
+  return {
+      .words = "VTP, VTU",
+      .place = 10,
+      .endings = {".vtp", ".vtu", ".pvtp", ".pvtu", ".vtm"},
+      .is_it = [](const std::filesystem::path&,
+                  std::string_view head) { return head.starts_with("<?xml") || head.find("<VTKFile") != head.npos; },
+      .read =
+          [](const std::filesystem::path& file, std::string_view bytes, const Limits& limits) {
+            FilesBeside files(file, limits);
+            return vtk::read_xml(file, bytes, limits, files);
+          }};
+}
+
+}  // namespace touchstone::vnv::doors::formats

@@ -1,5 +1,3 @@
-#include "vnv/doors/read/vtk_xml.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -134,11 +132,11 @@ std::string with(std::string text, const std::vector<std::pair<std::string, std:
 }
 
 std::string refusal_of(const std::string& text, const Limits& limits = {}) {
-  return refusal([&] { read_vtk_xml("run/a.vtp", text, limits); });
+  return refusal([&] { read_as("vtk_xml", "run/a.vtp", text, limits); });
 }
 
 TEST(VtkXml, ReadsTheFileThatItsRefusalsChange) {
-  const std::vector<Dataset> read = read_vtk_xml("run/a_3.vtp", good, {});
+  const std::vector<Dataset> read = read_as("vtk_xml", "run/a_3.vtp", good, {});
   EXPECT_EQ(read[0].array("p")->values, (std::vector<double>{1, 2}));
   EXPECT_EQ(read[0].time, 2);
   EXPECT_EQ(read[0].index, 3);
@@ -195,7 +193,7 @@ TEST(VtkXml, RefusesInOneLineWhatItCannotRead) {
 TEST(VtkXml, RefusesEntitiesAndTooManyElements) {
   const std::string bomb = R"(<!DOCTYPE v [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;">]>)" +
                            with(good, {{"Name=\"p\"", "Name=\"&b;\""}});
-  EXPECT_NE(read_vtk_xml("a.vtp", bomb, {})[0].array("&b;"), nullptr);  // no entity is expanded
+  EXPECT_NE(read_as("vtk_xml", "a.vtp", bomb, {})[0].array("&b;"), nullptr);  // no entity is expanded
   std::string many = "<VTKFile>";
   for (int i = 0; i < 20000; ++i) many += "<a/>";
   EXPECT_EQ(refusal_of(many), "run/a.vtp: expected XML of no more than 15000 elements");
@@ -279,7 +277,7 @@ TEST(VtkXml, LeavesOutRowsThatAnotherPieceOwns) {
   const std::string ghosts = with(
       good,
       {{"</PointData>", R"(<DataArray type="UInt8" Name="vtkGhostType" format="ascii">1 0</DataArray></PointData>)"}});
-  const Dataset read = read_vtk_xml("a.vtp", ghosts, {})[0];
+  const Dataset read = read_as("vtk_xml", "a.vtp", ghosts, {})[0];
   EXPECT_EQ(read.array("p")->values, std::vector<double>{2});
   EXPECT_EQ(read.array(points_array)->values, (std::vector<double>{1, 1, 0}));
   EXPECT_EQ(read.array("vtkGhostType"), nullptr);

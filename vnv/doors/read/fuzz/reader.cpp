@@ -1,32 +1,13 @@
-/// A reader, given whatever libFuzzer makes of its samples: it gives datasets of equally many rows or refuses in one
-/// line, and takes no more memory than ten times its file and a constant. Built by Clang as fuzz_vtk_xml, fuzz_npz and
-/// so on, each with the name of its function in READER; libhdf5 may crash, so that fuzz_hdf5_unguarded needs -fork=1
-/// -ignore_crashes=1.
+/// The reader of a format, given whatever libFuzzer makes of its samples: it gives datasets of equally many rows or
+/// refuses in one line, and takes no more memory than ten times its file and a constant. Built by Clang as fuzz_npz and
+/// so on, each with the name of its format in FORMAT; what may crash needs -fork=1 -ignore_crashes=1.
 
 #include <sanitizer/allocator_interface.h>
 
 #include <cstdlib>
 #include <string_view>
 
-#include "vnv/doors/read/delimited.hpp"
-#include "vnv/doors/read/hdf5.hpp"
-#include "vnv/doors/read/lammps.hpp"
-#include "vnv/doors/read/npy.hpp"
-#include "vnv/doors/read/pickle.hpp"
-#include "vnv/doors/read/series.hpp"
-#include "vnv/doors/read/vtk_legacy.hpp"
-#include "vnv/doors/read/vtk_xml.hpp"
-
-namespace touchstone::vnv::doors {
-
-/// Those within a .npz stand behind its checksums.
-[[maybe_unused]] static std::vector<Dataset> read_pickle(const std::filesystem::path& file, std::string_view bytes,
-                                                         const Limits&) {
-  const Pickle pickle(bytes, file.string());
-  return {};
-}
-
-}  // namespace touchstone::vnv::doors
+#include "vnv/doors/read/testing.hpp"
 
 /// Bytes that are allocated now, and at the most, since the reader began; it may free what was there before.
 static std::ptrdiff_t allocated = 0, most_allocated = 0;
@@ -44,11 +25,11 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   using namespace touchstone::vnv::doors;
-  constexpr std::vector<Dataset> (*read)(const std::filesystem::path&, std::string_view, const Limits&) = READER;
+  static const Format format = format_named(FORMAT);
   allocated = most_allocated = 0;
   try {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    for (const Dataset& dataset : read("no such folder/a.vtp", bytes, Limits{.most_bytes = 1 << 22}))
+    for (const Dataset& dataset : format.read("no such folder/a.vtp", bytes, Limits{.most_bytes = 1 << 22}))
       for (const Array& array : dataset.arrays)
         if (array.rows() != dataset.rows()) std::abort();
   } catch (const Unreadable& error) {
@@ -56,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
       if (static_cast<unsigned char>(*c) < ' ') std::abort();
   }
   // libzip takes 2 MB for 65535 entries; libhdf5 allocates what a file claims, until its process may have no more.
-  constexpr std::size_t constant = read == &read_hdf5_unguarded ? std::size_t{1} << 28 : std::size_t{1} << 22;
+  const std::size_t constant = format.may_crash ? std::size_t{1} << 28 : std::size_t{1} << 22;
   if (static_cast<std::size_t>(most_allocated) > 10 * size + constant) std::abort();
   return 0;
 }

@@ -1,4 +1,4 @@
-#include "vnv/doors/read/pickle.hpp"
+#include "vnv/doors/read/parts/pickle.hpp"
 
 #include <fmt/format.h>
 

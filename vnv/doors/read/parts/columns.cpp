@@ -1,4 +1,4 @@
-#include "vnv/doors/read/columns.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
 
 #include <fmt/format.h>
 

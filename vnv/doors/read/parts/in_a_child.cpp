@@ -1,4 +1,4 @@
-#include "vnv/doors/read/in_a_child.hpp"
+#include "vnv/doors/read/parts/in_a_child.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 #include <fstream>
 #include <new>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace {

@@ -1,10 +1,21 @@
-#include "vnv/doors/read/numpy_array.hpp"
+#include "vnv/doors/read/parts/numpy_array.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 
 namespace touchstone::vnv::doors::numpy {
+namespace {
+
+/// Of the dictionary that describes an array, as Python writes it: what stands behind a key.
+std::string_view behind(std::string_view header, const std::string& key, const std::string& where) {
+  const std::size_t at = header.find("'" + key + "':");
+  if (at == header.npos) refuse(where, fmt::format("no '{}' in its header, expected one", key));
+  const std::string_view rest = header.substr(at + key.size() + 3);
+  return rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+}
+
+}  // namespace
 
 NumberType kind_named(std::string_view name, const std::string& where) {
   NumberType kind;
@@ -25,6 +36,34 @@ NumberType kind_named(std::string_view name, const std::string& where) {
   if (!is_known || (!digits.empty() && !has_size))
     refuse(where, fmt::format("type '{:.40}', expected f2, f4, f8, i1 to i8, u1 to u8 or b1", name));
   return kind;
+}
+
+NumpyArray npy_array(std::string_view bytes, const std::string& where) {
+  constexpr std::size_t longest_header = 1 << 16, version_at = npy_begins.size(), length_at = version_at + 2;
+  const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
+  if (!bytes.starts_with(npy_begins)) refuse(where, "no array of numpy, expected one");
+  const unsigned version = at(version_at);
+  if (version < 1 || version > 3) refuse(where, fmt::format("version '{}', expected 1, 2 or 3", version));
+  const std::size_t begin = length_at + (version == 1 ? 2 : 4);
+  std::size_t length = at(length_at) | at(length_at + 1) << 8;
+  if (version > 1) length |= at(length_at + 2) << 16 | static_cast<std::size_t>(at(length_at + 3)) << 24;
+  if (length > longest_header || begin + length > bytes.size())
+    refuse(where, fmt::format("a header of '{}' bytes, expected no more than {}", length,
+                              std::min(longest_header, bytes.size() - std::min(begin, bytes.size()))));
+  const std::string_view header = bytes.substr(begin, length), type = behind(header, "descr", where);
+  const bool is_plain = type.starts_with('\'');
+  NumpyArray array{.kind = numpy::kind_named(is_plain ? type.substr(1, type.find('\'', 1) - 1) : type, where),
+                   .is_fortran = behind(header, "fortran_order", where).starts_with("True"),
+                   .bytes = bytes.substr(begin + length)};
+  std::string_view shape = behind(header, "shape", where);
+  if (!shape.starts_with('(') || shape.find(')') == shape.npos) refuse(where, "no tuple as its shape, expected one");
+  for (shape = shape.substr(1, shape.find(')') - 1); !shape.empty();) {
+    const std::string_view one = shape.substr(0, shape.find(','));
+    array.shape.push_back(
+        whole_number(one.substr(std::min(one.find_first_not_of(' '), one.size())), where + ": shape"));
+    shape.remove_prefix(std::min(one.size() + 1, shape.size()));
+  }
+  return array;
 }
 
 std::size_t size_of(const NumpyArray& array, const std::string& where) {

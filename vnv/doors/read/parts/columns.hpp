@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "vnv/doors/read/dataset.hpp"
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 

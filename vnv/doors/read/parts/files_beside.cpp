@@ -1,11 +1,11 @@
-#include "vnv/doors/read/files_beside.hpp"
+#include "vnv/doors/read/parts/files_beside.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 namespace fs = std::filesystem;

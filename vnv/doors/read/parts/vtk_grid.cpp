@@ -1,4 +1,4 @@
-#include "vnv/doors/read/vtk_grid.hpp"
+#include "vnv/doors/read/parts/vtk_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "vnv/doors/read/columns.hpp"
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/columns.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 namespace {

@@ -1,4 +1,4 @@
-#include "vnv/doors/read/vtk_xml_file.hpp"
+#include "vnv/doors/read/parts/vtk_xml_file.hpp"
 
 #include <fmt/format.h>
 #include <lz4.h>

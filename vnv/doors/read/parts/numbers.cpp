@@ -1,4 +1,4 @@
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 #include "vnv/files/tables.hpp"
 

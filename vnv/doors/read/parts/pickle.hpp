@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "vnv/doors/read/numpy_array.hpp"
+#include "vnv/doors/read/parts/numpy_array.hpp"
 
 namespace touchstone::vnv::doors {
 

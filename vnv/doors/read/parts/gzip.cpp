@@ -1,4 +1,4 @@
-#include "vnv/doors/read/gzip.hpp"
+#include "vnv/doors/read/parts/gzip.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors::numpy {
 
@@ -27,6 +27,11 @@ struct NumpyArray {
   bool is_fortran = false;           // the first index runs fastest
   std::string_view bytes{};
 };
+
+inline constexpr std::string_view npy_begins = "\x93NUMPY";
+
+/// An array as a .npy holds it; `bytes` of its numbers are all that follow its header. Throws Unreadable.
+NumpyArray npy_array(std::string_view bytes, const std::string& where);
 
 /// How many numbers; throws Unreadable unless the bytes are just those.
 std::size_t size_of(const NumpyArray& array, const std::string& where);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "vnv/doors/read/numbers.hpp"
+#include "vnv/doors/read/parts/numbers.hpp"
 
 namespace touchstone::vnv::doors::vtk {
 
