@@ -540,13 +540,22 @@ bool complete_coordinates(Dataset& data, const Mapping& mapping, const Vec2& pla
   for (const Array& array : data.arrays)
     if (const std::size_t axis = std::string_view("xy").find(plain(array.name)); axis < 2 && array.components == 1)
       columns[axis] = &array;
-  if (!columns[0] == !columns[1]) return false;
-  const int missing = columns[0] ? 1 : 0;
   Vec2 at = place;
   if (!mapping.at.empty()) {
     const auto [axis, said] = line_named(mapping.at);
     at = Vec2::Constant(not_a_number), at[axis] = said;
   }
+  if (!columns[0] && !columns[1])
+    for (Array& array : data.arrays)
+      if (const std::string name = plain(array.name);
+          array.components == 1 && (name == "distance" || name == "arclength")) {
+        const int along = std::isnan(at.y()) && !std::isnan(at.x()) ? 1 : 0;
+        array.name.replace(0, array.name.find_first_of(" [("), 1, "xy"[along]);
+        columns[static_cast<std::size_t>(along)] = &array;
+        break;
+      }
+  if (!columns[0] == !columns[1]) return false;
+  const int missing = columns[0] ? 1 : 0;
   const Array& known = *columns[static_cast<std::size_t>(1 - missing)];
   if (std::isnan(at[missing]))
     throw Unreadable(fmt::format("{0}: '{1}' is the only coordinate, expected {2} too, or --at {2}=PLACE [m]",

@@ -47,7 +47,8 @@ struct LongerThanPeriod : Unreadable {
 };
 
 /// Adds to a table with one coordinate alone, as of a profile, the other one, where the user says it or by `place` [m],
-/// of which a component may be no number. Whether it has.
+/// of which a component may be no number. What is called a distance is the coordinate that the other one is not.
+/// Whether it has.
 bool complete_coordinates(Dataset& data, const Mapping& mapping, const Vec2& place);
 
 /// Where the fluid of a flow is.

@@ -235,6 +235,7 @@ void Given::keep_fields(const std::vector<std::string>& those) {
 void read_into(Given& given, const Flow& flow, const Mapping& by, Dataset data, std::optional<double> said) {
   Mapping mapping = by;
   const double middle = (flow.domain.box.low.x() + flow.domain.box.high.x()) / 2;
+  mapping.probes |= data.rows_are == Rows::probes;
   mapping.probes |= complete_coordinates(data, by, {flow.is_uniform_along_x ? middle : not_a_number, not_a_number});
   Reading reading = reading_of(
       data, mapping, flow.domain, flow.fluid.density, [&](double t, double rows) { return extent_of(flow, t, rows); },

@@ -46,7 +46,8 @@ struct Array {
   }
 };
 
-enum class Rows { particles, cells };
+/// Probes: places at which a flow was sampled, not all of its fluid.
+enum class Rows { particles, cells, probes };
 
 /// Names of arrays that readers of meshes add.
 inline const std::string points_array = "Points", cell_centres_array = "cell centres",

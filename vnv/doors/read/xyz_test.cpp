@@ -35,7 +35,7 @@ TEST(Xyz, IsRefusedInALineWhereItIsNone) {
         {"1\nProperties=pos:R\n1 2 3\n", "Properties of 'pos', expected NAME:S, R, I or L:COUNT each"},
         {"1\nProperties=pos:R:0\n1 2 3\n", "pos of 0 columns"},
         {"99999999999\n\nAr 1 2 3\n", "99999999999"},
-        {"1\nTime=inf Properties=pos:R:1\n1\n", "finite"}})
+        {"1\nTime=inf Properties=pos:R:1\n1\n", "Time: 'inf', expected a time"}})
     EXPECT_NE(refusal([&] { read_as("xyz", "a.xyz", text, {}); }).find(expected), std::string::npos)
         << text << refusal([&] { read_as("xyz", "a.xyz", text, {}); });
 }
