@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "vnv/doors/read/dataset.hpp"
+#include "vnv/files/whole_file.hpp"
 
 namespace touchstone::vnv {
 namespace {
