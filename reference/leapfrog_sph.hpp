@@ -60,4 +60,7 @@ inline double slope_of_wendland_c2(double q) {
   return q < 2 ? -35 / (4 * std::numbers::pi) * q * std::pow(1 - q / 2, 3) : 0;
 }
 
+/// With the quintic spline and h one spacing.
+inline LeapfrogSph quintic_leapfrog(int across) { return {slope_of_quintic_spline, 3, 1, across}; }
+
 }  // namespace touchstone::reference

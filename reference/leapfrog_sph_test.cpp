@@ -5,7 +5,7 @@
 namespace touchstone::reference {
 namespace {
 
-constexpr LeapfrogSph quintic{slope_of_quintic_spline, 3, 1, 12}, wendland{slope_of_wendland_c2, 2, 2, 12};
+const LeapfrogSph quintic = quintic_leapfrog(12), wendland{slope_of_wendland_c2, 2, 2, 12};
 
 TEST(LeapfrogSph, HasKernelsThatIntegrateToOne) {  // 2 pi integral W q dq = -pi integral W' q² dq
   for (const LeapfrogSph& sph : {quintic, wendland}) {

@@ -83,8 +83,8 @@ std::string without_full_stop(std::string sentence) {
 
 std::string manual_page(const CommandText& vnv, std::string_view version) {
   std::string page =
-      fmt::format(".TH VNV 1 \"\" \"Touchstone {}\" \"User Commands\"\n.SH NAME\nvnv \\- {}\n.SH SYNOPSIS\n", version,
-                  plain(without_full_stop(vnv.what)));
+      fmt::format(".TH VNV 1 \"\" \"Touchstone {}\" \"User Commands\"\n.nh\n.SH NAME\nvnv \\- {}\n.SH SYNOPSIS\n",
+                  version, plain(without_full_stop(vnv.what)));
   for (const CommandText& command : vnv.subcommands)
     page += (page.ends_with("SYNOPSIS\n") ? "" : ".br\n") + usage_of(command) + "\n";
   page += ".SH OPTIONS\nEach command also has these, and \\fB\\-\\-help\\fR, which prints what stands here of it.\n" +

@@ -232,7 +232,7 @@ Slab slab_of(const Scalars& z, double area, std::optional<double> spacing) {
   double s = spacing.value_or(std::sqrt(area / count));
   for (int k = 0; k < 60 && !spacing; ++k) s = std::cbrt(area * depth(s) / count);
   Slab slab{.layers = depth(s) / s};
-  const double slices = std::max(1.0, std::round(slab.layers));
+  const double slices = std::clamp(std::round(slab.layers), 1.0, count);
   for (const double at : z)
     slab.slice.push_back(
         static_cast<int>(std::clamp(std::floor(((at - middle) / depth(s) + 0.5) * slices), 0.0, slices - 1)));
@@ -568,12 +568,18 @@ bool complete_coordinates(Dataset& data, const Mapping& mapping, const Vec2& pla
   return true;
 }
 
-Vectors Slab::in(int which, const Vectors& x) const {
+const Vectors& Slab::in(int which, const Vectors& x, Vectors& kept) const {
   if (slice.empty()) return x;
   std::vector<Eigen::Index> chosen;
   for (std::size_t p = 0; p < slice.size(); ++p)
     if (slice[p] == which) chosen.push_back(static_cast<Eigen::Index>(p));
-  return x(Eigen::all, chosen);
+  return kept = x(Eigen::all, chosen);
+}
+
+const Vectors& Slab::in_the_fullest(const Vectors& x, Vectors& kept) const {
+  std::vector<long> counts(static_cast<std::size_t>(slices()), 0);
+  for (const int k : slice) ++counts[static_cast<std::size_t>(k)];
+  return in(static_cast<int>(std::ranges::max_element(counts) - counts.begin()), x, kept);
 }
 
 Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& domain, double density,
@@ -662,11 +668,13 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
   const double rows_of_layer = static_cast<double>(count) / reading.slab.layers;
   const Extent fluid = fluid_at && !reading.slab.slice.empty() ? fluid_at(s.time, rows_of_layer) : at_first;
   const auto guess = [&] {
-    return guess_of_convention(reading.slab.in_the_middle(vectors(places, "position", "length")) / metre, metre, plane,
-                               mapping, domain, fluid, s.time == 0);
+    Vectors kept;
+    return guess_of_convention(reading.slab.in_the_fullest(vectors(places, "position", "length"), kept) / metre, metre,
+                               plane, mapping, domain, fluid, s.time == 0);
   };
   s.x.colwise() -= plane.way.cwiseProduct(mapping.origin);
-  const Vectors in_slice = reading.slab.in_the_middle(s.x);
+  Vectors kept;
+  const Vectors& in_slice = reading.slab.in_the_fullest(s.x, kept);
   const std::string shorter =
       mapping.probes ? "" : require_periods(data.source, in_slice, domain, is_mesh || s.time == 0, guess);
   if (!shorter.empty()) reading.words.push_back(shorter);

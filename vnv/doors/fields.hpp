@@ -70,9 +70,10 @@ struct Slab {
   Scalars v{};               // m/s  across the plane; empty: there is none
 
   int slices() const { return slice.empty() ? 1 : 1 + std::ranges::max(slice); }
-  /// Those of the rows' places that are in a slice.
-  Vectors in(int which, const Vectors& x) const;
-  Vectors in_the_middle(const Vectors& x) const { return in(slices() / 2, x); }
+  /// Those of the rows' places that are in a slice: all of rows in a plane, else `kept`.
+  const Vectors& in(int which, const Vectors& x, Vectors& kept) const;
+  /// Those of the slice that holds most.
+  const Vectors& in_the_fullest(const Vectors& x, Vectors& kept) const;
 };
 
 /// The particles of a file at a time, and what was read as what, line by line.

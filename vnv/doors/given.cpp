@@ -175,10 +175,10 @@ bool is_coarser(const Vectors& x, const Vectors& before) {
 }
 
 /// Where the rows stand at the first time, of a slab those of one slice.
-Vectors rows_at_first(const GivenLevel& level) {
+const Vectors& rows_at_first(const GivenLevel& level, Vectors& kept) {
   const auto& [time, samples] = *level.at.begin();
   const auto slab = level.slabs.find(time);
-  return slab == level.slabs.end() ? samples.x : slab->second.in_the_middle(samples.x);
+  return slab == level.slabs.end() ? samples.x : slab->second.in_the_fullest(samples.x, kept);
 }
 
 /// The level that a file's rows are of: one of its spacing, or one before of which rows are missing; each that has none
@@ -195,8 +195,9 @@ GivenLevel& level_for(std::vector<GivenLevel>& levels, const GivenLevel& one) {
   GivenLevel* before = nullptr;
   for (GivenLevel& level : levels) {
     if (one.spacing_is_said || has_its_time(level) || level.at.begin()->first > time) continue;
-    const Vectors first = rows_at_first(level);
-    if (const Vectors x = rows_at_first(one);
+    Vectors of_level, of_one;
+    const Vectors& first = rows_at_first(level, of_level);
+    if (const Vectors& x = rows_at_first(one, of_one);
         x.cols() < first.cols() && (!before || level.spacing > before->spacing) && !is_coarser(x, first))
       before = &level;
   }

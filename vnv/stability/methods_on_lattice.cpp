@@ -1,6 +1,5 @@
 #include "vnv/stability/methods_on_lattice.hpp"
 
-#include "reference/leapfrog_sph.hpp"
 #include "solvers/forces/uniform.hpp"
 #include "solvers/sph/kernels/cubic_spline.hpp"
 #include "solvers/sph/printed/printed.hpp"
@@ -65,11 +64,6 @@ OnLattice linear_printed() {
   });
 }
 
-/// Of kick-drift-kick without dissipation, h that of the spacing.
-double leapfrog_by_quintic_spline(const RestingLattice& lattice) {
-  return reference::LeapfrogSph{reference::slope_of_quintic_spline, 3, 1, lattice.across()}.largest_stable_courant();
-}
-
 }  // namespace
 
 std::vector<LatticeMethod> methods_on_lattice() {
@@ -101,7 +95,6 @@ std::vector<LatticeMethod> methods_on_lattice() {
   // A grid is at rest, and so is what the drift of the transport velocity carries.
   for (LatticeMethod& method : all) {
     const std::string name = method.name();
-    if (name == "sph_regularised" || name == "sph_transport_velocity") method.by_criterion = leapfrog_by_quintic_spline;
     method.keeps_volume = method.one_kernel || name == "sph_transport_velocity";
     method.claims_to_be_galilean =
         name == "mpm_least_squares" || (!method.has_grid() && name != "sph_transport_velocity");

@@ -17,9 +17,6 @@ struct LatticeMethod {
   bool one_kernel = false;             // has a ratio of h to the spacing that it is not asked to change
   bool keeps_volume = false;           // takes a uniform pressure away, since the fluid fills its domain
   bool claims_to_be_galilean = false;  // that all is the same for one who is carried along
-  /// The largest stable acoustic Courant number by a closed criterion that knows nothing of our code, where one holds.
-  std::function<double(const RestingLattice&)> by_criterion{};
-
   bool at_night_only = false;          // only in the longest suite, on the plainest lattices
 
   const OnLattice& for_theory() const { return linear ? linear : on; }
