@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace touchstone::reference {
 
@@ -14,13 +15,13 @@ namespace touchstone::reference {
 /// psi = 0 and no slip on all walls. What the lid's speed jumps by at either end is Stokes flow between a wall and a
 /// blade that scrapes it (Taylor 1962; Batchelor 1967, section 4.8), psi ~ r f(theta). It is subtracted, as by Botella
 /// & Peyret (Comput. Fluids 27, 1998, 421), so that what is left is smooth enough for a polynomial. Newton's method
-/// starts at rest or at the flow of a smaller Reynolds number. Memory grows as N^4, time as N^6: 5 s at N = 48, 1 min
-/// at 64. Throws std::domain_error unless Re is positive, 8 <= N <= 128, and Newton's method converges.
+/// starts at rest or at the flow of another Reynolds number or degree. Memory grows as N^4, time as N^6: 1 s at N = 48,
+/// 1 min at 96. Throws std::domain_error unless Re is positive, 8 <= N <= 128, and Newton's method converges.
 class LidDrivenCavity {
  public:
   LidDrivenCavity(double Re, int N) : LidDrivenCavity(Re, N, Matrix::Zero(N + 1, N + 1)) {}
-  /// From the flow of another Reynolds number, of the same degree.
-  LidDrivenCavity(double Re, const LidDrivenCavity& start) : LidDrivenCavity(Re, start.N_, start.psi_) {}
+  /// From the flow of another Reynolds number or degree.
+  LidDrivenCavity(double Re, int N, const LidDrivenCavity& start) : LidDrivenCavity(Re, N, start.at_nodes_of(N)) {}
 
   double u(double x, double y) const {
     return weights(x).dot(psi_ * D_.transpose() * weights(y)) + scraped(x, y).psi_y;
@@ -63,14 +64,16 @@ class LidDrivenCavity {
   void differentiate() {
     constexpr double pi = std::numbers::pi;
     for (int i = 0; i <= N_; ++i) {
-      x_[i] = (1 + std::cos(pi * i / N_)) / 2;
+      x_[i] = node(i, N_);
       for (int j = 0; j <= N_; ++j)
         if (i != j)
           D_(i, j) = scale(j) / scale(i) / (std::sin(pi * (i + j) / (2 * N_)) * std::sin(pi * (j - i) / (2 * N_)));
       D_(i, i) = 0;
       D_(i, i) = -D_.row(i).sum();
     }
+    D2_ = D_ * D_, D3_ = D2_ * D_, D4_ = D2_ * D2_;
   }
+  static double node(int i, int N) { return (1 + std::cos(std::numbers::pi * i / N)) / 2; }
   double scale(int i) const { return (i % 2 ? -1 : 1) * (i == 0 || i == N_ ? 0.5 : 1); }
 
   /// Of the values at the nodes, in a polynomial's value at s (barycentric: Berrut & Trefethen 2004).
@@ -83,59 +86,108 @@ class LidDrivenCavity {
     return weights / weights.sum();
   }
 
-  void solve(double Re) {
-    const int n = N_ + 1;
-    const Matrix D2 = D_ * D_, D3 = D2 * D_, D4 = D2 * D2;
-    const auto of_scraped = [&](double Local::*member) {
-      return Matrix::NullaryExpr(n, n, [&, member](auto i, auto j) { return scraped(x_[i], x_[j]).*member; }).eval();
+  /// What is left at the nodes of another degree.
+  Matrix at_nodes_of(int N) const {
+    if (N == N_) return psi_;
+    Matrix to(N + 1, N_ + 1);
+    for (int i = 0; i <= N; ++i) to.row(i) = weights(node(i, N)).transpose();
+    return to * psi_ * to.transpose();
+  }
+
+  /// A stream function and its derivatives at the nodes.
+  struct Nodal {
+    Matrix psi, psi_x, psi_y, laplacian_x, laplacian_y;
+  };
+  Nodal scraped_at_nodes() const {
+    const auto of = [&](double Local::*member) -> Matrix {
+      return Matrix::NullaryExpr(N_ + 1, N_ + 1, [&, member](auto i, auto j) { return scraped(x_[i], x_[j]).*member; });
     };
-    const Matrix psi_0 = of_scraped(&Local::psi), psi_x_0 = of_scraped(&Local::psi_x),
-                 psi_y_0 = of_scraped(&Local::psi_y), laplacian_x_0 = of_scraped(&Local::laplacian_x),
-                 laplacian_y_0 = of_scraped(&Local::laplacian_y);
-    Matrix jacobian(n * n, n * n);
-    Vector residual(n * n);
-    for (int iteration = 0; iteration < 30; ++iteration) {
-      const Matrix psi_x = D_ * psi_ + psi_x_0, psi_y = psi_ * D_.transpose() + psi_y_0;
-      const Matrix laplacian_x = D3 * psi_ + D_ * psi_ * D2.transpose() + laplacian_x_0;
-      const Matrix laplacian_y = psi_ * D3.transpose() + D2 * psi_ * D_.transpose() + laplacian_y_0;
-      const Matrix bilaplacian = D4 * psi_ + psi_ * D4.transpose() + 2 * D2 * psi_ * D2.transpose();
-      jacobian.setZero();
-      for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-          const int row = j * n + i, wall_i = i == 1 ? 0 : N_, wall_j = j == 1 ? 0 : N_;
-          const auto by = [&](int p, int q) -> double& { return jacobian(row, q * n + p); };
-          if (i % N_ == 0 || j % N_ == 0) {  // no flow through the walls
-            by(i, j) = 1;
-            residual[row] = psi_(i, j) + psi_0(i, j);
-          } else if (i == 1 || i == N_ - 1) {  // the nodes beside them state no slip
-            for (int p = 0; p < n; ++p) by(p, j) = D_(wall_i, p);
-            residual[row] = psi_x(wall_i, j);
-          } else if (j == 1 || j == N_ - 1) {
-            for (int q = 0; q < n; ++q) by(i, q) = D_(wall_j, q);
-            residual[row] = psi_y(i, wall_j) - (wall_j == 0 ? 1 : 0);
-          } else {
-            residual[row] = bilaplacian(i, j) / Re - psi_y(i, j) * laplacian_x(i, j) + psi_x(i, j) * laplacian_y(i, j);
-            for (int q = 0; q < n; ++q)
-              for (int p = 0; p < n; ++p)
-                by(p, q) = 2 * D2(i, p) * D2(j, q) / Re - psi_y(i, j) * D_(i, p) * D2(j, q) +
-                           psi_x(i, j) * D2(i, p) * D_(j, q);
-            for (int p = 0; p < n; ++p) {
-              by(p, j) += D4(i, p) / Re - psi_y(i, j) * D3(i, p) + laplacian_y(i, j) * D_(i, p);
-              by(i, p) += D4(j, p) / Re + psi_x(i, j) * D3(j, p) - laplacian_x(i, j) * D_(j, p);
-            }
+    return {of(&Local::psi), of(&Local::psi_x), of(&Local::psi_y), of(&Local::laplacian_x), of(&Local::laplacian_y)};
+  }
+  Nodal with(const Nodal& scraped) const {
+    return {psi_ + scraped.psi, D_ * psi_ + scraped.psi_x, psi_ * D_.transpose() + scraped.psi_y,
+            D3_ * psi_ + D_ * psi_ * D2_.transpose() + scraped.laplacian_x,
+            psi_ * D3_.transpose() + D2_ * psi_ * D_.transpose() + scraped.laplacian_y};
+  }
+
+  bool is_wall(int i) const { return i % N_ == 0; }
+  bool is_beside_wall(int i) const { return i == 1 || i == N_ - 1; }
+  int wall_beside(int i) const { return i == 1 ? 0 : N_; }
+
+  /// No flow through the walls; the nodes beside them state no slip; in the others, the equation.
+  Matrix residual(const Nodal& at, double Re) const {
+    // What is scraped is biharmonic.
+    const Matrix bilaplacian = D4_ * psi_ + psi_ * D4_.transpose() + 2 * D2_ * psi_ * D2_.transpose();
+    Matrix residual(N_ + 1, N_ + 1);
+    for (int j = 0; j <= N_; ++j)
+      for (int i = 0; i <= N_; ++i) {
+        if (is_wall(i) || is_wall(j))
+          residual(i, j) = at.psi(i, j);
+        else if (is_beside_wall(i))
+          residual(i, j) = at.psi_x(wall_beside(i), j);
+        else if (is_beside_wall(j))
+          residual(i, j) = at.psi_y(i, wall_beside(j)) - (wall_beside(j) == 0 ? 1 : 0);
+        else
+          residual(i, j) =
+              bilaplacian(i, j) / Re - at.psi_y(i, j) * at.laplacian_x(i, j) + at.psi_x(i, j) * at.laplacian_y(i, j);
+      }
+    return residual;
+  }
+
+  /// Of the residual by the values at the nodes, both column by column.
+  void linearise(const Nodal& at, double Re, Matrix& jacobian) const {
+    const int n = N_ + 1;
+    jacobian.setZero();
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const auto by = [&](int p, int q) -> double& { return jacobian(j * n + i, q * n + p); };
+        if (is_wall(i) || is_wall(j)) {
+          by(i, j) = 1;
+        } else if (is_beside_wall(i)) {
+          for (int p = 0; p < n; ++p) by(p, j) = D_(wall_beside(i), p);
+        } else if (is_beside_wall(j)) {
+          for (int q = 0; q < n; ++q) by(i, q) = D_(wall_beside(j), q);
+        } else {
+          const double psi_x = at.psi_x(i, j), psi_y = at.psi_y(i, j);
+          for (int q = 0; q < n; ++q)
+            for (int p = 0; p < n; ++p)
+              by(p, q) = 2 * D2_(i, p) * D2_(j, q) / Re - psi_y * D_(i, p) * D2_(j, q) + psi_x * D2_(i, p) * D_(j, q);
+          for (int p = 0; p < n; ++p) {
+            by(p, j) += D4_(i, p) / Re - psi_y * D3_(i, p) + at.laplacian_y(i, j) * D_(i, p);
+            by(i, p) += D4_(j, p) / Re + psi_x * D3_(j, p) - at.laplacian_x(i, j) * D_(j, p);
           }
         }
-      const Vector change = Eigen::PartialPivLU<Eigen::Ref<Matrix>>(jacobian).solve(residual);
+      }
+  }
+
+  /// Newton's method, which keeps its factors as long as they take a tenth of what is left: these cost nearly all of
+  /// it.
+  void solve(double Re) {
+    const int n = N_ + 1;
+    const Nodal of_scraped = scraped_at_nodes();
+    Matrix jacobian(n * n, n * n);
+    std::optional<Eigen::PartialPivLU<Eigen::Ref<Matrix>>> factors;
+    double last = 0;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const Nodal at = with(of_scraped);
+      if (!factors) {
+        linearise(at, Re, jacobian);
+        factors.emplace(jacobian);
+      }
+      const Vector change = factors->solve(residual(at, Re).reshaped());
       psi_ -= change.reshaped(n, n);
-      if (change.cwiseAbs().maxCoeff() < 1e-9) return;  // it squares: the next one would be round-off
+      const double size = change.cwiseAbs().maxCoeff();
+      if (size < 1e-10) return;
+      if (!(size < last / 10)) factors.reset();
+      last = size;
     }
     refuse("LidDrivenCavity", "Re", Re, "one that Newton's method reaches from its start");
   }
 
   int N_;
-  Vector x_;    // from 1 down to 0
-  Matrix D_;    // derivative at the nodes
-  Matrix psi_;  // (i, j): at x_i, y_j, less what is scraped
+  Vector x_;                 // from 1 down to 0
+  Matrix D_, D2_, D3_, D4_;  // derivatives at the nodes
+  Matrix psi_;               // (i, j): at x_i, y_j, less what is scraped
 };
 
 }  // namespace touchstone::reference

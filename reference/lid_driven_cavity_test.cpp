@@ -48,8 +48,13 @@ TEST(LidDrivenCavity, ConvergesWithTheDegree) {
 }
 
 TEST(LidDrivenCavity, IsReachedFromASmallerReynoldsNumber) {
-  const LidDrivenCavity cavity(400, at_100());
+  const LidDrivenCavity cavity(400, 32, at_100());
   EXPECT_NEAR(cavity.v(0.9063, 0.5), -0.38968, 1e-4) << "Ghia's table has -0.23827 here";
+}
+
+TEST(LidDrivenCavity, IsReachedFromAnotherDegree) {
+  const LidDrivenCavity cavity(100, 20, at_100()), at_rest(100, 20);
+  for (const double s : {0.2, 0.5, 0.9}) EXPECT_NEAR(cavity.u(0.5, s), at_rest.u(0.5, s), 1e-9) << s;
 }
 
 TEST(LidDrivenCavity, IsRefusedWhereItCannotBeComputed) {

@@ -30,25 +30,6 @@ inline double front_at_scaled(double T) {
   return T > 0 ? std::min(2.683, front_at(front, within) + std::min(0.08, T / 10)) : 1;
 }
 
-/// What is linear between the places of a centreline, from the wall at rest to `last` at the other end.
-class Along {
- public:
-  Along(Centreline::Direction direction, double last, int Re) {
-    const Centreline line = ghia_centreline(data_folder(), direction, Re);
-    for (std::size_t k = 0; k < line.at.size(); ++k) values_[line.at[k]] = line.velocity[k];
-    values_[0] = 0, values_[1] = last;
-  }
-  double operator()(double at) const {
-    const auto after = values_.lower_bound(at);
-    if (after == values_.begin()) return after->second;
-    const auto before = std::prev(after);
-    return std::lerp(before->second, after->second, (at - before->first) / (after->first - before->first));
-  }
-
- private:
-  std::map<double, double> values_{};
-};
-
 /// Of a rotating patch at the start, between the places of a grid: its series is slow beside the sides.
 inline Scalars first_pressure(const Flow& flow, const Vectors& places) {
   constexpr int fine = 64;
@@ -92,10 +73,10 @@ inline Samples right_of(const Flow& flow, double across, double t, double shaken
   s.mass = s.density * regular.volume();
   set_exact_fields(flow, s);
   if (flow.name == "cavity") {
-    static std::map<int, std::pair<Along, Along>> known;
     const int Re = static_cast<int>(parameter(flow, "Re"));
-    if (!known.contains(Re))
-      known.emplace(Re, std::pair(Along(Centreline::vertical, 1, Re), Along(Centreline::horizontal, 0, Re)));
+    static std::map<int, std::pair<ConvergedProfile, ConvergedProfile>> known;
+    const auto of = [Re](Centreline::Direction direction) { return ConvergedProfile(data_folder(), direction, Re); };
+    if (!known.contains(Re)) known.emplace(Re, std::pair(of(Centreline::vertical), of(Centreline::horizontal)));
     const auto& [u, v] = known.at(Re);
     const double L = parameter(flow, "L"), V = parameter(flow, "V");
     for (Eigen::Index p = 0; p < s.size(); ++p) s.v.col(p) = V * Vec2(u(s.x(1, p) / L), v(s.x(0, p) / L));

@@ -277,7 +277,7 @@ DataTable read_any(const std::filesystem::path& file) {
 
 template <class Look>
 void each_file(const Look& look) {
-  for (const auto* shelf : {"experiments", "papers", "peers"})
+  for (const auto* shelf : {"experiments", "papers", "peers", "computed"})
     for (const auto& entry : std::filesystem::directory_iterator(data / shelf)) {
       SCOPED_TRACE(entry.path().string());
       if (entry.path().extension() == ".csv") look(read_any(entry.path()));
@@ -534,6 +534,11 @@ TEST(Data, IsComplete) {
                                                 {"papers/sun_tables_3_4.csv", 16},
                                                 {"papers/ghia_1982_vertical_centreline.csv", 119},
                                                 {"papers/ghia_1982_horizontal_centreline.csv", 119},
+                                                {"papers/marchi_2009_cavity_profiles.csv", 15},
+                                                {"papers/cavity_extrema.csv", 18},
+                                                {"computed/cavity_profiles.csv", 324},
+                                                {"computed/cavity_extrema.csv", 12},
+                                                {"computed/cavity_finite_differences.csv", 261},
                                                 {"peers/poiseuille_run_time.csv", 3}};
   for (const auto& [name, count] : rows) EXPECT_EQ(read_any(data / name).rows(), count) << name;
 }

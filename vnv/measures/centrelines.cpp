@@ -4,11 +4,12 @@
 #include "vnv/files/tables.hpp"
 #include "vnv/judge/norms.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace touchstone::vnv {
 
@@ -82,22 +83,111 @@ Quantity norm_of(std::string_view norm, Centreline::Direction direction) {
           "%", Kind::norm};
 }
 
-Centreline ghia_centreline(const std::filesystem::path& data, Centreline::Direction direction, int Re) {
-  const bool is_vertical = direction == Centreline::vertical;
-  const std::string at = is_vertical ? "y [-]" : "x [-]", velocity = is_vertical ? "u [-]" : "v [-]";
-  const DataTable table =
-      read_table(data / "papers" /
-                 (is_vertical ? "ghia_1982_vertical_centreline.csv" : "ghia_1982_horizontal_centreline.csv"))
-          .only("Re", std::to_string(Re))
-          .only("entry", "sound");
+namespace {
+
+std::string velocity_on(Centreline::Direction direction) {
+  return direction == Centreline::vertical ? "u [-]" : "v [-]";
+}
+
+DataTable table_of_ghia(const std::filesystem::path& data, Centreline::Direction direction, int Re) {
+  return read_table(data / "papers" /
+                    (direction == Centreline::vertical ? "ghia_1982_vertical_centreline.csv"
+                                                       : "ghia_1982_horizontal_centreline.csv"))
+      .only("Re", std::to_string(Re));
+}
+
+/// Its rows between the walls, which hold the fluid beside them.
+Centreline between_walls(const DataTable& table, Centreline::Direction direction) {
   Centreline line{direction, {}, {}};
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double place = table.numbers(at)[k];
-    if (place == 0 || place == 1) continue;  // held by the wall
+    const double place = table.numbers(direction == Centreline::vertical ? "y [-]" : "x [-]")[k];
+    if (place == 0 || place == 1) continue;
     line.at.push_back(place);
-    line.velocity.push_back(table.numbers(velocity)[k]);
+    line.velocity.push_back(table.numbers(velocity_on(direction))[k]);
   }
   return line;
+}
+
+}  // namespace
+
+Centreline ghia_centreline(const std::filesystem::path& data, Centreline::Direction direction, int Re) {
+  return between_walls(table_of_ghia(data, direction, Re).only("entry", "sound"), direction);
+}
+
+ConvergedProfile::ConvergedProfile(const std::filesystem::path& data, Centreline::Direction direction, int Re) {
+  const DataTable table = read_table(data / "computed" / "cavity_profiles.csv").only("Re", std::to_string(Re));
+  at_ = table.numbers("s [-]"), velocity_ = table.numbers(velocity_on(direction));
+  const auto of = fmt::format("{}.{}", velocity_on(direction)[0], Re);
+  const auto half_width = table.provenance().uncertainty.find(of);
+  if (half_width == table.provenance().uncertainty.end())
+    throw BadData(table.file(), 0, fmt::format("no uncertainty '{}'", of));
+  half_width_ = half_width->second.value;
+}
+
+double ConvergedProfile::operator()(double at) const {
+  double sum = 0, weights = 0;
+  for (std::size_t k = 0; k < at_.size(); ++k) {
+    if (at == at_[k]) return velocity_[k];
+    const double weight = (k % 2 ? -1 : 1) * (k == 0 || k + 1 == at_.size() ? 0.5 : 1) / (at - at_[k]);
+    sum += weight * velocity_[k];
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+Centreline converged_centreline(const std::filesystem::path& data, Centreline::Direction direction, int Re) {
+  Centreline line = between_walls(table_of_ghia(data, direction, Re), direction);
+  const ConvergedProfile profile(data, direction, Re);
+  std::ranges::transform(line.at, line.velocity.begin(), profile);
+  return line;
+}
+
+const std::array<Extremum, 3>& extrema() {
+  static const std::array<Extremum, 3> all{{{"smallest v_x", Centreline::vertical, -1},
+                                            {"largest v_y", Centreline::horizontal, 1},
+                                            {"smallest v_y", Centreline::horizontal, -1}}};
+  return all;
+}
+
+Peak peak_of(const std::function<double(double at)>& profile, const Extremum& which, double nearest) {
+  constexpr int parts = 200, coarse = 4;
+  const int first = std::max(1, static_cast<int>(std::ceil(nearest * parts - 1e-9))), last = parts - first;
+  std::array<std::optional<double>, parts + 1> known;
+  bool is_number = true;
+  const auto height = [&](int k) {
+    if (!known[k]) known[k] = which.sign * profile(1.0 * k / parts);
+    is_number &= !std::isnan(*known[k]);
+    return *known[k];
+  };
+  const auto best_of = [&](int from, int to, int step) {
+    int best = from;
+    for (int k = from; k <= to; k += step)
+      if (height(k) > height(best)) best = k;
+    return best;
+  };
+  const int near = best_of(first, last, coarse),
+            best = best_of(std::max(near - coarse, first), std::min(near + coarse, last), 1);
+  const double before = height(best - 1), after = height(best + 1), bend = before - 2 * height(best) + after,
+               off = bend < 0 ? std::clamp((before - after) / (2 * bend), -1.0, 1.0) : 0;
+  if (!is_number) return {not_a_number, not_a_number};
+  return {which.sign * (height(best) - (before - after) * off / 4), (best + off) / parts};
+}
+
+Peak converged_peak(const std::filesystem::path& data, const Extremum& which, int Re) {
+  const DataTable row =
+      read_table(data / "computed" / "cavity_extrema.csv").only("Re", std::to_string(Re)).only("quantity", which.name);
+  return {row.numbers("value [-]").front(), row.numbers("at [-]").front()};
+}
+
+Quantity error_of(const Extremum& which) {
+  return {fmt::format("error of the {}, {} centreline", which.name,
+                      which.direction == Centreline::vertical ? "vertical" : "horizontal"),
+          "%", Kind::error};
+}
+Quantity shift_of(const Extremum& which) {
+  return {fmt::format("shift of the {}, {} centreline", which.name,
+                      which.direction == Centreline::vertical ? "vertical" : "horizontal"),
+          "%", Kind::error};
 }
 
 double Cavity::velocity_at(const Samples& samples, Centreline::Direction direction, double at, double spacing) const {
@@ -129,6 +219,18 @@ std::vector<Value> Cavity::compare(const Level& level, const Run& run, const Cen
     return Value{level.name, level.spacing, run.summary.end_time, norm_of(norm, line.direction), 100 * value};
   };
   return {error("L2", relative_l2(found, lid, equal)), error("Linf", relative_linf(found, lid))};
+}
+
+std::vector<Value> Cavity::compare(const Level& level, const Run& run, const Extremum& which, const Peak& exact) const {
+  if (!run.summary.finished) return {};
+  // Nearer to a wall a fit of second degree has too few rows; no peak is.
+  const double nearest = std::clamp(1.5 * level.spacing / side, 0.02, 0.08);
+  const Peak found =
+      peak_of([&](double at) { return mean_velocity_at(run, which.direction, at, level.spacing); }, which, nearest);
+  const auto off = [&](const Quantity& quantity, double by) {
+    return Value{level.name, level.spacing, run.summary.end_time, quantity, 100 * std::abs(by)};
+  };
+  return {off(error_of(which), found.velocity - exact.velocity), off(shift_of(which), found.at - exact.at)};
 }
 
 }  // namespace touchstone::vnv

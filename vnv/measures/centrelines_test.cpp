@@ -99,7 +99,7 @@ double worst_on_centrelines(const Samples& s) {
   const double spacing_of_all = 1 / std::sqrt(static_cast<double>(s.size()));
   double worst = 0;
   for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
-    std::vector<double> places = ghia_centreline(data_folder(), direction, 100).at;
+    std::vector<double> places = converged_centreline(data_folder(), direction, 100).at;
     for (double at = 0.05; at < 0.96; at += 0.0137) places.push_back(at);
     for (const double at : places) {
       const double right = below_a_lid(direction == Centreline::vertical ? Vec2(0.5, at) : Vec2(at, 0.5));
@@ -187,6 +187,61 @@ TEST(CentrelineErrors, OfARunThatDivergedAreNotTold) {
   vnv::Run run = ended_with(scattered(bowl));
   run.summary.finished = false;
   EXPECT_TRUE(cavity.compare(level, run, published(Centreline::vertical, 1)).empty());
+}
+
+const Extremum highest{"largest v_y", Centreline::horizontal, 1}, lowest{"smallest v_y", Centreline::horizontal, -1};
+
+TEST(PeakOf, IsExactForAFieldOfSecondDegree) {
+  for (const double at : {0.04, 0.237, 0.5, 0.9631}) {
+    const Peak top = peak_of([=](double s) { return 0.3 - std::pow(s - at, 2); }, highest),
+               bottom = peak_of([=](double s) { return std::pow(s - at, 2) - 0.3; }, lowest);
+    EXPECT_NEAR(top.velocity, 0.3, 1e-12);
+    EXPECT_NEAR(top.at, at, 1e-10);
+    EXPECT_NEAR(bottom.velocity, -0.3, 1e-12);
+    EXPECT_NEAR(bottom.at, at, 1e-10);
+  }
+}
+
+TEST(PeakOf, IsAsFarFromTheWallsAsIsAsked) {
+  const Peak top = peak_of([](double s) { return s; }, highest);
+  EXPECT_NEAR(top.at, 0.98, 0.005 + 1e-12);
+  EXPECT_NEAR(peak_of([](double s) { return s; }, highest, 0.08).at, 0.92, 0.005 + 1e-12);
+}
+
+TEST(PeakOf, IsNoNumberWhereAVelocityIsNone) {
+  const Peak top = peak_of([](double s) { return s > 0.7 ? not_a_number : s * (1 - s); }, highest);
+  EXPECT_TRUE(std::isnan(top.velocity) && std::isnan(top.at));
+}
+
+TEST(Peaks, AreComparedInPerCentOfTheLidAndOfTheSide) {
+  const vnv::Run run = ended_with(scattered([](const Vec2& x) { return 3 * (0.4 - std::pow(x.x() - 0.6, 2)); }));
+  const std::vector<Value> errors = cavity.compare(level, run, lowest, {-0.42, 0.31});  // v_y has the opposite sign
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[0].quantity.heading(), "error of the smallest v_y, horizontal centreline [%]");
+  EXPECT_NEAR(errors[0].value, 2, 1e-6);
+  EXPECT_EQ(errors[1].quantity.heading(), "shift of the smallest v_y, horizontal centreline [%]");
+  EXPECT_NEAR(errors[1].value, 1, 1e-6);
+}
+
+TEST(ConvergedCentrelines, AreAtThePlacesOfGhiaWithTheDoubtfulOne) {
+  for (const int Re : {100, 400, 1000, 3200})
+    for (const auto direction : {Centreline::vertical, Centreline::horizontal}) {
+      const Centreline line = converged_centreline(data_folder(), direction, Re);
+      EXPECT_EQ(line.at.size(), 15u);
+      EXPECT_EQ(line.velocity.size(), 15u);
+    }
+  EXPECT_THROW(converged_centreline(data_folder(), Centreline::vertical, 200), BadData);
+  EXPECT_THROW(converged_peak(data_folder(), highest, 200), BadData);
+}
+
+TEST(ConvergedProfiles, GoThroughTheirPlaces) {
+  const DataTable table = read_table(data_folder() / "computed/cavity_profiles.csv").only("Re", "1000");
+  const ConvergedProfile profile(data_folder(), Centreline::horizontal, 1000);
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const double at = table.numbers("s [-]")[k], velocity = table.numbers("v [-]")[k];
+    EXPECT_EQ(profile(at), velocity);
+    EXPECT_NEAR(profile(at + 1e-14 * (0.5 - at)), velocity, 1e-11);
+  }
 }
 
 TEST(GhiasCentrelines, HaveTheirWallsAndDoubtfulEntriesLeftOut) {

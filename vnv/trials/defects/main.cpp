@@ -248,7 +248,7 @@ std::string by_factor_of_velocity(const Planted& c, double factor) {
   if (name == "standing_wave" || name == "dam_break")
     return factor < 0.4 || factor > 1.6 ? "red: part of the motion or kinetic"
                                         : "open: a rate over few times is known to a factor";
-  if (name == "cavity") return off > 0.3 ? "red: L2 v" : "open: about the error of the tables";
+  if (name == "cavity") return off > 0.3 ? "red: L2 v" : "open: about what is claimed";
   return off > 0.055 ? "red: angular momentum or kinetic energy" : "open: about what methods lose";  // rotating_patch
 }
 std::string by_factor_of_pressure(const Planted& c, double factor) {
@@ -631,7 +631,7 @@ std::vector<Defect> defects_of(const Flow& flow) {
           if (which == "H" || which == "L" || which == "h" || which == "R" || which == "l0") return "red: ";
           if (name == "standing_wave" && which == "nu") return "open: to first order in it";
           if (name == "hydrostatic") return by_pressure(c, "");
-          if (name == "cavity" && !c.is_limited && std::abs(factor - 1) < 0.15) return "open: about the tables";
+          if (name == "cavity" && !c.is_limited && std::abs(factor - 1) < 0.15) return "open: about what is claimed";
           if (name == "elliptic_drop" || name == "rotating_patch" || name == "standing_wave" || name == "dam_break" ||
               name == "cavity")
             return "red: ";
