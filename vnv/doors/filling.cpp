@@ -153,8 +153,8 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
       }
       const std::optional<Region> region = flow.region_at(time);
       for (int k = 0; k < slab.slices(); ++k) {
-        Vectors kept;
-        const Vectors& x = slab.in(k, samples.x, kept);
+        Vectors of_slice;
+        const Vectors& x = slab.in(k, samples.x, of_slice);
         if (x.cols() == 0) continue;  // rows of all slices are counted
         const Coverage coverage =
             coverage_of(x, given.spacing, region.value_or(Region{.domain = flow.domain, .is_known = false}));
