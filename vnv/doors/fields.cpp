@@ -625,7 +625,10 @@ Reading reading_of(const Dataset& data, const Mapping& mapping, const Domain& do
       const auto& [low, high] = reach[one[static_cast<std::size_t>(k)]];
       rows.low[k] = metre * low - mapping.origin[k], rows.high[k] = metre * high - mapping.origin[k];
     }
-    const double one_layer = std::sqrt(at_first.area / static_cast<double>(count));
+    const auto& [front, back] = reach[3 - one[0] - one[1]];
+    const double one_layer = std::sqrt(at_first.area / static_cast<double>(count)),
+                 apart = std::cbrt(at_first.area * metre * (back - front) / static_cast<double>(count));
+    if (apart > domain.box.size().minCoeff()) return Lie::elsewhere;  // too few to fill a slab so deep
     return is_where_fluid_is(rows, domain, at_first, one_layer)               ? Lie::everywhere
            : domain.box.contains(rows.low) && domain.box.contains(rows.high) ? Lie::within
                                                                               : Lie::elsewhere;
