@@ -352,6 +352,11 @@ class FlowFile {
 
 fs::path file_of(const std::string& name) { return data_folder() / "flows" / (name + ".toml"); }
 
+[[noreturn]] void refuse_file(const fs::path& file, const std::exception& error) {
+  const std::string what = error.what();
+  throw std::invalid_argument(printable(what.starts_with(file.string() + ":") ? what : file.string() + ": " + what));
+}
+
 }  // namespace
 
 std::vector<std::string> known_flows() {
@@ -376,8 +381,9 @@ Flow read_flow(const fs::path& file, Settings settings) try {
         fmt::format("{} is the name of another flow, expected one that vnv scene does not list", name));
   return finished(std::move(flow), name, settings);
 } catch (const std::logic_error& error) {
-  const std::string what = error.what();
-  throw std::invalid_argument(printable(what.starts_with(file.string()) ? what : file.string() + ": " + what));
+  refuse_file(file, error);
+} catch (const BadData& error) {  // of a table
+  refuse_file(file, error);
 }
 
 Flow flow_of(const std::string& name_or_file, Settings settings, const fs::path& folder) {

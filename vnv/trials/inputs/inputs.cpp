@@ -23,6 +23,7 @@
 #include "vnv/command/patterns.hpp"
 #include "vnv/command/settings.hpp"
 #include "vnv/doors/solver.hpp"
+#include "vnv/flows/formulas/flow_file.hpp"
 #include "vnv/files/tables.hpp"
 #include "vnv/files/whole_file.hpp"
 #include "vnv/harness/options.hpp"
@@ -109,6 +110,7 @@ const std::map<std::string, void (*)(const fs::path&)> readers = {
     {"record", take_record},
     {"night", [](const fs::path& file) { reports::read_night(file); }},
     {"solver", [](const fs::path& file) { doors::read_solver(file); }},
+    {"flow", [](const fs::path& file) { read_flow(file); }},
     {"case_options", take_case_options},
     {"command", take_command}};
 

@@ -29,9 +29,11 @@ SEEDS = {"table": ("data/experiments/*.csv", "data/papers/*.csv", "data/peers/*.
          "record": ("vnv/record/former_records/*", "vnv/trials/inputs/seeds/record/*"),
          "night": ("vnv/trials/inputs/seeds/night/*",),
          "solver": ("vnv/doors/peers/*.toml", "vnv/doors/examples/program/*.toml"),
+         "flow": ("data/flows/*.toml",),
          "case_options": ("vnv/trials/inputs/seeds/case_options/*",),
          "command": ("vnv/trials/inputs/seeds/command/*",)}
-SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solver_file.cpp", "vnv/flows/flow.cpp", "vnv/record/record.cpp",
+SPOKEN_IN = ("vnv/command/main.cpp", "vnv/harness/options.cpp", "vnv/doors/solver_file.cpp", "vnv/flows/flow.cpp", "vnv/flows/formulas/*.cpp",
+             "vnv/record/record.cpp",
              "vnv/record/accepted_claims.cpp", "vnv/judge/baselines.cpp", "vnv/files/tables.cpp", "reports/read/*.cpp")
 EDGES = ("-1", "1e999", "-1e308", "5e-324", "18446744073709551616", "null", "2026-02-30", "'''", "[[", "{", "\ufeff", "\x1b[2J", "\r\n", "../")
 
