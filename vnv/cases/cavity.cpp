@@ -75,7 +75,8 @@ const std::vector<Level> all_levels = levels_of({{24, 50, 100}, {50, 100}, {100}
                          coarse_levels = levels_of({{24, 50}});
 
 const std::string coarsest = tabulated[0].at(24);
-const Author first_measured = baseline("1.5 times the first measured value, the worst of five runs where they differ");
+const Author first_measured = baseline("1.5 times the first measured value, the worst of five runs where they differ"),
+             of_one_run = baseline("1.5 times the first measured value, of one run");
 const Claim steady = at_most(change_of_energy, 0.5, theory("the published flow is steady"));
 const Claim falls_with_the_spacing =
     order_at_least("particles across at Re 100", norm_of("L2", Centreline::vertical), 1, 0.75,
@@ -120,7 +121,7 @@ Case vnv::the_case() {
       in_cavity(2, all_levels,
                 {steady_on_average(), within(2.1, first_measured, coarsest), within(1, converged, Re_100),
                  within(2, converged, Re_400), within(2, converged, Re_1000), peaks_within(2, 1, converged, Re_100),
-                 peaks_within(2, 1, converged, Re_400), peaks_within(3.6, 1, first_measured, Re_1000)});
+                 peaks_within(2, 1, converged, Re_400), peaks_within(3.6, 1, of_one_run, Re_1000)});
   // Particles that are not remeshed onto a lattice mix: with 24 across, five runs whose steps differ by up to a per
   // cent end 1.2 to 1.4 % off Ghia et al. in v_x and 0.8 to 1.0 % in v_y (at one instant, 1.0 to 3.0 and 0.6 to 2.1 %).
   mixing.tolerance = {0.3, "particles mix: runs whose steps differ by up to a per cent differ by a fifth"};
