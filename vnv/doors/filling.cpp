@@ -105,6 +105,7 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
   const bool is_of_one_metre = ratio > 1 / other_depth && ratio < other_depth;
   const bool is_box = flow.shape.empty() && !flow.has_free_surface();
   const Author kept = theory("mass is conserved");
+  const Slab in_a_plane;
   if (given.has_volumes && !is_of_one_metre)
     worst.tell(
         fmt::format("masses are {:.3g} times those of a layer 1 m deep: compared with those at the first time", ratio));
@@ -114,12 +115,13 @@ Filling filling_of(const Flow& flow, const std::string& level, const GivenLevel&
     };
     const double rows = static_cast<double>(samples.size());
     const auto found_slab = given.slabs.find(time);
-    const Slab slab = found_slab == given.slabs.end() ? Slab{} : found_slab->second;
-    if (const double along = squared_velocity(flow, samples); slab.v.size() > 0 && along > 0) {
-      const double across = (samples.volumes() * slab.v.square()).sum();
-      worst.take(value(velocity_across, 100 * std::sqrt(across / along)), "");
-      worst.claim(at_most(velocity_across, 20, theory("nothing drives a plane flow out of its plane")));
-    }
+    const Slab& slab = found_slab == given.slabs.end() ? in_a_plane : found_slab->second;
+    if (slab.v.size() > 0)
+      if (const double along = squared_velocity(flow, samples); along > 0) {
+        const double across = (samples.volumes() * slab.v.square()).sum();
+        worst.take(value(velocity_across, 100 * std::sqrt(across / along)), "");
+        worst.claim(at_most(velocity_across, 20, theory("nothing drives a plane flow out of its plane")));
+      }
     const Index components = has(fields, "velocity") ? 2 : has(fields, velocity_along_x) ? 1 : 0;
     if (const auto none = (!samples.v.topRows(components).array().isFinite()).colwise().any().count(); none > 0) {
       worst.take(value(without_velocity, static_cast<double>(none)), "");
