@@ -39,7 +39,7 @@ def allowed_includes():
         allowed[f"reports/{name}"] = below
         below = below | {f"reports/{name}"}
     return allowed | {"reports": below, "reports/browser": below | {"reports"}, "vnv/trials/verdicts": below,
-                      "vnv/trials/inputs": below | {"reports", "vnv/command", "vnv/doors", "vnv/harness", "vnv/judge"}}
+                      "vnv/trials/inputs": below | {"reports", "vnv/command", "vnv/doors", "vnv/flows", "vnv/harness", "vnv/judge"}}
 
 
 def folder_of(file, folders):
