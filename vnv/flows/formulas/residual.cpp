@@ -11,8 +11,9 @@ namespace touchstone::vnv::formulas {
 namespace {
 
 /// The slope of a function of a number at 0, by a step.
-auto slope(const auto& f, double h) {
-  return ((45.0 * (f(h) - f(-h)) - 9.0 * (f(2 * h) - f(-2 * h)) + (f(3 * h) - f(-3 * h))) / (60 * h));
+template <class Found>
+Found slope(const auto& f, double h) {
+  return (45.0 * (f(h) - f(-h)) - 9.0 * (f(2 * h) - f(-2 * h)) + (f(3 * h) - f(-3 * h))) / (60 * h);
 }
 
 /// Velocity, pressure and force of a flow, and their derivatives by steps [m, s].
@@ -35,11 +36,11 @@ class Fields {
   /// Of a number or a vector that is a function of place and time.
   auto along(int axis, const auto& f, const Vec2& x, double t) const {
     using Found = std::decay_t<decltype(f(x, t))>;
-    return Found(slope([&](double s) -> Found { return f(x + s * Vec2::Unit(axis), t); }, h_));
+    return slope<Found>([&](double s) -> Found { return f(x + s * Vec2::Unit(axis), t); }, h_);
   }
   auto in_time(const auto& f, const Vec2& x, double t) const {
     using Found = std::decay_t<decltype(f(x, t))>;
-    return Found(slope([&](double s) -> Found { return f(x, t + s); }, dt_));
+    return slope<Found>([&](double s) -> Found { return f(x, t + s); }, dt_);
   }
   auto laplacian(const auto& f, const Vec2& x, double t) const {
     using Found = std::decay_t<decltype(f(x, t))>;
