@@ -26,18 +26,16 @@ TEST(Xyz, OfThePlainLayoutHasPlacesAndColumns) {
 }
 
 TEST(Xyz, IsRefusedInALineWhereItIsNone) {
-  for (const auto& [text, expected] :
-       {std::pair("two\n\n", "a.xyz:1: 'two', expected how many rows there are"),
-        {"2\n\nAr 1 2 3\n", "ends within"},
-        {"1\n\nAr 1 2\n", "expected a species and three coordinates"},
-        {"1\n\nAr 1 2 z\n", "number 1 'z', expected a number"},
-        {"2\n\nAr 1 2 3\nAr 1 2 3 4\n", "a.xyz:4: more cells than columns, expected 4"},
-        {"1\nProperties=pos:R\n1 2 3\n", "Properties of 'pos', expected NAME:S, R, I or L:COUNT each"},
-        {"1\nProperties=pos:R:0\n1 2 3\n", "pos of 0 columns"},
-        {"99999999999\n\nAr 1 2 3\n", "99999999999"},
-        {"1\nTime=inf Properties=pos:R:1\n1\n", "Time: 'inf', expected a time"}})
-    EXPECT_NE(refusal([&] { read_as("xyz", "a.xyz", text, {}); }).find(expected), std::string::npos)
-        << text << refusal([&] { read_as("xyz", "a.xyz", text, {}); });
+  expect_refusals("xyz", "a.xyz",
+                  {{"two\n\n", "a.xyz:1: 'two', expected how many rows there are"},
+                   {"2\n\nAr 1 2 3\n", "ends within"},
+                   {"1\n\nAr 1 2\n", "expected a species and three coordinates"},
+                   {"1\n\nAr 1 2 z\n", "number 1 'z', expected a number"},
+                   {"2\n\nAr 1 2 3\nAr 1 2 3 4\n", "a.xyz:4: more cells than columns, expected 4"},
+                   {"1\nProperties=pos:R\n1 2 3\n", "Properties of 'pos', expected NAME:S, R, I or L:COUNT each"},
+                   {"1\nProperties=pos:R:0\n1 2 3\n", "pos of 0 columns"},
+                   {"99999999999\n\nAr 1 2 3\n", "99999999999"},
+                   {"1\nTime=inf Properties=pos:R:1\n1\n", "Time: 'inf', expected a time"}});
 }
 
 }  // namespace xyz_test

@@ -102,8 +102,9 @@ class FlowFile {
   }
 
  private:
-  Definition definition(const Keys& of, const std::string& key) const {
-    const toml::node& node = *of.node(key);
+  Definition definition(const Keys& of, const std::string& key) const { return definition(of, key, *of.node(key)); }
+  /// Of a key, or of an element of its array.
+  Definition definition(const Keys& of, const std::string& key, const toml::node& node) const {
     const toml::source_position at = node.source().begin;
     Definition made{key, "", fmt::format("{}:{}", keys_.file().string(), at.line)};
     if (const std::optional<double> number = node.value<double>())
@@ -219,18 +220,8 @@ class FlowFile {
     domain.require(axis, R"([0, "L"])");
     const toml::array* ends = domain.node(axis)->as_array();
     if (!ends || ends->size() != 2) domain.refuse(*domain.node(axis), axis, "two numbers or formulas, low and high");
-    std::array<double, 2> found{};
-    for (const std::size_t k : {0u, 1u}) {
-      const toml::node& node = *ends->get(k);
-      Definition one{axis, "", fmt::format("{}:{}", keys_.file().string(), node.source().begin.line)};
-      if (const std::optional<double> value = node.value<double>()) {
-        found[k] = *value;
-        continue;
-      }
-      if (!node.is_string()) domain.refuse(node, axis, "two numbers or formulas, low and high");
-      one.text = *node.value<std::string>(), one.column = node.source().begin.column + 1;
-      found[k] = number(one);
-    }
+    const std::array found{number(definition(domain, axis, *ends->get(0))),
+                           number(definition(domain, axis, *ends->get(1)))};
     if (!(found[0] < found[1]))
       domain.refuse(*domain.node(axis), axis,
                     fmt::format("low below high (they are {:g} and {:g})", found[0], found[1]));
