@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "vnv/doors/read/testing.hpp"
+#include "vnv/doors/read/refusals_testing.hpp"
 
 namespace touchstone::vnv::doors {
 namespace openfoam_sets_test {

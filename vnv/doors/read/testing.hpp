@@ -1,12 +1,9 @@
 #pragma once
 /// Samples of formats, as tests read them.
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "vnv/doors/read/format.hpp"
@@ -56,15 +53,6 @@ inline std::vector<double> five(char name) {
   for (const double k : {0., 1., 2., 3., 4.})
     column.push_back(name == 'x' ? 0.1 * k : name == 'y' ? 1 / (k + 1) : name == 'u' ? k / 3 : -k / 7);
   return column;
-}
-
-/// Each text is refused by the reader of a format with these words among others.
-inline void expect_refusals(std::string_view format, const std::filesystem::path& file,
-                            const std::vector<std::pair<std::string, std::string>>& texts) {
-  for (const auto& [text, expected] : texts) {
-    const std::string found = refusal([&] { read_as(format, file, text, {}); });
-    EXPECT_NE(found.find(expected), std::string::npos) << text << found;
-  }
 }
 
 }  // namespace touchstone::vnv::doors
