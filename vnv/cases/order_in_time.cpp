@@ -7,6 +7,8 @@
 #include "vnv/stability/methods_on_lattice.hpp"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 using namespace touchstone;
 using namespace touchstone::vnv;
@@ -35,6 +37,14 @@ Vectors after(const LatticeMethod& method, const RestingLattice& lattice, long s
   return simulation.samples().v;
 }
 
+/// Methods that are seen beside each other: no more than a figure has colours.
+std::pair<std::string, std::string> figure_of(const std::string& method) {
+  if (method.starts_with("mpm")) return {"steps_mpm", "MPM"};
+  if (method == "sph_delta" || method == "sph_corrected" || method == "sph_shifted")
+    return {"steps_free_surface", "SPH for free surfaces"};
+  return {"steps_sph", "SPH"};
+}
+
 Run in_ever_shorter_steps(const LatticeMethod& method, const RestingLattice& lattice) {
   constexpr int halvings = 4;
   const CostMeter meter;
@@ -54,7 +64,7 @@ Run in_ever_shorter_steps(const LatticeMethod& method, const RestingLattice& lat
   run.add(half_width_of_it, found.half_width);
   run.add(finest_difference, difference.back());
   run.add(change_per_step, difference.back() / static_cast<double>(steps / 2));
-  run.curves = {{"steps", method.name(), Role::ours, step, difference, true}};
+  run.curves = {{figure_of(method.name()).first, method.name(), Role::ours, step, difference, false}};
   return run;
 }
 
@@ -85,14 +95,13 @@ Method of(const LatticeMethod& on_lattice) {
 }
 
 void draw(const Results& results, Record& record) {
-  record.figures.push_back(
-      {"steps",
-       "Differences of the velocity by halving the time step",
-       "L2 difference of the velocities of all particles after the same time, in so many steps and in "
-       "twice as many. First order has the slope 1; where each step smooths, it is -1.",
-       {.label = "1 / steps", .logarithmic = true},
-       {.label = "L2 v [%]", .logarithmic = true}});
-  for (const Run& run : results.runs) record.curves.insert(record.curves.end(), run.curves.begin(), run.curves.end());
+  const auto [id, title] = figure_of(results.method.name);
+  record.figures.push_back({id,
+                            "Differences of the velocity by halving the time step: " + title,
+                            "L2 difference of the velocities of all particles after the same time, in so many steps "
+                            "and in twice as many. First order has the slope 1; where each step smooths, it is -1.",
+                            {.label = "1 / steps", .logarithmic = true},
+                            {.label = "L2 v [%]", .logarithmic = true}});
 }
 
 }  // namespace
